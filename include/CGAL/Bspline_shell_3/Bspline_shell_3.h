@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H
+#define CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H
+
+#include <CGAL/Bspline_shell_3/Progress.h>
+#include <CGAL/Bspline_shell_3/Status.h>
+#include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/fit_field.h>
+#include <CGAL/Bspline_shell_3/level_bounds.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief how the construction of a shell went.
+ */
+struct Shell_report
+{
+  Shell_status status = Shell_status::EMPTY_MESH;
+  Offending_simplices offending_simplices;    ///< where it failed
+  std::size_t facets = 0;                     ///< triangles of the mesh
+  std::size_t components = 0;                 ///< of the mesh
+  double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
+  double gamma = 0;                           ///< cells per unit
+  std::size_t rings = 0;                      ///< of cells around those that the mesh enters
+  std::size_t surface_cells = 0;              ///< cells that the mesh enters
+  std::size_t cells = 0;
+  std::size_t unknowns = 0;
+  Fit_report fit;
+  Level_range edges;                          ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
+  Level_range facets_bound;                   ///< bounds on the facets, not rounded
+  std::array<double, 5> seconds = {};         ///< per `Shell_step`
+
+  double total_seconds() const
+  {
+    double sum = 0;
+    for(double s : seconds) sum += s;
+    return sum;
+  }
+};
+
+} // namespace Bspline_shells
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
+ * levels between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
+ *
+ * Shells are made by `bspline_shell_3()`. Const member functions may be called from several threads at once.
+ *
+ * \tparam Field_ a model of `BsplineField_3`
+ */
+template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<> >
+class Bspline_shell_3
+{
+public:
+  typedef Field_ Field;
+  typedef typename Field::Geom_traits Geom_traits;
+  typedef typename Field::FT FT;
+  typedef typename Field::Point_3 Point_3;
+  typedef Bspline_shells::Shell_status Shell_status;
+  typedef Bspline_shells::Shell_report Shell_report;
+  typedef Bspline_shells::Level_range Level_range;
+
+  /// no shell, for a reason
+  explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
+
+  Bspline_shell_3(Field field, const Level_range& levels, std::vector<Level_range> facets, Shell_report report)
+    : m_field(std::move(field)), m_levels(levels), m_facets(std::move(facets)), m_report(std::move(report))
+  {}
+
+  /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
+  explicit operator bool() const { return status() == Shell_status::SUCCESS; }
+  Shell_status status() const { return m_report.status; }
+  const Shell_report& report() const { return m_report; }
+
+  const Field& field() const { return m_field; }
+  FT inner_level() const { return m_levels.min; }          ///< \f$\epsilon_1\f$, user units
+  FT outer_level() const { return m_levels.max; }          ///< \f$\epsilon_2\f$, user units
+  /// \f$\epsilon_2 - \epsilon_1\f$ (Eq. 5.1 of the paper), user units
+  FT thickness() const { return outer_level() - inner_level(); }
+  /// the thickness as a fraction of the longest side of the mesh's box
+  FT relative_thickness() const { return thickness() / m_report.unit; }
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
+  const std::vector<Level_range>& facet_ranges() const { return m_facets; }
+
+  /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
+  /// answer is that of `double` arithmetic.
+  Bounded_side bounded_side(const Point_3& p) const
+  {
+    const std::optional<FT> f = m_field.value(p);
+    if(!f || *f < inner_level() || *f > outer_level()) return ON_UNBOUNDED_SIDE;
+    return *f == inner_level() || *f == outer_level() ? ON_BOUNDARY : ON_BOUNDED_SIDE;
+  }
+
+private:
+  Field m_field;
+  Level_range m_levels;
+  std::vector<Level_range> m_facets;
+  Shell_report m_report;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_INPUT_MESH_3_H
+#define CGAL_BSPLINE_SHELL_3_INPUT_MESH_3_H
+
+#include <CGAL/Bspline_shell_3/Status.h>
+#include <CGAL/Bspline_shell_3/vertex_cone.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief a user's mesh as the package works on it: triangles with `double` coordinates, each with its facet of origin,
+ * checked for all that a shell needs.
+ *
+ * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one.
+ */
+class Input_mesh_3
+{
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
+public:
+  typedef Surface_mesh<Kernel::Point_3> Triangle_mesh;
+  typedef Triangle_mesh::Face_index Face_index;
+
+  /// defects that the caller accepts
+  struct Tolerated_defects
+  {
+    bool self_intersections = false;
+    bool singular_vertices = false;
+  };
+
+  Input_mesh_3() = default;
+
+  /// copies, triangulates and checks the mesh.
+  /// \tparam FaceGraph a model of `FaceListGraph`
+  /// \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
+  template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
+  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated)
+  {
+    m_offenders = Offending_simplices();
+    Shell_status status = copy(mesh, vpm);
+    if(status == Shell_status::SUCCESS) status = check_surface();
+    if(status == Shell_status::SUCCESS) status = triangulate();
+    if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
+    if(status == Shell_status::SUCCESS) status = check_orientation(tolerated.self_intersections);
+    if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
+    if(status != Shell_status::SUCCESS) m_mesh.clear();
+    return status;
+  }
+
+  const Triangle_mesh& mesh() const { return m_mesh; }
+  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of
+  std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
+  /// smallest box around the facets
+  Bbox_3 bbox() const { return m_bbox; }
+  /// length of the longest side of the box: the paper's unit
+  double unit() const
+  {
+    return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
+  }
+  std::size_t number_of_components() const { return m_components; }
+  /// `false` if the facets face the bounded side; the field then grows inwards
+  bool faces_outwards() const { return m_outwards; }
+  const Offending_simplices& offending_simplices() const { return m_offenders; }
+
+  std::array<Kernel::Point_3, 3> triangle(Face_index f) const
+  {
+    Triangle_mesh::Halfedge_index h = m_mesh.halfedge(f);
+    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))) };
+  }
+
+private:
+  // passes the facet of origin on to the triangles of a polygon
+  struct Origin_visitor : Polygon_mesh_processing::Triangulate_faces::Default_visitor<Triangle_mesh>
+  {
+    Origin_visitor(std::vector<std::size_t>& origin, std::size_t& current) : origin(&origin), current(&current) {}
+    void before_subface_creations(Face_index f) { *current = (*origin)[f]; }
+    void after_subface_created(Face_index f)
+    {
+      if(origin->size() <= std::size_t(f)) origin->resize(std::size_t(f) + 1);
+      (*origin)[f] = *current;
+    }
+    std::vector<std::size_t>* origin;
+    std::size_t* current;
+  };
+
+  template <typename FaceGraph, typename VertexPointMap>
+  Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm)
+  {
+    m_mesh.clear();
+    if(CGAL::is_empty(mesh) || faces(mesh).begin() == faces(mesh).end()) return Shell_status::EMPTY_MESH;
+    std::size_t position = 0;
+    for(auto v : vertices(mesh)) {
+      const auto& p = get(vpm, v);
+      for(int a = 0; a < 3; ++a)
+        if(!std::isfinite(CGAL::to_double(p[a]))) {
+          m_offenders.vertices.push_back(position);
+          break;
+        }
+      ++position;
+    }
+    if(!m_offenders.vertices.empty()) return Shell_status::NOT_FINITE;
+
+    typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+    typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
+    std::vector<std::pair<face_descriptor, Face_index> > face_pairs;
+    std::vector<std::pair<vertex_descriptor, Triangle_mesh::Vertex_index> > vertex_pairs;
+    face_pairs.reserve(num_faces(mesh));
+    CGAL::copy_face_graph(mesh, m_mesh,
+                          CGAL::parameters::vertex_point_map(vpm)
+                                          .face_to_face_output_iterator(std::back_inserter(face_pairs))
+                                          .vertex_to_vertex_output_iterator(std::back_inserter(vertex_pairs)));
+    // to_double of a lazy number may depend on its history; the copy must not
+    for(const auto& pair : vertex_pairs) {
+      const auto& p = get(vpm, pair.first);
+      m_mesh.point(pair.second) = Kernel::Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+    }
+    // faces and vertices are copied in the order of the ranges
+    m_origin.assign(m_mesh.number_of_faces(), 0);
+    for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
+    m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
+    for(std::size_t n = 0; n < vertex_pairs.size(); ++n) m_vertex_origin[vertex_pairs[n].second] = n;
+    m_bbox = Bbox_3();
+    for(auto f : m_mesh.faces()) m_bbox += Polygon_mesh_processing::face_bbox(f, m_mesh);
+    return Shell_status::SUCCESS;
+  }
+
+  Shell_status check_surface()
+  {
+    std::vector<std::size_t> open;
+    for(auto h : m_mesh.halfedges())
+      if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)))
+        open.push_back(m_origin[m_mesh.face(m_mesh.opposite(h))]);
+    if(!open.empty()) return refuse_facets(Shell_status::OPEN_MESH, open);
+    std::vector<Triangle_mesh::Halfedge_index> pinched;
+    Polygon_mesh_processing::non_manifold_vertices(m_mesh, std::back_inserter(pinched));
+    for(auto h : pinched) m_offenders.vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
+    return pinched.empty() ? Shell_status::SUCCESS : Shell_status::NON_MANIFOLD;
+  }
+
+  Shell_status triangulate()
+  {
+    std::vector<std::size_t> degenerate;
+    if(!CGAL::is_triangle_mesh(m_mesh)) {
+      std::size_t current = 0;
+      Polygon_mesh_processing::triangulate_faces(m_mesh, CGAL::parameters::visitor(Origin_visitor(m_origin, current)));
+      for(auto f : m_mesh.faces())
+        if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh)) degenerate.push_back(m_origin[f]);
+      if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
+    }
+    for(auto f : m_mesh.faces())
+      if(Polygon_mesh_processing::is_degenerate_triangle_face(f, m_mesh)) degenerate.push_back(m_origin[f]);
+    if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
+    return Shell_status::SUCCESS;
+  }
+
+  template <typename ConcurrencyTag>
+  Shell_status check_intersections()
+  {
+    std::vector<std::pair<Face_index, Face_index> > pairs;
+    // overlapping meshes may have a quadratic number of pairs: enough of them is enough
+    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(m_mesh, std::back_inserter(pairs),
+                                                                CGAL::parameters::maximum_number(max_pairs));
+    std::vector<std::size_t> facets;
+    for(const auto& pair : pairs) {
+      facets.push_back(m_origin[pair.first]);
+      facets.push_back(m_origin[pair.second]);
+    }
+    return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::SELF_INTERSECTION, facets);
+  }
+
+  // All components must be oriented as the boundary of one volume, or all the other way round.
+  Shell_status check_orientation(bool may_intersect)
+  {
+    typedef Triangle_mesh::Property_map<Face_index, std::size_t> Face_map;
+    Face_map component = m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
+    Face_map volume = m_mesh.add_property_map<Face_index, std::size_t>("f:volume", 0).first;
+    std::vector<bool> outward;
+    std::vector<std::size_t> nesting;
+    // nesting is not defined for components that intersect each other
+    if(may_intersect) {
+      m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
+      m_outwards = Polygon_mesh_processing::is_outward_oriented(m_mesh);
+    } else {
+      Polygon_mesh_processing::volume_connected_components(m_mesh, volume,
+        CGAL::parameters::do_orientation_tests(true)
+                        .face_connected_component_map(component)
+                        .nesting_levels(std::ref(nesting))
+                        .is_cc_outward_oriented(std::ref(outward)));
+      m_components = nesting.size();
+    }
+    Shell_status status = Shell_status::SUCCESS;
+    if(!may_intersect) {
+      m_outwards = outward[0] == (nesting[0] % 2 == 0);
+      std::vector<bool> wrong(m_components, false);
+      for(std::size_t c = 0; c < m_components; ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
+      std::vector<std::size_t> facets;      // one facet of each component that disagrees
+      for(auto f : m_mesh.faces())
+        if(wrong[component[f]]) { facets.push_back(m_origin[f]); wrong[component[f]] = false; }
+      if(!facets.empty()) status = refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
+    }
+    m_mesh.remove_property_map(component);
+    m_mesh.remove_property_map(volume);
+    return status;
+  }
+
+  Shell_status check_vertices()
+  {
+    for(auto v : m_mesh.vertices())
+      if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) m_offenders.vertices.push_back(m_vertex_origin[v]);
+    return m_offenders.vertices.empty() ? Shell_status::SUCCESS : Shell_status::SINGULAR_VERTEX;
+  }
+
+  Shell_status refuse_facets(Shell_status status, std::vector<std::size_t> facets)
+  {
+    std::sort(facets.begin(), facets.end());
+    facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+    m_offenders.facets = std::move(facets);
+    return status;
+  }
+
+  static constexpr unsigned int max_pairs = 1000;
+
+  Triangle_mesh m_mesh;
+  std::vector<std::size_t> m_origin, m_vertex_origin;
+  Bbox_3 m_bbox;
+  std::size_t m_components = 0;
+  bool m_outwards = true;
+  Offending_simplices m_offenders;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_INPUT_MESH_3_H

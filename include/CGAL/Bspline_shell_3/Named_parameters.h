@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_NAMED_PARAMETERS_H
+#define CGAL_BSPLINE_SHELL_3_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/version_macros.h>
+
+#if CGAL_VERSION_NR >= 1050600000
+#  error "The named parameters of this package are written for CGAL 5.5."
+#endif
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace parameter_tags {
+
+enum resolution_t { resolution };
+enum number_of_rings_t { number_of_rings };
+enum dense_grid_t { dense_grid };
+enum energy_weights_t { energy_weights };
+enum spd_solver_t { spd_solver };
+enum signed_distance_oracle_t { signed_distance_oracle };
+enum memory_limit_t { memory_limit };
+enum allow_self_intersections_t { allow_self_intersections };
+enum allow_singular_vertices_t { allow_singular_vertices };
+
+} // namespace parameter_tags
+
+// A pack of named parameters to which this package's and CGAL's can be added in any order. Functions take packs as
+// CGAL::Named_function_parameters, the base class.
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
+
+  explicit Named_parameters(const T& v) : Pack(v) {}
+  template <typename B>
+  Named_parameters(const T& v, const B& base) : Pack(v, base) {}
+
+#define CGAL_BSPLINE_SHELLS_ADD_PARAMETER(TAG, NAME)                                              \
+  template <typename K>                                                                           \
+  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                           \
+  { return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this)); }
+
+#define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                       \
+  ADD(parameter_tags::resolution_t, resolution)                                                   \
+  ADD(parameter_tags::number_of_rings_t, number_of_rings)                                         \
+  ADD(parameter_tags::dense_grid_t, dense_grid)                                                   \
+  ADD(parameter_tags::energy_weights_t, energy_weights)                                           \
+  ADD(parameter_tags::spd_solver_t, spd_solver)                                                   \
+  ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                           \
+  ADD(parameter_tags::memory_limit_t, memory_limit)                                               \
+  ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
+  ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
+  ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
+  ADD(internal_np::geom_traits_t, geom_traits)                                                    \
+  ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
+  ADD(internal_np::visitor_t, visitor)
+
+  CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
+#undef CGAL_BSPLINE_SHELLS_ADD_PARAMETER
+};
+
+/// \ingroup PkgBsplineShell3Ref
+/// the functions that begin a sequence of named parameters, such as
+/// `parameters::resolution(60).vertex_point_map(vpm)`. They are described with the functions that read them.
+namespace parameters {
+
+#define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                           \
+  template <typename K>                                                                           \
+  Named_parameters<K, TAG> NAME(const K& k) { return Named_parameters<K, TAG>(k); }
+
+CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS)
+#undef CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS
+#undef CGAL_BSPLINE_SHELLS_PARAMETERS
+
+} // namespace parameters
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_NAMED_PARAMETERS_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_UNIFORM_BSPLINE_FIELD_3_H
+#define CGAL_BSPLINE_SHELL_3_UNIFORM_BSPLINE_FIELD_3_H
+
+#include <CGAL/Bspline_shell_3/Cell_complex_3.h>
+#include <CGAL/Bspline_shell_3/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Tricubic_cell_3.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fields
+ *
+ * \brief a piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
+ * of the paper), where \f$g\f$ runs over all lattice points whose function does not vanish on all cells.
+ *
+ * The field is its coefficients \f$\lambda_g\f$, which are `double`s; Bernstein coefficients of the cells are kept
+ * beside them. Const member functions may be called from several threads at once.
+ *
+ * \cgalModels `BsplineField_3`
+ *
+ * \tparam GeomTraits a kernel with `FT` = `double`
+ */
+template <typename GeomTraits = Exact_predicates_inexact_constructions_kernel>
+class Uniform_bspline_field_3
+{
+  static_assert(std::is_same<typename GeomTraits::FT, double>::value,
+                "GeomTraits must be a kernel whose number type is double");
+public:
+  typedef GeomTraits Geom_traits;
+  typedef typename GeomTraits::FT FT;
+  typedef typename GeomTraits::Point_3 Point_3;
+  typedef typename GeomTraits::Vector_3 Vector_3;
+  typedef Tricubic_cell_3 Cell;
+  typedef Cell_complex_3::Index Cell_index;
+  static constexpr Cell_index npos = Cell_complex_3::npos;
+
+  Uniform_bspline_field_3() = default;
+
+  /// the zero function on the cells
+  explicit Uniform_bspline_field_3(Cell_complex_3 cells) : m_cells(std::move(cells))
+  {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(m_cells.number_of_cells());
+    for(Cell_index c = 0; c < m_cells.number_of_cells(); ++c) {
+      const Lattice_3::Point& p = m_cells.lattice_point(c);
+      keys.push_back(internal::Lattice_key::encode(p[0], p[1], p[2]));
+    }
+    m_functions = internal::Lattice_set_3(internal::dilate(std::move(keys), -1, 2));
+    set_coefficients(Eigen::VectorXd::Zero(m_functions.size()));
+  }
+
+  /// \name Leaf cells
+  /// @{
+  std::size_t number_of_cells() const { return m_cells.number_of_cells(); }
+  Cell cell(Cell_index c) const
+  {
+    return Cell(m_cells.corner(c), m_cells.width(), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
+  }
+  /// a cell that contains `p`, or `npos` outside the domain
+  Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
+  /// the cell across a face of `c`, or `npos` if the face is on the boundary of the domain
+  Cell_index neighbor(Cell_index c, int axis, bool positive) const { return m_cells.neighbor(c, axis, positive); }
+  /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
+  template <typename Visitor>
+  bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return m_cells.visit_cells(box, visit); }
+  const Cell_complex_3& cells() const { return m_cells; }
+  /// @}
+
+  /// \name Evaluation
+  /// in user coordinates; empty outside the domain
+  /// @{
+  std::optional<FT> value(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    return cell(c).value(p);
+  }
+  std::optional<Vector_3> gradient(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    const Cell::First_order_jet jet = cell(c).first_order_jet(p);
+    return Vector_3(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
+  }
+  std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    const auto& h = cell(c).second_order_jet(p).hessian;
+    Eigen::Matrix3d m;
+    m << h[0], h[3], h[4],
+         h[3], h[1], h[5],
+         h[4], h[5], h[2];
+    return m;
+  }
+  /// @}
+
+  /// \name B-spline Coefficients
+  /// the unknowns of a fit
+  /// @{
+  std::size_t number_of_coefficients() const { return m_functions.size(); }
+  const Eigen::VectorXd& coefficients() const { return m_coefficients; }
+  /// the lattice points at which the functions are centred, in the order of the coefficients
+  const internal::Lattice_set_3& functions() const { return m_functions; }
+
+  /// the numbers of the first of the four consecutive coefficients in each of the sixteen rows that act on the cell
+  std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
+  {
+    const Lattice_3::Point& p = m_cells.lattice_point(c);
+    std::array<Cell_index, 16> rows;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j)
+        rows[4*k + j] = m_functions.index(p[0] - 1, p[1] + j - 1, p[2] + k - 1);
+    return rows;
+  }
+
+  /// the 64 B-spline coefficients that act on a cell
+  std::array<double, 64> local_coefficients(Cell_index c) const
+  {
+    const std::array<Cell_index, 16> rows = coefficient_rows(c);
+    std::array<double, 64> local;
+    for(int r = 0; r < 16; ++r)
+      for(int i = 0; i < 4; ++i) local[4*r + i] = m_coefficients[rows[r] + i];
+    return local;
+  }
+
+  /// replaces all coefficients, in user units. \pre `x.size() == number_of_coefficients()`
+  template <typename ConcurrencyTag = Sequential_tag>
+  void set_coefficients(Eigen::VectorXd x)
+  {
+    m_coefficients = std::move(x);
+    m_bernstein.resize(64 * number_of_cells());
+    m_error_radius.resize(number_of_cells());
+    internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [this](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c));
+    });
+  }
+  /// @}
+
+private:
+  void convert_to_bernstein(Cell_index c)
+  {
+    std::array<double, 64> b = local_coefficients(c);
+    double largest = 0;
+    for(double x : b) largest = (std::max)(largest, std::abs(x));
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
+      for(int n = 0; n < 64; ++n) {
+        if((n / stride) % 4 != 0) continue;
+        const std::array<double, 4> r =
+          Cubic_bspline<double>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
+        for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
+      }
+    std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
+    // Each of the three passes takes averages (weights that sum to one) with at most three roundings of relative size
+    // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up.
+    m_error_radius[c] = 5 * std::numeric_limits<double>::epsilon() * largest;
+  }
+
+  Cell_complex_3 m_cells;
+  internal::Lattice_set_3 m_functions;
+  Eigen::VectorXd m_coefficients;
+  std::vector<double> m_bernstein;
+  std::vector<double> m_error_radius;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_UNIFORM_BSPLINE_FIELD_3_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_FIELD_H
+#define CGAL_BSPLINE_SHELL_3_FIT_FIELD_H
+
+#include <CGAL/Bspline_shell_3/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Solver_status.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief how a fit went.
+ */
+struct Fit_report
+{
+  Solver_status status = Solver_status::SUCCESS;
+  std::size_t linear_solves = 0;            ///< one, and one for each Gauss-Newton step
+  std::size_t iterations = 0;               ///< of the linear solver, all solves together
+  double residual = 0;                      ///< relative, of the last solve
+  std::array<double, 4> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
+  double seconds_assembly = 0;
+  double seconds_solver = 0;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief minimizes the paper's energy over the coefficients of a field.
+ *
+ * The three quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
+ * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, each with one solve from the last
+ * solution and a line search on the energy itself, until it falls by less than one part in thousand or the step is the
+ * tenth.
+ *
+ * \tparam Solver a model of `SPDSolver`
+ * \param[out] field gets the coefficients of the solution, unless the solver fails
+ * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in
+ * the number of unknowns.
+ */
+template <typename ConcurrencyTag, typename Field, typename Solver>
+Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver)
+{
+  typedef typename Fit_energy<Field>::Vector Vector;
+  typedef typename Fit_energy<Field>::Matrix Matrix;
+  constexpr std::size_t max_steps = 10;
+  constexpr double least_decrease = 1e-3;
+  constexpr double eta = 1e-3;       // determinants below are as good as zero: curvatures of a tenth per cell
+
+  Fit_report report;
+  Real_timer timer;
+  timer.start();
+  Matrix A;
+  Vector b;
+  energy.template assemble<ConcurrencyTag>(A, b);
+  Vector x = energy.initial_guess();
+  report.seconds_assembly = timer.time();
+  timer.reset();
+
+  const auto solve = [&](const Matrix& matrix, const Vector& rhs, Vector& solution) {
+    ++report.linear_solves;
+    report.status = solver.compute(matrix);
+    if(report.status == Solver_status::SUCCESS) report.status = solver.solve(rhs, solution);
+    report.iterations += solver.iterations();
+    report.residual = solver.residual();
+    return report.status == Solver_status::SUCCESS;
+  };
+  if(!solve(A, b, x)) return report;
+
+  if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
+    for(std::size_t step = 0; step < max_steps; ++step) {
+      const std::pair<double, double> range = energy.range_on_mesh(x);
+      energy.set_singular_hessian_domain(x, range.first, range.second);
+      const double before = energy.value(x);
+      Matrix step_matrix = A;
+      Vector step_rhs = b;
+      energy.template add_singular_hessian<ConcurrencyTag>(x, eta, step_matrix, step_rhs);
+      Vector target = x;
+      if(!solve(step_matrix, step_rhs, target)) return report;
+      // the full step minimizes the model; the energy itself may want a shorter one
+      double length = 1, after = energy.value(target);
+      while(after > before && length > 1e-3) {
+        length /= 2;
+        after = energy.value(x + length * (target - x));
+      }
+      if(after < before) x += length * (target - x);
+      if(!(before - after > least_decrease * before)) break;
+    }
+  }
+  report.seconds_solver = timer.time();
+  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL })
+    report.energy[std::size_t(term)] = energy.value(term, x);
+  field.template set_coefficients<ConcurrencyTag>(x * field.cells().width());
+  return report;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_FIELD_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_LEVEL_BOUNDS_H
+#define CGAL_BSPLINE_SHELL_3_LEVEL_BOUNDS_H
+
+#include <CGAL/Bspline_shell_3/Bernstein_forms.h>
+#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/Polynomials>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Bounds
+/// an interval of values of a field, user units
+struct Level_range
+{
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+
+  void include(double x) { min = (std::min)(min, x); max = (std::max)(max, x); }
+  void include(const Level_range& r) { min = (std::min)(min, r.min); max = (std::max)(max, r.max); }
+};
+
+namespace internal {
+
+// Least and largest value, on [0, 1], of a polynomial of degree nine in Bernstein form (Lemma 3.3 of the paper): at
+// the ends and at the roots of the derivative, which are the eigenvalues of its companion matrix.
+inline Level_range univariate_extrema(const std::array<double, 10>& b)
+{
+  Level_range range;
+  range.include(b.front());
+  range.include(b.back());
+  // monomial coefficients of the derivative, from its Bernstein coefficients 9 (b[i+1] - b[i])
+  Eigen::Matrix<double, 9, 1> d = Eigen::Matrix<double, 9, 1>::Zero();
+  for(int i = 0; i < 9; ++i)
+    for(int k = i; k < 9; ++k)
+      d[k] += ((k - i) % 2 ? -1. : 1.) * binomial(8, i) * binomial(8 - i, k - i) * (b[i+1] - b[i]);
+  // a leading coefficient that is lost in rounding belongs to roots far away
+  int degree = 8;
+  const double largest = d.cwiseAbs().maxCoeff();
+  while(degree > 0 && !(std::abs(d[degree]) > 1e-13 * largest)) --degree;
+  if(degree == 0) return range;
+  const auto value = [&b](double t) {      // de Casteljau
+    std::array<double, 10> c = b;
+    for(int n = 9; n > 0; --n)
+      for(int i = 0; i < n; ++i) c[i] = (1 - t) * c[i] + t * c[i+1];
+    return c[0];
+  };
+  const auto at_root = [&](double re, double im) {
+    // a double root may come back as a complex pair; any point of the segment is a value that f takes
+    if(std::abs(im) < 1e-3 && re > 0 && re < 1) range.include(value(re));
+  };
+  if(degree == 1) {
+    at_root(-d[0] / d[1], 0);
+    return range;
+  }
+  const Eigen::PolynomialSolver<double, Eigen::Dynamic> solver(Eigen::VectorXd(d.head(degree + 1)));
+  for(Eigen::Index i = 0; i < solver.roots().size(); ++i) at_root(solver.roots()[i].real(), solver.roots()[i].imag());
+  return range;
+}
+
+// A piece of the mesh, the cell that it lies in, and what rounding can do to bounds there.
+template <typename Field>
+struct Piece_in_cell
+{
+  typename Field::Cell cell;
+  std::vector<std::array<double, 3> > corner;    // in the cell
+  double error;                                  // of a Bernstein coefficient on the piece, against f on the facet
+
+  Piece_in_cell(const Field& field, const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece)
+    : cell(field.cell(field.cells().cell(Lattice_key::decode(piece.cell))))
+  {
+    double reach = 0;
+    for(std::uint32_t v = 0; v < piece.size; ++v) {
+      const Clipped_mesh_3::Point& p = clipped.point(piece.first + v);
+      corner.push_back(cell.local_coordinates(p));
+      for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(p[a]));
+    }
+    // Polar forms: 18 roundings for the weights of the three axes, 12 for the contractions, 21 for the sums of up to
+    // ten terms twice and the division, all on averages of the cell's coefficients: less than 26 eps of the largest.
+    // Corners of a piece: six cuts one after the other, each off by at most ten units of eps/2 of the coordinates, and
+    // the local coordinate with its bisections; the polynomial changes by at most 3 (max - min) per cell unit and axis.
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const std::pair<double, double> c = cell.coefficient_range();
+    const double largest = (std::max)(std::abs(c.first), std::abs(c.second));
+    error = cell.error_radius() + 32 * eps * largest
+          + 9 * (c.second - c.first) * eps * (40 * (reach + cell.width()) / cell.width() + 16);
+  }
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief the extrema of a field on the edges of the clipped mesh, as the paper computes them (Section 4.2).
+ *
+ * On an edge the field is a polynomial of degree nine; its extrema come from the eigenvalues of a companion matrix.
+ * Edges whose Bernstein coefficients lie within what was already found are skipped. The field's extrema on a facet may
+ * lie in its interior, so that this is no bound (see `facet_range()`).
+ */
+template <typename ConcurrencyTag, typename Field>
+Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
+{
+  constexpr std::size_t chunk = 1024;
+  const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
+  std::vector<Level_range> ranges((pieces.size() + chunk - 1) / chunk);
+  internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    Level_range& range = ranges[begin / chunk];
+    for(std::size_t n = begin; n < end; ++n) {
+      const internal::Piece_in_cell<Field> piece(field, clipped, pieces[n]);
+      for(std::size_t v = 0; v < piece.corner.size(); ++v) {
+        const std::array<double, 10> b = segment_bernstein_form<double>(
+          piece.cell.coefficients(), piece.corner[v], piece.corner[(v + 1) % piece.corner.size()]);
+        range.include(b.front());
+        const auto hull = std::minmax_element(b.begin(), b.end());
+        if(*hull.first < range.min || *hull.second > range.max) range.include(internal::univariate_extrema(b));
+      }
+    }
+  });
+  Level_range range;
+  for(const Level_range& r : ranges) range.include(r);
+  return range;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief bounds of a field on whole facets, and on the mesh.
+ */
+struct Facet_ranges
+{
+  std::vector<Level_range> facet;     ///< encloses the field on each triangle; not refined
+  Level_range mesh;                   ///< encloses the field on the mesh, to within the tolerance
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief encloses a field on the facets: Bernstein coefficients of degree nine on triangles, with a derived allowance
+ * for rounding.
+ *
+ * The enclosure of the mesh is refined by subdivision, where it decides, until it exceeds values that the field takes by
+ * at most `tolerance` times their range.
+ */
+template <typename ConcurrencyTag, typename Field>
+Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-4)
+{
+  typedef std::array<double, 3> Local_point;
+  constexpr std::size_t chunk = 1024;
+  constexpr int max_depth = 20;
+  const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
+  const std::size_t chunks = (pieces.size() + chunk - 1) / chunk;
+
+  std::vector<Level_range> attained(chunks);
+  internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto cell = field.cell(field.cells().cell(internal::Lattice_key::decode(pieces[n].cell)));
+      for(std::uint32_t v = 0; v < pieces[n].size; ++v)
+        attained[begin / chunk].include(cell.value(clipped.point(pieces[n].first + v)));
+    }
+  });
+  Level_range values;
+  for(const Level_range& r : attained) values.include(r);
+
+  struct Triangle { Local_point p, q, r; int depth; };
+  std::vector<Level_range> enclosure(chunks), piece_range(pieces.size());
+  internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    Level_range found = values;           // grows by what this chunk finds
+    Level_range& bound = enclosure[begin / chunk];
+    std::vector<Triangle> stack;
+    for(std::size_t n = begin; n < end; ++n) {
+      const internal::Piece_in_cell<Field> piece(field, clipped, pieces[n]);
+      for(std::size_t v = 1; v + 1 < piece.corner.size(); ++v)
+        stack.push_back({ piece.corner[0], piece.corner[v], piece.corner[v+1], 0 });
+      while(!stack.empty()) {
+        const Triangle t = stack.back();
+        stack.pop_back();
+        const std::array<double, 55> b = triangle_bernstein_form<double>(piece.cell.coefficients(), t.p, t.q, t.r);
+        for(int corner : { 0, 45, 54 }) found.include(b[corner]);
+        const auto hull = std::minmax_element(b.begin(), b.end());
+        const Level_range range = { *hull.first - piece.error, *hull.second + piece.error };
+        if(t.depth == 0) piece_range[n].include(range);
+        const double slack = tolerance * (found.max - found.min) + 2 * piece.error;
+        if((range.max <= found.max + slack && range.min >= found.min - slack) || t.depth == max_depth) {
+          bound.include(range);
+          continue;
+        }
+        Local_point m[3];
+        for(int a = 0; a < 3; ++a) {
+          m[0][a] = (t.q[a] + t.r[a]) / 2;
+          m[1][a] = (t.r[a] + t.p[a]) / 2;
+          m[2][a] = (t.p[a] + t.q[a]) / 2;
+        }
+        stack.push_back({ t.p, m[2], m[1], t.depth + 1 });
+        stack.push_back({ m[2], t.q, m[0], t.depth + 1 });
+        stack.push_back({ m[1], m[0], t.r, t.depth + 1 });
+        stack.push_back({ m[0], m[1], m[2], t.depth + 1 });
+      }
+    }
+  });
+
+  Facet_ranges ranges;
+  ranges.facet.resize(clipped.number_of_facets());
+  for(std::size_t n = 0; n < pieces.size(); ++n) ranges.facet[pieces[n].facet].include(piece_range[n]);
+  for(const Level_range& r : enclosure) ranges.mesh.include(r);
+  return ranges;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief rounds a range outwards to multiples of `quantum` (the paper's \f$\tau\f$, Section 5.2, is the unit of length
+ * divided by the quantum), and never inwards by the rounding of the multiples themselves.
+ */
+inline Level_range round_outwards(const Level_range& range, double quantum)
+{
+  Level_range r;
+  r.min = std::floor(range.min / quantum) * quantum;
+  r.max = std::ceil(range.max / quantum) * quantum;
+  while(r.min > range.min) r.min = std::nextafter(r.min, -std::numeric_limits<double>::infinity());
+  while(r.max < range.max) r.max = std::nextafter(r.max, std::numeric_limits<double>::infinity());
+  return r;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_LEVEL_BOUNDS_H

@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_H
+#define CGAL_BSPLINE_SHELL_3_H
+
+#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Progress.h>
+#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/fit_field.h>
+#include <CGAL/Bspline_shell_3/internal/shell_leaves_band.h>
+#include <CGAL/Bspline_shell_3/level_bounds.h>
+#include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+
+namespace Bspline_shells {
+namespace internal {
+
+// cells of the whole box of the mesh, and `rings` more on each side
+inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox_3& box, int rings)
+{
+  Lattice_3::Point first, last;
+  for(int a = 0; a < 3; ++a) {
+    first[a] = lattice.interval(a, (box.min)(a)) - rings;
+    last[a] = lattice.interval(a, (box.max)(a)) + rings;
+  }
+  std::vector<std::uint64_t> keys;
+  for(int k = first[2]; k <= last[2]; ++k)
+    for(int j = first[1]; j <= last[1]; ++j)
+      for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
+  return keys;
+}
+
+// About how many bytes a shell takes at the peak, which is in the solver: per cell the samples, Bernstein coefficients
+// and lookups, per unknown a column of the matrix with up to 172 entries of 12 bytes (twice while a term is added to a
+// copy) and the solver's vectors; per piece its points and quadrature points.
+inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
+{
+  return cells * 680 + unknowns * (copies_matrix ? 4900 : 2600) + pieces * 500;
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief builds a cubic B-spline shell of a closed mesh.
+ *
+ * The mesh is checked first; what a shell cannot be built for is refused with a status and the offending simplices.
+ * Polygonal facets are triangulated. The field lives on the cells that the mesh enters and some rings of cells around
+ * them, its coefficients minimize the paper's energy, and the two levels enclose it on the mesh, rounded outwards.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam PolygonMesh a model of `FaceListGraph`
+ * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
+ *         `CGAL::parameters`
+ *
+ * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
+ *        face
+ * \param np optional named parameters:
+ *   - `resolution(double)`: the paper's \f$\gamma\f$, cells per longest side of the mesh's box; default 50
+ *   - `grid_spacing(double)`: instead, the edge length of a cell in user units
+ *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more, up to five,
+ *     if the shell would leave them
+ *   - `dense_grid(bool)`: the paper's reference: all cells of the mesh's box; default `false`
+ *   - `energy_weights(Bspline_shells::Energy_weights)`: weights of the energy's terms; the paper's by default
+ *   - `spd_solver(S)`: a model of `SPDSolver`, default `Bspline_shells::Conjugate_gradient_solver`. Pass
+ *     `std::ref(solver)` to look at it afterwards
+ *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
+ *     `std::cref(oracle)` not to copy it
+ *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
+ *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`
+ *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
+ *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *
+ * \return a shell, or none and the reason (`Bspline_shell_3::status()`)
+ * \pre resolution and spacing are positive and finite, the number of rings is at least one
+ * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag,
+          typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  namespace BS = Bspline_shells;
+  namespace tags = Bspline_shells::parameter_tags;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  using CGAL::parameters::is_default_parameter;
+
+  typedef BS::Uniform_bspline_field_3<> Field;
+  typedef BS::Shell_status Status;
+  typedef BS::Shell_step Step;
+
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+  const double resolution = choose_parameter(get_parameter(np, tags::resolution), 50.);
+  const double asked_spacing = choose_parameter(get_parameter(np, internal_np::grid_spacing), 0.);
+  const int asked_rings = choose_parameter(get_parameter(np, tags::number_of_rings), 0);
+  const bool dense = choose_parameter(get_parameter(np, tags::dense_grid), false);
+  const BS::Energy_weights weights = choose_parameter(get_parameter(np, tags::energy_weights), BS::Energy_weights());
+  const double memory_limit = choose_parameter(get_parameter(np, tags::memory_limit), std::numeric_limits<double>::infinity());
+  BS::Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
+  tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
+
+  typedef typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference Visitor;
+  BS::Default_shell_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  typedef typename internal_np::Lookup_named_param_def<
+    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver>::reference Solver;
+  BS::Conjugate_gradient_solver default_solver;
+  Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
+
+  CGAL_precondition(resolution > 0 && asked_spacing >= 0 && asked_rings >= 0);
+
+  BS::Shell_report report;
+  Real_timer timer;
+  timer.start();
+  Step current = Step::CHECK;
+  // ends the last step and begins the next; false if the visitor wants to stop
+  const auto start = [&](Step step) {
+    report.seconds[std::size_t(current)] += timer.time();
+    timer.reset();
+    current = step;
+    if(visitor.start_step(step)) return true;
+    report.status = Status::CANCELED;
+    return false;
+  };
+  const auto stop = [&](Status status) {
+    report.seconds[std::size_t(current)] += timer.time();
+    report.status = status;
+    return Bspline_shell_3<>(report);
+  };
+
+  if(!start(Step::CHECK)) return stop(Status::CANCELED);
+  BS::Input_mesh_3 input;
+  const Status checked = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);
+  report.offending_simplices = input.offending_simplices();
+  if(checked != Status::SUCCESS) return stop(checked);
+  report.facets = input.mesh().number_of_faces();
+  report.components = input.number_of_components();
+  report.unit = input.unit();
+
+  if(!start(Step::CELLS)) return stop(Status::CANCELED);
+  const BS::Lattice_3 lattice(input.bbox(), asked_spacing > 0 ? asked_spacing : input.unit() / resolution);
+  if(!lattice.is_exact() || input.unit() > lattice.spacing() * BS::internal::Lattice_key::max_coordinate)
+    return stop(Status::GRID_TOO_FINE);
+  report.gamma = input.unit() / lattice.spacing();
+  const bool copies_matrix = weights.singular_hessian > 0;
+  const double pieces = BS::Clipped_mesh_3::estimated_number_of_pieces(input, lattice.spacing());
+  if(BS::internal::estimated_bytes(0, 0, pieces, copies_matrix) > memory_limit) return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<ConcurrencyTag>(input, lattice);
+  const std::vector<std::uint64_t> surface_cells = clipped.cells();
+  report.surface_cells = surface_cells.size();
+
+  const auto distance = [&]() {
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
+      return BS::Mesh_signed_distance_3(input);
+    else
+      return 0;
+  }();
+
+  constexpr int default_rings = 2, max_rings = 5;
+  for(int rings = asked_rings > 0 ? asked_rings : default_rings; ; ++rings) {
+    report.rings = std::size_t(rings);
+    const Bbox_3 box = input.bbox();
+    double box_cells = 1;
+    for(int a = 0; a < 3; ++a) box_cells *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings + 2;
+    const double at_least = dense ? box_cells : double(surface_cells.size());
+    if(BS::internal::estimated_bytes(at_least, at_least, pieces, copies_matrix) > memory_limit)
+      return stop(Status::MEMORY_LIMIT_EXCEEDED);
+    BS::Cell_complex_3 cells(lattice, dense ? BS::internal::box_cells(lattice, box, rings)
+                                            : BS::internal::dilate(surface_cells, -rings, rings));
+    Field field(std::move(cells));
+    report.cells = field.number_of_cells();
+    report.unknowns = field.number_of_coefficients();
+    if(BS::internal::estimated_bytes(double(report.cells), double(report.unknowns), pieces, copies_matrix) > memory_limit)
+      return stop(Status::MEMORY_LIMIT_EXCEEDED);
+
+    if(!start(Step::DISTANCE)) return stop(Status::CANCELED);
+    std::vector<double> samples;
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
+      samples = BS::sample_signed_distance<ConcurrencyTag>(distance, field.cells(), surface_cells);
+    else
+      samples = BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle),
+                                                           field.cells(), surface_cells);
+
+    if(!start(Step::FIT)) return stop(Status::CANCELED);
+    {
+      BS::Fit_energy<Field> energy(field, samples, clipped, input.faces_outwards(), report.gamma, weights);
+      report.fit = BS::fit_field<ConcurrencyTag>(field, energy, solver);
+      if(report.fit.status != BS::Solver_status::SUCCESS) return stop(Status::SOLVER_FAILED);
+    }
+
+    if(!start(Step::BOUNDS)) return stop(Status::CANCELED);
+    report.edges = BS::edge_range<ConcurrencyTag>(field, clipped);
+    const BS::Facet_ranges triangles = BS::facet_ranges<ConcurrencyTag>(field, clipped);
+    report.facets_bound = triangles.mesh;
+    constexpr double tau = 1e10;
+    const BS::Level_range levels = BS::round_outwards(triangles.mesh, report.unit / tau);
+    if(BS::internal::shell_leaves_band(field, surface_cells, levels)) {
+      if(asked_rings == 0 && rings < max_rings && start(Step::CELLS)) continue;
+      return stop(report.status == Status::CANCELED ? Status::CANCELED : Status::SHELL_LEAVES_BAND);
+    }
+
+    std::vector<BS::Level_range> facets(num_faces(mesh));
+    for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);
+    stop(Status::SUCCESS);
+    return Bspline_shell_3<>(std::move(field), levels, std::move(facets), report);
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_H
