@@ -15,15 +15,17 @@
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/fit_field.h>
-#include <CGAL/Bspline_shell_3/internal/shell_leaves_band.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
 #include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/shell_component.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -44,6 +46,33 @@ inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox
     for(int j = first[1]; j <= last[1]; ++j)
       for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
   return keys;
+}
+
+// adds rings of cells around some cells of the field
+template <typename Field>
+void widen(const Field& field, const std::vector<typename Field::Cell_index>& cells, int rings,
+           std::vector<std::uint64_t>& keys)
+{
+  std::vector<std::uint64_t> more;
+  for(typename Field::Cell_index c : cells) {
+    const Lattice_3::Point& p = field.cells().lattice_point(c);
+    more.push_back(Lattice_key::encode(p[0], p[1], p[2]));
+  }
+  sort_unique(more);
+  more = dilate(std::move(more), -rings, rings);
+  keys.insert(keys.end(), more.begin(), more.end());
+  sort_unique(keys);
+}
+
+// the coefficients, in cell units, of a field on fewer cells, where it has them
+template <typename Field>
+void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd& guess)
+{
+  const double width = to.cells().width();
+  for(typename Field::Cell_index n = 0; n < to.number_of_coefficients(); ++n) {
+    const auto old = from.functions().index(to.functions().point(n));
+    if(old != Field::npos) guess[n] = from.coefficients()[old] / width;
+  }
 }
 
 // About how many bytes a shell takes at the peak, which is in the solver: per cell the samples, Bernstein coefficients
@@ -76,10 +105,12 @@ inline double estimated_bytes(double cells, double unknowns, double pieces, bool
  * \param np optional named parameters:
  *   - `resolution(double)`: the paper's \f$\gamma\f$, cells per longest side of the mesh's box; default 50
  *   - `grid_spacing(double)`: instead, the edge length of a cell in user units
- *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more, up to five,
- *     if the shell would leave them
- *   - `dense_grid(bool)`: the paper's reference: all cells of the mesh's box; default `false`
- *   - `energy_weights(Bspline_shells::Energy_weights)`: weights of the energy's terms; the paper's by default
+ *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more where the shell
+ *     would leave them, added up to five times
+ *   - `dense_grid(bool)`: the paper's reference, with `Energy_weights::paper()`: all cells of the mesh's box; default
+ *     `false`
+ *   - `energy_weights(Bspline_shells::Energy_weights)`: the paper's \f$\mu\f$ and
+ *     \f$\zeta\f$ by default, without \f$E_{singularH}\f$
  *   - `spd_solver(S)`: a model of `SPDSolver`, default `Bspline_shells::Conjugate_gradient_solver`. Pass
  *     `std::ref(solver)` to look at it afterwards
  *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
@@ -119,17 +150,18 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
   tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
 
-  typedef typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference Visitor;
+  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference> Visitor;
   BS::Default_shell_visitor default_visitor;
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
-  typedef typename internal_np::Lookup_named_param_def<
-    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver>::reference Solver;
+  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
+    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver>::reference> Solver;
   BS::Conjugate_gradient_solver default_solver;
   Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
 
   CGAL_precondition(resolution > 0 && asked_spacing >= 0 && asked_rings >= 0);
+
 
   BS::Shell_report report;
   Real_timer timer;
@@ -178,18 +210,19 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
       return 0;
   }();
 
-  constexpr int default_rings = 2, max_rings = 5;
-  for(int rings = asked_rings > 0 ? asked_rings : default_rings; ; ++rings) {
-    report.rings = std::size_t(rings);
-    const Bbox_3 box = input.bbox();
-    double box_cells = 1;
-    for(int a = 0; a < 3; ++a) box_cells *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings + 2;
-    const double at_least = dense ? box_cells : double(surface_cells.size());
-    if(BS::internal::estimated_bytes(at_least, at_least, pieces, copies_matrix) > memory_limit)
-      return stop(Status::MEMORY_LIMIT_EXCEEDED);
-    BS::Cell_complex_3 cells(lattice, dense ? BS::internal::box_cells(lattice, box, rings)
-                                            : BS::internal::dilate(surface_cells, -rings, rings));
-    Field field(std::move(cells));
+  const int rings = asked_rings > 0 ? asked_rings : 2;
+  const Bbox_3 box = input.bbox();
+  double box_cells = 1;
+  for(int a = 0; a < 3; ++a) box_cells *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings + 2;
+  const double at_least = dense ? box_cells : double(surface_cells.size());
+  if(BS::internal::estimated_bytes(at_least, at_least, pieces, copies_matrix) > memory_limit)
+    return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  std::vector<std::uint64_t> keys = dense ? BS::internal::box_cells(lattice, box, rings)
+                                          : BS::internal::dilate(surface_cells, -rings, rings);
+  constexpr int max_widenings = 5;
+  std::optional<Field> narrower;
+  for(;; ++report.widenings) {
+    Field field(BS::Cell_complex_3(lattice, keys));
     report.cells = field.number_of_cells();
     report.unknowns = field.number_of_coefficients();
     if(BS::internal::estimated_bytes(double(report.cells), double(report.unknowns), pieces, copies_matrix) > memory_limit)
@@ -206,7 +239,9 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     if(!start(Step::FIT)) return stop(Status::CANCELED);
     {
       BS::Fit_energy<Field> energy(field, samples, clipped, input.faces_outwards(), report.gamma, weights);
-      report.fit = BS::fit_field<ConcurrencyTag>(field, energy, solver);
+      Eigen::VectorXd guess = energy.template initial_guess<ConcurrencyTag>();
+      if(narrower) BS::internal::take_over_coefficients(*narrower, field, guess);
+      report.fit = BS::fit_field<ConcurrencyTag>(field, energy, solver, std::move(guess));
       if(report.fit.status != BS::Solver_status::SUCCESS) return stop(Status::SOLVER_FAILED);
     }
 
@@ -216,15 +251,20 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     report.facets_bound = triangles.mesh;
     constexpr double tau = 1e10;
     const BS::Level_range levels = BS::round_outwards(triangles.mesh, report.unit / tau);
-    if(BS::internal::shell_leaves_band(field, surface_cells, levels)) {
-      if(asked_rings == 0 && rings < max_rings && start(Step::CELLS)) continue;
-      return stop(report.status == Status::CANCELED ? Status::CANCELED : Status::SHELL_LEAVES_BAND);
+    BS::Shell_component component = BS::shell_component(field, surface_cells, levels);
+    if(!component.border_cells.empty()) {
+      if(asked_rings > 0 || report.widenings == max_widenings) return stop(Status::SHELL_LEAVES_BAND);
+      if(!start(Step::CELLS)) return stop(Status::CANCELED);
+      BS::internal::widen(field, component.border_cells, 2 + report.widenings, keys);
+      narrower = std::move(field);
+      continue;
     }
 
-    std::vector<BS::Level_range> facets(num_faces(mesh));
+    // num_faces() may count removed facets
+    std::vector<BS::Level_range> facets(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
     for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);
     stop(Status::SUCCESS);
-    return Bspline_shell_3<>(std::move(field), levels, std::move(facets), report);
+    return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets), report);
   }
 }
 

@@ -16,7 +16,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -35,10 +34,10 @@ struct Shell_report
   std::size_t components = 0;                 ///< of the mesh
   double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
   double gamma = 0;                           ///< cells per unit
-  std::size_t rings = 0;                      ///< of cells around those that the mesh enters
   std::size_t surface_cells = 0;              ///< cells that the mesh enters
   std::size_t cells = 0;
   std::size_t unknowns = 0;
+  int widenings = 0;                          ///< how often cells were added where the shell would have left them
   Fit_report fit;
   Level_range edges;                          ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
   Level_range facets_bound;                   ///< bounds on the facets, not rounded
@@ -79,8 +78,10 @@ public:
   /// no shell, for a reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
 
-  Bspline_shell_3(Field field, const Level_range& levels, std::vector<Level_range> facets, Shell_report report)
-    : m_field(std::move(field)), m_levels(levels), m_facets(std::move(facets)), m_report(std::move(report))
+  Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
+                  Shell_report report)
+    : m_field(std::move(field)), m_levels(levels), m_cells(std::move(cells)), m_facets(std::move(facets))
+    , m_report(std::move(report))
   {}
 
   /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
@@ -95,6 +96,8 @@ public:
   FT thickness() const { return outer_level() - inner_level(); }
   /// the thickness as a fraction of the longest side of the mesh's box
   FT relative_thickness() const { return thickness() / m_report.unit; }
+  /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
+  const std::vector<char>& shell_cells() const { return m_cells; }
   /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
@@ -102,14 +105,17 @@ public:
   /// answer is that of `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
-    const std::optional<FT> f = m_field.value(p);
-    if(!f || *f < inner_level() || *f > outer_level()) return ON_UNBOUNDED_SIDE;
-    return *f == inner_level() || *f == outer_level() ? ON_BOUNDARY : ON_BOUNDED_SIDE;
+    const typename Field::Cell_index c = m_field.locate(p);
+    if(c == Field::npos || !m_cells[c]) return ON_UNBOUNDED_SIDE;
+    const FT f = m_field.cell(c).value(p);
+    if(f < inner_level() || f > outer_level()) return ON_UNBOUNDED_SIDE;
+    return f == inner_level() || f == outer_level() ? ON_BOUNDARY : ON_BOUNDED_SIDE;
   }
 
 private:
   Field m_field;
   Level_range m_levels;
+  std::vector<char> m_cells;
   std::vector<Level_range> m_facets;
   Shell_report m_report;
 };

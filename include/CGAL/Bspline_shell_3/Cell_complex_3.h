@@ -46,14 +46,15 @@ public:
       largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
     int exponent, magnitude;
     const double mantissa = std::frexp(spacing, &exponent);            // in [1/2, 1)
-    std::frexp((largest + 4 * spacing) / spacing, &magnitude);
+    const double cells = (largest + 4 * spacing) / spacing;
+    std::frexp(cells, &magnitude);
     const int bits = (std::min)(20, 52 - finest_level - magnitude);
-    m_exact = bits >= 4 && std::isfinite(largest);
+    m_exact = std::isfinite(cells) && bits >= 4 && std::ldexp(1., exponent - bits - finest_level) > 0;
     if(!m_exact) return;
     const double last_bit = std::ldexp(1., exponent - bits);
     m_spacing = std::nearbyint(std::ldexp(mantissa, bits)) * last_bit;
     for(int a = 0; a < 3; ++a) {
-      const double center = (box.min)(a) + ((box.max)(a) - (box.min)(a)) / 2;
+      const double center = (box.min)(a) / 2 + (box.max)(a) / 2;       // rounds alike when mirrored
       m_origin[a] = std::nearbyint(center / last_bit) * last_bit;
     }
   }
@@ -71,7 +72,8 @@ public:
     return { coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2]) };
   }
 
-  /// the number `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exact
+  /// the number `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exact.
+  /// \pre `x` is at most `Lattice_key::max_coordinate` spacings from the origin
   int interval(int a, double x) const
   {
     int i = static_cast<int>(std::floor((x - m_origin[a]) / m_spacing));
@@ -108,7 +110,14 @@ public:
   /// the cells of `lattice` with the given lattice points; `keys` are sorted and unique
   Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys)
     : m_lattice(lattice), m_cells(keys)
-  {}
+  {
+    for(Index c = 0; c < m_cells.size(); ++c)
+      for(int a = 0; a < 3; ++a) {
+        const int i = m_cells.point(c)[a];
+        m_first[a] = c == 0 ? i : (std::min)(m_first[a], i);
+        m_last[a] = c == 0 ? i : (std::max)(m_last[a], i);
+      }
+  }
 
   const Lattice_3& lattice() const { return m_lattice; }
   std::size_t number_of_cells() const { return m_cells.size(); }
@@ -139,8 +148,56 @@ public:
       l[a] = m_lattice.interval(a, p[a]);
       on_plane[a] = m_lattice.coordinate(a, l[a]) == p[a];
     }
+    return closed_cell(l, on_plane);
+  }
+
+  /// calls `visit(cell)` once for every cell that meets the closed box; returns whether the closed cells cover the box.
+  /// Any box will do: an infinite one meets all cells, an empty one or one with a coordinate that is not a number meets
+  /// none, and neither is covered.
+  template <typename Visitor>
+  bool visit_cells(const Bbox_3& box, const Visitor& visit) const
+  {
+    if(m_cells.size() == 0) return false;
+    bool covered = true;
+    double lower[3], upper[3];      // the box, up to where the cells end
+    Lattice_3::Point first, last;
+    bool flat_on_plane[3];
+    for(int a = 0; a < 3; ++a) {
+      lower[a] = (std::max)((box.min)(a), m_lattice.coordinate(a, m_first[a]));
+      upper[a] = (std::min)((box.max)(a), m_lattice.coordinate(a, m_last[a] + 1));
+      if(!(lower[a] <= upper[a])) return false;
+      covered = covered && lower[a] == (box.min)(a) && upper[a] == (box.max)(a);
+      first[a] = m_lattice.interval(a, lower[a]);
+      last[a] = m_lattice.interval(a, upper[a]);
+      const bool on_plane = m_lattice.coordinate(a, first[a]) == lower[a];
+      flat_on_plane[a] = on_plane && lower[a] == upper[a];
+      if(on_plane) --first[a];
+    }
+    // a missing cell leaves a gap only if the box reaches into it, not if it touches its boundary
+    const auto reaches_into = [&](int a, int i) {
+      if(flat_on_plane[a]) return i == last[a];     // the cell below does as well: see closed_cell()
+      return lower[a] < m_lattice.coordinate(a, i + 1) && upper[a] > m_lattice.coordinate(a, i);
+    };
+    for(int k = first[2]; k <= last[2]; ++k)
+      for(int j = first[1]; j <= last[1]; ++j) {
+        const std::pair<Index, Index> range = m_cells.index_range(first[0], last[0] + 1, j, k);
+        const bool complete = range.second - range.first == Index(last[0] + 1 - first[0]);
+        if(covered && !complete && reaches_into(1, j) && reaches_into(2, k))
+          for(int i = first[0]; i <= last[0]; ++i)
+            if(reaches_into(0, i) && closed_cell({ i, j, k }, flat_on_plane) == npos) covered = false;
+        for(Index c = range.first; c < range.second; ++c) visit(c);
+      }
+    return covered;
+  }
+
+  const internal::Lattice_set_3& cells() const { return m_cells; }
+
+private:
+  // the cell with the lattice point `l`, or, as cells are closed, one that is below it across axes along which what is
+  // looked up lies on the plane between the two
+  Index closed_cell(const Lattice_3::Point& l, const bool (&on_plane)[3]) const
+  {
     Index cell = m_cells.index(l);
-    // the domain is closed: on its upper faces the cell is the one below
     for(int m = 1; cell == npos && m < 8; ++m) {
       Lattice_3::Point below = l;
       bool possible = true;
@@ -151,43 +208,9 @@ public:
     return cell;
   }
 
-  /// calls `visit(cell)` for every cell that meets the closed box; returns whether the cells cover the box
-  template <typename Visitor>
-  bool visit_cells(const Bbox_3& box, const Visitor& visit) const
-  {
-    Lattice_3::Point first, last;
-    for(int a = 0; a < 3; ++a) {
-      first[a] = m_lattice.interval(a, (box.min)(a));
-      last[a] = m_lattice.interval(a, (box.max)(a));
-      if(m_lattice.coordinate(a, first[a]) == (box.min)(a)) --first[a];
-    }
-    bool covered = true;
-    for(int k = first[2]; k <= last[2]; ++k)
-      for(int j = first[1]; j <= last[1]; ++j) {
-        const std::pair<Index, Index> range = m_cells.index_range(first[0], last[0] + 1, j, k);
-        // a missing cell leaves a gap only if the box reaches into it, not if it touches its boundary
-        const bool inside = reaches_into(box, 1, j) && reaches_into(box, 2, k);
-        if(range.first == npos) { covered = covered && !inside; continue; }
-        if(inside && range.second - range.first != Index(last[0] + 1 - first[0]))
-          for(int i = first[0]; i <= last[0]; ++i)
-            if(reaches_into(box, 0, i) && m_cells.index(i, j, k) == npos) covered = false;
-        for(Index c = range.first; c < range.second; ++c) visit(c);
-      }
-    return covered;
-  }
-
-  const internal::Lattice_set_3& cells() const { return m_cells; }
-
-private:
-  bool reaches_into(const Bbox_3& box, int a, int i) const
-  {
-    const double lower = m_lattice.coordinate(a, i), upper = m_lattice.coordinate(a, i + 1);
-    if((box.min)(a) == (box.max)(a)) return lower <= (box.min)(a) && (box.min)(a) < upper;
-    return (box.min)(a) < upper && (box.max)(a) > lower;
-  }
-
   Lattice_3 m_lattice;
   Lattice_set m_cells;
+  Lattice_3::Point m_first = {}, m_last = {};     // least and largest coordinates of the cells
 };
 
 } // namespace Bspline_shells

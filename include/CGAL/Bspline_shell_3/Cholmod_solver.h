@@ -37,6 +37,9 @@ public:
     m_solver.cholmod().print = 0;      // its messages would go to the standard output
   }
 
+  /// a copy has no matrix
+  Cholmod_solver(const Cholmod_solver&) : Cholmod_solver() {}
+
   /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
   Solver_status compute(const Matrix& lower)
   {

@@ -40,6 +40,11 @@ public:
     m_solver.setMaxIterations(Eigen::Index(max_iterations));
   }
 
+  /// a copy has the same limits, but no matrix
+  Conjugate_gradient_solver(const Conjugate_gradient_solver& other)
+    : Conjugate_gradient_solver(other.m_solver.tolerance(), std::size_t(other.m_solver.maxIterations()))
+  {}
+
   /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
   Solver_status compute(const Matrix& lower)
   {

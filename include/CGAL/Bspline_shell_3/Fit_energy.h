@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,17 @@ struct Energy_weights
 {
   double mu = 0.1;                ///< the paper's \f$\mu\f$
   double zeta = 1e5;              ///< the paper's \f$\zeta\f$
-  double singular_hessian = 1;    ///< \f$\sigma\f$; 1 in the paper, 0 leaves the term out
+  /// \f$\sigma\f$: 1 in the paper. By default the term is left out: it does not exclude critical points, takes most of the
+  /// time, and thickens the shell at corners.
+  double singular_hessian = 0;
+
+  /// all four terms, as in the paper
+  static Energy_weights paper()
+  {
+    Energy_weights weights;
+    weights.singular_hessian = 1;
+    return weights;
+  }
 };
 
 /*!
@@ -107,12 +118,12 @@ public:
   /// for the field `x` (cell units). Until it is called, the term is zero.
   void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
   {
-    m_hessian_cells.clear();
+    m_hessian_domain.assign(m_field.number_of_cells(), 0);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
       const std::array<double, 64> local = gather(x, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
         const double f = internal::contract(local.data(), m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
-        if(f >= eps1 && f <= eps2) { m_hessian_cells.push_back(c); break; }
+        if(f >= eps1 && f <= eps2) { m_hessian_domain[c] = 1; break; }
       }
     }
   }
@@ -136,35 +147,45 @@ public:
   }
 
   /// a field near the signed distance: each coefficient is the mean of the samples under its function
+  template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
     Vector sum = Vector::Zero(m_field.number_of_coefficients()), weight = sum;
-    for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-      Local_vector s, w = Local_vector::Zero();
+    Local_vector w = Local_vector::Zero();
+    for(int s = 0; s < Distance_samples::per_cell; ++s) w += sample_row(s);
+    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+      Local_vector s;
       sample_right_hand_side(c, s);
-      for(int n = 0; n < Distance_samples::per_cell; ++n)
-        w += outer(m_sample_basis[n][0], m_sample_basis[n][1], m_sample_basis[n][2]);
       scatter(s, c, sum);
       scatter(w, c, weight);
-    }
+    });
     return sum.cwiseQuotient(weight);
   }
 
   /// the weighted term at `x`
+  template <typename ConcurrencyTag = Sequential_tag>
   double value(Energy_term term, const Vector& x) const
   {
-    double sum = 0;
-    visit_residuals(term, x, [&](Cell_index, double residual, double w, const Local_vector*) {
-      sum += w * (term == Energy_term::SINGULAR_HESSIAN ? std::abs(residual) : residual * residual);
-    }, false);
-    return weight(term) * sum;
+    constexpr std::size_t chunk = 1024;
+    const std::size_t size = m_field.number_of_cells();
+    std::vector<double> sums((size + chunk - 1) / chunk, 0.);
+    internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
+      double& sum = sums[begin / chunk];
+      for(std::size_t c = begin; c < end; ++c)
+        visit_residuals(term, x, Cell_index(c), [&](double residual, double w, const auto&) {
+          sum += w * (term == Energy_term::SINGULAR_HESSIAN ? std::abs(residual) : residual * residual);
+        });
+    });
+    return weight(term) * std::accumulate(sums.begin(), sums.end(), 0.);
   }
 
   /// the sum of the weighted terms at `x`
+  template <typename ConcurrencyTag = Sequential_tag>
   double value(const Vector& x) const
   {
-    double sum = value(Energy_term::DISTANCE, x) + value(Energy_term::ANGLE, x) + value(Energy_term::NORMAL, x);
-    if(m_weights.singular_hessian > 0) sum += value(Energy_term::SINGULAR_HESSIAN, x);
+    double sum = value<ConcurrencyTag>(Energy_term::DISTANCE, x) + value<ConcurrencyTag>(Energy_term::ANGLE, x)
+               + value<ConcurrencyTag>(Energy_term::NORMAL, x);
+    if(m_weights.singular_hessian > 0) sum += value<ConcurrencyTag>(Energy_term::SINGULAR_HESSIAN, x);
     return sum;
   }
 
@@ -172,11 +193,15 @@ public:
   Vector gradient(Energy_term term, const Vector& x) const
   {
     Vector g = Vector::Zero(x.size());
-    visit_residuals(term, x, [&](Cell_index c, double residual, double w, const Local_vector* row) {
-      const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0 ? 1. : residual < 0 ? -1. : 0.)
-                                                                 : 2 * residual;
-      scatter(weight(term) * w * slope * *row, c, g);
-    }, true);
+    for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
+      Local_vector local = Local_vector::Zero();
+      visit_residuals(term, x, c, [&](double residual, double w, const auto& row) {
+        const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0 ? 1. : residual < 0 ? -1. : 0.)
+                                                                   : 2 * residual;
+        local += weight(term) * w * slope * row();
+      });
+      scatter(local, c, g);
+    }
     return g;
   }
 
@@ -204,10 +229,8 @@ public:
   template <typename ConcurrencyTag>
   void add_singular_hessian(const Vector& x, double eta, Matrix& A, Vector& b) const
   {
-    std::vector<char> in_domain(m_field.number_of_cells(), 0);
-    for(Cell_index c : m_hessian_cells) in_domain[c] = 1;
     m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
-      if(!in_domain[c]) return;
+      if(!in_hessian_domain(c)) return;
       Eigen::Matrix<double, 64, Distance_samples::per_cell> rows;
       Local_vector rhs = Local_vector::Zero();
       const std::array<double, 64> local = gather(x, c);
@@ -277,26 +300,22 @@ private:
     return v;
   }
 
-  // the derivatives of all 64 functions along three directions
-  static void directional_rows(const std::array<double, 3>& t, const std::array<double, 3>* directions, int count,
-                               Local_vector* rows)
+  // the derivatives of all 64 functions along a direction
+  static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis, const std::array<double, 3>& direction)
   {
-    Weights b[3], d[3];
-    for(int a = 0; a < 3; ++a) {
-      b[a] = Cubic_bspline<>::values(t[a]);
-      d[a] = Cubic_bspline<>::first_derivatives(t[a]);
-    }
-    for(int m = 0; m < count; ++m) {
-      Weights x;   // along x: the part of the direction in the plane of the row's weights
-      for(int k = 0; k < 4; ++k)
-        for(int j = 0; j < 4; ++j) {
-          const double with_dx = directions[m][0] * b[1][j] * b[2][k];
-          const double with_b = directions[m][1] * d[1][j] * b[2][k] + directions[m][2] * b[1][j] * d[2][k];
-          for(int i = 0; i < 4; ++i) x[i] = with_dx * d[0][i] + with_b * b[0][i];
-          for(int i = 0; i < 4; ++i) rows[m][16*k + 4*j + i] = x[i];
-        }
-    }
+    const auto& b = basis[0];
+    const auto& d = basis[1];
+    Local_vector row;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j) {
+        const double with_dx = direction[0] * b[1][j] * b[2][k];
+        const double with_b = direction[1] * d[1][j] * b[2][k] + direction[2] * b[1][j] * d[2][k];
+        for(int i = 0; i < 4; ++i) row[16*k + 4*j + i] = with_dx * d[0][i] + with_b * b[0][i];
+      }
+    return row;
   }
+
+  Local_vector sample_row(int s) const { return outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]); }
 
   std::array<double, 3> normal(std::uint32_t facet) const
   {
@@ -319,6 +338,8 @@ private:
     for(int r = 0; r < 16; ++r)
       for(int i = 0; i < 4; ++i) x[rows[r] + i] += local[4*r + i];
   }
+
+  bool in_hessian_domain(Cell_index c) const { return !m_hessian_domain.empty() && m_hessian_domain[c] != 0; }
 
   double sample(Cell_index c, int s) const
   {
@@ -347,52 +368,55 @@ private:
     return xx*cxx + xy*cxy + xz*cxz;
   }
 
-  // calls visit(cell, residual, weight, row) for all residuals of a term; `row` is the residual's derivative by the
-  // cell's 64 coefficients
+  // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the residual's derivative by the
+  // cell's 64 coefficients.
   template <typename Visitor>
-  void visit_residuals(Energy_term term, const Vector& x, const Visitor& visit, bool with_rows) const
+  void visit_residuals(Energy_term term, const Vector& x, Cell_index c, const Visitor& visit) const
   {
-    const auto dot = [](const std::array<double, 64>& local, const Local_vector& row) {
-      return Eigen::Map<const Local_vector>(local.data()).dot(row);
-    };
-    Local_vector row[3];
     switch(term) {
-      case Energy_term::DISTANCE:
-        for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-          const std::array<double, 64> local = gather(x, c);
-          for(int s = 0; s < Distance_samples::per_cell; ++s) {
-            row[0] = outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
-            visit(c, dot(local, row[0]) - sample(c, s), 1., &row[0]);
-          }
+      case Energy_term::DISTANCE: {
+        const std::array<double, 64> local = gather(x, c);
+        for(int s = 0; s < Distance_samples::per_cell; ++s) {
+          const double f = internal::contract(local.data(), m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
+          visit(f - sample(c, s), 1., [&]() { return sample_row(s); });
         }
         return;
+      }
       case Energy_term::ANGLE:
-      case Energy_term::NORMAL:
-        for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-          if(m_first_point[c] == m_first_point[c+1]) continue;
-          const std::array<double, 64> local = gather(x, c);
-          for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
-            const std::array<double, 3> n = normal(m_points[p].facet);
-            if(term == Energy_term::NORMAL) {
-              directional_rows(m_points[p].t, &n, 1, row);
-              visit(c, dot(local, row[0]) - 1, m_points[p].weight, &row[0]);
-            } else {
-              static constexpr std::array<double, 3> axes[3] = { {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}} };
-              directional_rows(m_points[p].t, axes, 3, row);
-              for(int a = 0; a < 3; ++a) visit(c, dot(local, row[a]) - n[a], m_points[p].weight, &row[a]);
+      case Energy_term::NORMAL: {
+        if(m_first_point[c] == m_first_point[c+1]) return;
+        const std::array<double, 64> local = gather(x, c);
+        for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
+          const Surface_point& point = m_points[p];
+          internal::Basis_jet<double, 2> basis;
+          for(int a = 0; a < 3; ++a) {
+            basis[0][a] = Cubic_bspline<>::values(point.t[a]);
+            basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+          }
+          const std::array<double, 3> g = internal::first_order_jet<double>(local.data(), basis).gradient;
+          const std::array<double, 3> n = normal(point.facet);
+          if(term == Energy_term::NORMAL)
+            visit(n[0]*g[0] + n[1]*g[1] + n[2]*g[2] - 1, point.weight, [&]() { return directional_row(basis, n); });
+          else
+            for(int a = 0; a < 3; ++a) {
+              std::array<double, 3> axis = {};
+              axis[a] = 1;
+              visit(g[a] - n[a], point.weight, [&]() { return directional_row(basis, axis); });
             }
-          }
         }
         return;
-      case Energy_term::SINGULAR_HESSIAN:
-        for(Cell_index c : m_hessian_cells) {
-          const std::array<double, 64> local = gather(x, c);
-          for(int s = 0; s < Distance_samples::per_cell; ++s) {
-            const double det = hessian_determinant(local, s, with_rows ? &row[0] : nullptr);
-            visit(c, det, 1. / Distance_samples::per_cell, &row[0]);
-          }
-        }
+      }
+      case Energy_term::SINGULAR_HESSIAN: {
+        if(!in_hessian_domain(c)) return;
+        const std::array<double, 64> local = gather(x, c);
+        for(int s = 0; s < Distance_samples::per_cell; ++s)
+          visit(hessian_determinant(local, s, nullptr), 1. / Distance_samples::per_cell, [&]() {
+            Local_vector row;
+            hessian_determinant(local, s, &row);
+            return row;
+          });
         return;
+      }
     }
   }
 
@@ -401,7 +425,7 @@ private:
   {
     Local_matrix m = Local_matrix::Zero();
     for(int s = 0; s < Distance_samples::per_cell; ++s) {
-      const Local_vector row = outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
+      const Local_vector row = sample_row(s);
       m += row * row.transpose();
     }
     return m;
@@ -411,7 +435,7 @@ private:
   {
     rhs.setZero();
     for(int s = 0; s < Distance_samples::per_cell; ++s)
-      rhs += sample(c, s) * outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
+      rhs += sample(c, s) * sample_row(s);
   }
 
   // E_angle and E_normal: in a frame (n, u, v) of the facet, mu (1 + zeta) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
@@ -427,14 +451,18 @@ private:
     const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
     for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
       const Surface_point& point = m_points[p];
+      internal::Basis_jet<double, 2> basis;
+      for(int a = 0; a < 3; ++a) {
+        basis[0][a] = Cubic_bspline<>::values(point.t[a]);
+        basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+      }
       std::array<double, 3> frame[3] = { normal(point.facet) };
       tangent_frame(frame);
-      Local_vector row[3];
-      directional_rows(point.t, frame, 3, row);
-      rhs += point.weight * both * row[0];
-      rows.col(used++) = std::sqrt(point.weight * both) * row[0];
-      rows.col(used++) = std::sqrt(point.weight * angle) * row[1];
-      rows.col(used++) = std::sqrt(point.weight * angle) * row[2];
+      const Local_vector along_normal = directional_row(basis, frame[0]);
+      rhs += point.weight * both * along_normal;
+      rows.col(used++) = std::sqrt(point.weight * both) * along_normal;
+      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[1]);
+      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[2]);
       if(used == 3 * batch) flush();
     }
     if(used > 0) flush();
@@ -459,7 +487,7 @@ private:
   std::array<std::array<Weights, 3>, Distance_samples::per_cell> m_sample_basis;
   std::vector<Surface_point> m_points;        // by cell
   std::vector<std::size_t> m_first_point;     // of each cell, and the end
-  std::vector<Cell_index> m_hessian_cells;
+  std::vector<char> m_hessian_domain;         // by cell, or empty
 };
 
 } // namespace Bspline_shells

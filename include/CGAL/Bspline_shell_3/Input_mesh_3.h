@@ -138,11 +138,14 @@ private:
       const auto& p = get(vpm, pair.first);
       m_mesh.point(pair.second) = Kernel::Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
     }
-    // faces and vertices are copied in the order of the ranges
+    // faces are copied in the order of their range, vertices in the order in which edges lead to them
     m_origin.assign(m_mesh.number_of_faces(), 0);
     for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
+    const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+    position = 0;
+    for(auto v : vertices(mesh)) put(vertex_position, v, position++);
     m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
-    for(std::size_t n = 0; n < vertex_pairs.size(); ++n) m_vertex_origin[vertex_pairs[n].second] = n;
+    for(const auto& pair : vertex_pairs) m_vertex_origin[pair.second] = get(vertex_position, pair.first);
     m_bbox = Bbox_3();
     for(auto f : m_mesh.faces()) m_bbox += Polygon_mesh_processing::face_bbox(f, m_mesh);
     return Shell_status::SUCCESS;
@@ -157,8 +160,9 @@ private:
     if(!open.empty()) return refuse_facets(Shell_status::OPEN_MESH, open);
     std::vector<Triangle_mesh::Halfedge_index> pinched;
     Polygon_mesh_processing::non_manifold_vertices(m_mesh, std::back_inserter(pinched));
-    for(auto h : pinched) m_offenders.vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
-    return pinched.empty() ? Shell_status::SUCCESS : Shell_status::NON_MANIFOLD;
+    std::vector<std::size_t> vertices;      // there is a halfedge for each fan
+    for(auto h : pinched) vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
+    return vertices.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NON_MANIFOLD, vertices);
   }
 
   Shell_status triangulate()
@@ -229,16 +233,25 @@ private:
 
   Shell_status check_vertices()
   {
+    std::vector<std::size_t> singular;
     for(auto v : m_mesh.vertices())
-      if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) m_offenders.vertices.push_back(m_vertex_origin[v]);
-    return m_offenders.vertices.empty() ? Shell_status::SUCCESS : Shell_status::SINGULAR_VERTEX;
+      if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) singular.push_back(m_vertex_origin[v]);
+    return singular.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::SINGULAR_VERTEX, singular);
   }
 
-  Shell_status refuse_facets(Shell_status status, std::vector<std::size_t> facets)
+  Shell_status refuse_facets(Shell_status status, std::vector<std::size_t>& facets)
   {
     std::sort(facets.begin(), facets.end());
     facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-    m_offenders.facets = std::move(facets);
+    m_offenders.facets.swap(facets);
+    return status;
+  }
+
+  Shell_status refuse_vertices(Shell_status status, std::vector<std::size_t>& vertices)
+  {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    m_offenders.vertices.swap(vertices);
     return status;
   }
 

@@ -9,6 +9,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/version_macros.h>
 
+#include <type_traits>
+
 #if CGAL_VERSION_NR >= 1050600000
 #  error "The named parameters of this package are written for CGAL 5.5."
 #endif
@@ -64,6 +66,16 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
 #undef CGAL_BSPLINE_SHELLS_ADD_PARAMETER
 };
+
+namespace internal {
+
+// how an object that is changed by its use, as a solver, is held: a copy of what was passed by value, as a pack is
+// constant, and a reference to what was passed with `std::ref`
+template <typename Reference>
+using Argument = std::conditional_t<std::is_const<std::remove_reference_t<Reference> >::value,
+                                    std::remove_cv_t<std::remove_reference_t<Reference> >, Reference>;
+
+} // namespace internal
 
 /// \ingroup PkgBsplineShell3Ref
 /// the functions that begin a sequence of named parameters, such as

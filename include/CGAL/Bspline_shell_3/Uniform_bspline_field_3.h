@@ -168,8 +168,10 @@ private:
       }
     std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
     // Each of the three passes takes averages (weights that sum to one) with at most three roundings of relative size
-    // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up.
-    m_error_radius[c] = 5 * std::numeric_limits<double>::epsilon() * largest;
+    // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up. Three of them and
+    // the radius itself can underflow.
+    m_error_radius[c] = 5 * std::numeric_limits<double>::epsilon() * largest
+                      + 2 * std::numeric_limits<double>::denorm_min();
   }
 
   Cell_complex_3 m_cells;

@@ -39,22 +39,24 @@ struct Fit_report
  * \brief minimizes the paper's energy over the coefficients of a field.
  *
  * The three quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
- * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, each with one solve from the last
- * solution and a line search on the energy itself, until it falls by less than one part in thousand or the step is the
- * tenth.
+ * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each
+ * has one solve from the last solution and a line search on the energy itself. They end when the energy falls by less
+ * than one percent, or after ten.
  *
  * \tparam Solver a model of `SPDSolver`
+ * \param x where an iterative solver starts, in cell units (`Fit_energy::initial_guess()`)
  * \param[out] field gets the coefficients of the solution, unless the solver fails
  * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in
  * the number of unknowns.
  */
 template <typename ConcurrencyTag, typename Field, typename Solver>
-Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver)
+Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
+                     Eigen::VectorXd x)
 {
   typedef typename Fit_energy<Field>::Vector Vector;
   typedef typename Fit_energy<Field>::Matrix Matrix;
   constexpr std::size_t max_steps = 10;
-  constexpr double least_decrease = 1e-3;
+  constexpr double least_decrease = 1e-2;
   constexpr double eta = 1e-3;       // determinants below are as good as zero: curvatures of a tenth per cell
 
   Fit_report report;
@@ -63,7 +65,6 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver)
   Matrix A;
   Vector b;
   energy.template assemble<ConcurrencyTag>(A, b);
-  Vector x = energy.initial_guess();
   report.seconds_assembly = timer.time();
   timer.reset();
 
@@ -78,20 +79,22 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver)
   if(!solve(A, b, x)) return report;
 
   if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
+    // The paper integrates over the shell, which moves with the field. A domain that moves with every step makes the
+    // steps oscillate: it stays the shell of the first solution.
+    const std::pair<double, double> range = energy.range_on_mesh(x);
+    energy.set_singular_hessian_domain(x, range.first, range.second);
     for(std::size_t step = 0; step < max_steps; ++step) {
-      const std::pair<double, double> range = energy.range_on_mesh(x);
-      energy.set_singular_hessian_domain(x, range.first, range.second);
-      const double before = energy.value(x);
+      const double before = energy.template value<ConcurrencyTag>(x);
       Matrix step_matrix = A;
       Vector step_rhs = b;
       energy.template add_singular_hessian<ConcurrencyTag>(x, eta, step_matrix, step_rhs);
       Vector target = x;
       if(!solve(step_matrix, step_rhs, target)) return report;
       // the full step minimizes the model; the energy itself may want a shorter one
-      double length = 1, after = energy.value(target);
+      double length = 1, after = energy.template value<ConcurrencyTag>(target);
       while(after > before && length > 1e-3) {
         length /= 2;
-        after = energy.value(x + length * (target - x));
+        after = energy.template value<ConcurrencyTag>(Vector(x + length * (target - x)));
       }
       if(after < before) x += length * (target - x);
       if(!(before - after > least_decrease * before)) break;
@@ -99,7 +102,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver)
   }
   report.seconds_solver = timer.time();
   for(Energy_term term : { Energy_term::DISTANCE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL })
-    report.energy[std::size_t(term)] = energy.value(term, x);
+    report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
   field.template set_coefficients<ConcurrencyTag>(x * field.cells().width());
   return report;
 }

@@ -230,6 +230,9 @@ inline Level_range round_outwards(const Level_range& range, double quantum)
   Level_range r;
   r.min = std::floor(range.min / quantum) * quantum;
   r.max = std::ceil(range.max / quantum) * quantum;
+  // to a quantum that small, every such number is a multiple
+  if(!std::isfinite(r.min)) r.min = range.min;
+  if(!std::isfinite(r.max)) r.max = range.max;
   while(r.min > range.min) r.min = std::nextafter(r.min, -std::numeric_limits<double>::infinity());
   while(r.max < range.max) r.max = std::nextafter(r.max, std::numeric_limits<double>::infinity());
   return r;

@@ -1,0 +1,44 @@
+// A signed distance of one's own, here the closed form for a sphere of radius r, instead of the distance to the mesh.
+#include <CGAL/bspline_shell_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+// a model of SignedDistanceOracle_3
+struct Distance_to_sphere
+{
+  typedef Kernel::Point_3 Point_3;
+  double radius;
+  double operator()(const Point_3& p) const { return std::sqrt(CGAL::squared_distance(p, Point_3(CGAL::ORIGIN))) - radius; }
+};
+
+int main(int argc, char** argv)
+{
+  const double radius = argc > 1 ? std::atof(argv[1]) : 1;
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Kernel::Point_3(CGAL::ORIGIN), radius);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(3));
+  for(auto v : mesh.vertices()) {
+    const Kernel::Vector_3 d = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + radius / std::sqrt(d.squared_length()) * d;
+  }
+
+  namespace parameters = CGAL::Bspline_shells::parameters;
+  const auto shell = CGAL::bspline_shell_3(mesh, parameters::resolution(30)
+                                                            .signed_distance_oracle(Distance_to_sphere{radius}));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout << "the mesh of the sphere lies between the levels " << shell.inner_level() << " and "
+            << shell.outer_level() << std::endl;
+  return EXIT_SUCCESS;
+}

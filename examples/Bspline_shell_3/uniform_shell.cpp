@@ -1,0 +1,38 @@
+// The shell of a mesh: its two levels, the field and its derivatives, and a point in it.
+#include <CGAL/bspline_shell_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: uniform_shell MESH\n";
+    return EXIT_FAILURE;
+  }
+
+  // 60 cells along the longest side of the mesh's box
+  const CGAL::Bspline_shell_3<> shell =
+    CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(60));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout << "levels " << shell.inner_level() << " and " << shell.outer_level() << ", thickness "
+            << 100 * shell.relative_thickness() << " % of the box\n";
+
+  const Kernel::Point_3 p = mesh.point(*mesh.vertices().begin());
+  std::cout << "at the first vertex: f = " << *shell.field().value(p)
+            << ", grad f = " << *shell.field().gradient(p)
+            << ", Hessian =\n" << *shell.field().hessian(p) << "\n"
+            << (shell.bounded_side(p) == CGAL::ON_BOUNDED_SIDE ? "in the shell" : "not in the shell") << std::endl;
+  return EXIT_SUCCESS;
+}

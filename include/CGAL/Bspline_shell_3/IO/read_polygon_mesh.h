@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
+#define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
+
+#include <CGAL/Bspline_shell_3/Status.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+typedef std::vector<std::vector<std::size_t> > Polygons;
+
+// What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
+// them are turned round; a parity that contradicts itself around the surface makes it one-sided.
+inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simplices& offenders)
+{
+  struct Use { std::size_t polygon; bool forward; };
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Use> > edges;
+  for(std::size_t p = 0; p < polygons.size(); ++p) {
+    const std::vector<std::size_t>& polygon = polygons[p];
+    std::vector<std::size_t> sorted = polygon;
+    std::sort(sorted.begin(), sorted.end());
+    if(polygon.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      offenders.facets.push_back(p);
+      continue;
+    }
+    for(std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      edges[std::minmax(a, b)].push_back({ p, a < b });
+    }
+  }
+  if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
+  for(const auto& edge : edges)
+    if(edge.second.size() > 2)
+      for(const Use& use : edge.second) offenders.facets.push_back(use.polygon);
+  if(!offenders.facets.empty()) {
+    std::sort(offenders.facets.begin(), offenders.facets.end());
+    offenders.facets.erase(std::unique(offenders.facets.begin(), offenders.facets.end()), offenders.facets.end());
+    return Shell_status::NON_MANIFOLD;
+  }
+  // union-find with parities
+  std::vector<std::size_t> parent(polygons.size());
+  std::vector<char> turned(polygons.size(), 0);     // relative to the parent
+  for(std::size_t p = 0; p < parent.size(); ++p) parent[p] = p;
+  const auto root = [&](std::size_t p, char& parity) {
+    parity = 0;
+    for(; parent[p] != p; p = parent[p]) {
+      turned[p] = char(turned[p] ^ turned[parent[p]]);       // halves the path
+      parent[p] = parent[parent[p]];
+      parity ^= turned[p];
+    }
+    return p;
+  };
+  for(const auto& edge : edges) {
+    if(edge.second.size() != 2) continue;
+    const Use &a = edge.second[0], &b = edge.second[1];
+    char pa, pb;
+    const std::size_t ra = root(a.polygon, pa), rb = root(b.polygon, pb);
+    const char differ = char(a.forward == b.forward);
+    if(ra == rb) {
+      if((pa ^ pb) != differ) { offenders.facets.push_back(a.polygon); offenders.facets.push_back(b.polygon); }
+    } else {
+      parent[ra] = rb;
+      turned[ra] = char(pa ^ pb ^ differ);
+    }
+  }
+  return offenders.facets.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief reads a surface mesh and says what is wrong with it, if it is none.
+ *
+ * The format follows from the file's extension: OFF, OBJ, PLY, STL and the others of `CGAL::IO::read_polygon_soup()`.
+ * Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned round where
+ * they do not agree with their neighbours; nothing else is repaired.
+ *
+ * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
+ * \param[out] offenders positions of facets and vertices in the file, vertices without repetitions
+ */
+template <typename PolygonMesh>
+Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  typedef typename boost::property_traits<
+    typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type Point_3;
+
+  offenders = Offending_simplices();
+  std::vector<Point_3> points;
+  internal::Polygons polygons;
+  try {
+    if(!CGAL::IO::read_polygon_soup(file, points, polygons)) return Shell_status::UNREADABLE_FILE;
+  } catch(const std::exception&) {       // some readers throw on broken files
+    return Shell_status::UNREADABLE_FILE;
+  }
+  if(polygons.empty()) return Shell_status::EMPTY_MESH;
+  for(const auto& polygon : polygons)
+    for(std::size_t v : polygon)
+      if(v >= points.size()) return Shell_status::UNREADABLE_FILE;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    for(int a = 0; a < 3; ++a)
+      if(!std::isfinite(CGAL::to_double(points[v][a]))) { offenders.vertices.push_back(v); break; }
+  if(!offenders.vertices.empty()) return Shell_status::NOT_FINITE;
+
+  PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  const Shell_status status = internal::diagnose_polygons(polygons, offenders);
+  if(status != Shell_status::SUCCESS) return status;
+  const std::size_t vertices = points.size();
+  PMP::orient_polygon_soup(points, polygons);
+  // copies of vertices were made where facets do not form one fan
+  for(std::size_t v = vertices; v < points.size(); ++v)
+    offenders.vertices.push_back(std::size_t(std::find(points.begin(), points.begin() + vertices, points[v]) - points.begin()));
+  if(!offenders.vertices.empty() || !PMP::is_polygon_soup_a_polygon_mesh(polygons)) return Shell_status::NON_MANIFOLD;
+  mesh.clear();
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return Shell_status::SUCCESS;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H

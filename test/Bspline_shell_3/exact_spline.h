@@ -1,0 +1,62 @@
+// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic. It
+// shares no code with the library's evaluation.
+#ifndef EXACT_SPLINE_H
+#define EXACT_SPLINE_H
+
+#include <CGAL/Exact_rational.h>
+
+#include <array>
+#include <cmath>
+
+typedef CGAL::Exact_rational Rational;
+typedef std::array<Rational, 3> Exact_point;
+
+template <typename Point>
+Exact_point exact(const Point& p) { return { Rational(p[0]), Rational(p[1]), Rational(p[2]) }; }
+
+inline Rational bspline(const Rational& t, int order)
+{
+  const Rational a = t < 0 ? Rational(-t) : t;        // the function is even
+  const int sign = t < 0 ? -1 : 1;
+  if(a >= 2) return Rational(0);
+  if(order == 0)
+    return a >= 1 ? Rational(-a*a*a/6 + a*a - 2*a + Rational(4)/3) : Rational(a*a*a/2 - a*a + Rational(2)/3);
+  if(order == 1) return a >= 1 ? Rational(sign * (-a*a/2 + 2*a - 2)) : Rational(sign * (3*a*a/2 - 2*a));
+  return a >= 1 ? Rational(2 - a) : Rational(3*a - 2);
+}
+
+// position in units of the lattice: cell (i, j, k) begins at (i, j, k)
+template <typename Field>
+Exact_point lattice_coordinates(const Field& field, const Exact_point& p)
+{
+  const auto& lattice = field.cells().lattice();
+  Exact_point u;
+  for(int a = 0; a < 3; ++a) u[a] = (p[a] - Rational(lattice.origin()[a])) / Rational(lattice.spacing());
+  return u;
+}
+
+// the spline, or its derivative of the given order along each axis, per user unit
+template <typename Field>
+Rational exact_value(const Field& field, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
+{
+  const Exact_point u = lattice_coordinates(field, p);
+  int first[3];
+  std::array<Rational, 6> b[3];
+  for(int a = 0; a < 3; ++a) {
+    first[a] = int(std::floor(CGAL::to_double(u[a]))) - 2;      // four do not vanish; one more each side for rounding
+    for(int n = 0; n < 6; ++n) b[a][n] = bspline(u[a] - (first[a] + n), order[a]);
+  }
+  Rational sum(0);
+  for(int k = 0; k < 6; ++k)
+    for(int j = 0; j < 6; ++j)
+      for(int i = 0; i < 6; ++i) {
+        const auto g = field.functions().index(first[0] + i, first[1] + j, first[2] + k);
+        if(g != field.npos && b[0][i] != 0 && b[1][j] != 0 && b[2][k] != 0)
+          sum += Rational(field.coefficients()[g]) * b[0][i] * b[1][j] * b[2][k];
+      }
+  for(int a = 0; a < 3; ++a)
+    for(int n = 0; n < order[a]; ++n) sum /= Rational(field.cells().lattice().spacing());
+  return sum;
+}
+
+#endif // EXACT_SPLINE_H

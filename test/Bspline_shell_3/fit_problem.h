@@ -1,0 +1,95 @@
+// All that a fit needs, made from a mesh; and coefficients of polynomials.
+#ifndef FIT_PROBLEM_H
+#define FIT_PROBLEM_H
+
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+
+#include <Eigen/Core>
+
+typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Field;
+typedef CGAL::Bspline_shells::Fit_energy<Field> Energy;
+typedef CGAL::Bspline_shells::Energy_term Term;
+typedef CGAL::Bspline_shells::Energy_weights Energy_weights;
+
+// the weights of the paper, whatever the defaults are
+inline Energy_weights all_four_terms()
+{
+  Energy_weights weights;
+  weights.mu = 0.1;
+  weights.zeta = 1e5;
+  weights.singular_hessian = 1;
+  return weights;
+}
+
+struct Fit_problem
+{
+  CGAL::Bspline_shells::Input_mesh_3 input;
+  CGAL::Bspline_shells::Lattice_3 lattice;
+  CGAL::Bspline_shells::Clipped_mesh_3 clipped;
+  Field field;
+  std::vector<double> samples;
+
+  Fit_problem(const Mesh& mesh, double gamma, int rings = 2)
+  {
+    namespace BS = CGAL::Bspline_shells;
+    typedef CGAL::Sequential_tag Tag;
+    const BS::Shell_status status = input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {});
+    REQUIRE(status == BS::Shell_status::SUCCESS);
+    lattice = BS::Lattice_3(input.bbox(), input.unit() / gamma);
+    clipped = BS::clip_mesh_to_cells<Tag>(input, lattice);
+    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(clipped.cells(), -rings, rings)));
+    const BS::Mesh_signed_distance_3 distance(input);
+    samples = BS::sample_signed_distance<Tag>(distance, field.cells(), clipped.cells());
+  }
+  Fit_problem(const Fit_problem&) = delete;      // energies refer to it
+
+  double width() const { return lattice.spacing(); }
+  double gamma() const { return input.unit() / width(); }
+  Energy energy(const Energy_weights& weights = all_four_terms()) const
+  {
+    return Energy(field, samples, clipped, input.faces_outwards(), gamma(), weights);
+  }
+
+  // coefficients, one for each function, of its lattice point
+  template <typename Function>
+  Eigen::VectorXd coefficients(const Function& f) const
+  {
+    Eigen::VectorXd x(field.number_of_coefficients());
+    for(Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n) {
+      const auto& p = field.functions().point(n);
+      x[n] = f(double(p[0]), double(p[1]), double(p[2]));
+    }
+    return x;
+  }
+};
+
+// the coefficient at the lattice coordinate i of the function t^2
+inline double square_coefficient(double i) { return i * i - 1 / 3.; }
+
+// numbers in [-1, 1], the same with any standard library
+class Deterministic_numbers
+{
+  std::uint64_t m_state;
+public:
+  explicit Deterministic_numbers(std::uint64_t seed) : m_state(seed) {}
+  double operator()()
+  {
+    m_state = m_state * 6364136223846793005u + 1442695040888963407u;
+    return double(m_state >> 11) / double(std::uint64_t(1) << 52) - 1;
+  }
+  Eigen::VectorXd vector(std::size_t size)
+  {
+    Eigen::VectorXd x(size);
+    for(double& c : x) c = (*this)();
+    return x;
+  }
+};
+
+#endif // FIT_PROBLEM_H

@@ -1,0 +1,364 @@
+// Fit_energy.h, Normal_equations.h: the paper's energy against closed forms and finite differences, and the normal
+// equations against the energy.
+#include "fit_problem.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace {
+
+constexpr Term all_terms[] = { Term::DISTANCE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
+constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::ANGLE, Term::NORMAL };
+constexpr double everywhere = 1e9;
+
+// A cube of five cells on the lattice of integers, its sides in the middle of cells: user units are cell units, and
+// every piece of the mesh is large enough for quadrature that is exact to degree two.
+constexpr double half = 2.5;
+const Fit_problem& cube_problem()
+{
+  static const Fit_problem problem(box(Point_3(-half, -half, -half), Point_3(half, half, half)), 5, 1);
+  return problem;
+}
+
+// |x|^2 / 2 with signs: the Hessian is diagonal, its determinant the product of the signs
+Eigen::VectorXd paraboloid(const Fit_problem& problem, double sx, double sy, double sz)
+{
+  return problem.coefficients([&](double x, double y, double z) {
+    return (sx * square_coefficient(x) + sy * square_coefficient(y) + sz * square_coefficient(z)) / 2;
+  });
+}
+
+// calls f(cell, point) for all samples
+template <typename Function>
+void for_each_sample(const Fit_problem& problem, const Function& f)
+{
+  for(Field::Cell_index c = 0; c < problem.field.number_of_cells(); ++c) {
+    const std::array<double, 3> corner = problem.field.cells().corner(c);
+    for(int s = 0; s < 8; ++s)
+      f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * problem.width(), corner[1] + (s & 2 ? 0.75 : 0.25) * problem.width(),
+                   corner[2] + (s & 4 ? 0.75 : 0.25) * problem.width()));
+  }
+}
+
+// the determinants of the Hessian at the samples of the chosen cells, cell units, by the field's own evaluation
+std::vector<double> determinants(const Fit_problem& problem, const Eigen::VectorXd& x, const std::vector<char>& cells)
+{
+  Field field = problem.field;
+  field.set_coefficients(x * problem.width());
+  std::vector<double> found;
+  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
+    if(!cells[c]) return;
+    const auto& h = field.cell(c).second_order_jet(p).hessian;      // xx, yy, zz, xy, xz, yz
+    Eigen::Matrix3d m;
+    m << h[0], h[3], h[4],  h[3], h[1], h[5],  h[4], h[5], h[2];
+    found.push_back((m * problem.width()).determinant());
+  });
+  return found;
+}
+
+// the cells with a sample between the levels, cell units
+std::vector<char> cells_between(const Fit_problem& problem, const Eigen::VectorXd& x, double eps1, double eps2)
+{
+  Field field = problem.field;
+  field.set_coefficients(x * problem.width());
+  std::vector<char> cells(field.number_of_cells(), 0);
+  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
+    const double f = field.cell(c).value(p) / problem.width();
+    if(f >= eps1 && f <= eps2) cells[c] = 1;
+  });
+  return cells;
+}
+
+Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower)
+{
+  Eigen::MatrixXd A = lower;
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+  return A;
+}
+
+} // namespace
+
+TEST_CASE("Weights of the terms are the paper's, in cell units")
+{
+  Energy_weights weights;
+  weights.mu = 0.25;
+  weights.zeta = 1024;
+  weights.singular_hessian = 8;
+  const Energy energy = cube_problem().energy(weights);
+  CHECK(energy.weight(Term::DISTANCE) == 1);
+  CHECK(energy.weight(Term::ANGLE) == 0.25);
+  CHECK(energy.weight(Term::NORMAL) == 256);
+  CHECK(energy.weight(Term::SINGULAR_HESSIAN) == 0.25 * 8 * 25);
+}
+
+TEST_CASE("E_SDF is the sum of squared differences at the samples")
+{
+  const Fit_problem& problem = cube_problem();
+  const Energy energy = problem.energy();
+  const Eigen::VectorXd x = Deterministic_numbers(1).vector(problem.field.number_of_coefficients());
+  Field field = problem.field;
+  field.set_coefficients(x * problem.width());
+  double sum = 0;
+  std::size_t n = 0;
+  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
+    const double d = (field.cell(c).value(p) - problem.samples[n++]) / problem.width();
+    sum += d * d;
+  });
+  CHECK(n == problem.samples.size());
+  CHECK(energy.value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are what one computes by hand")
+{
+  const Fit_problem& problem = cube_problem();
+  const Energy energy = problem.energy();
+  const double mu = energy.weight(Term::ANGLE), mu_zeta = energy.weight(Term::NORMAL);
+  const double side = 4 * half * half;
+
+  // f = x: gradient and normal agree on one side of the cube, are opposite on another, and orthogonal on four
+  const Eigen::VectorXd linear = problem.coefficients([](double x, double, double) { return x; });
+  CHECK(energy.value(Term::ANGLE, linear) == Approx(mu * side * (0 + 4 + 4 * 2)).epsilon(1e-12));
+  CHECK(energy.value(Term::NORMAL, linear) == Approx(mu_zeta * side * (0 + 4 + 4 * 1)).epsilon(1e-12));
+
+  // f = |x|^2 / 2: the gradient is x, its normal part `half` on each side
+  const Eigen::VectorXd quadratic = paraboloid(problem, 1, 1, 1);
+  const double second_moment = side * 4 * half * half / 12;
+  CHECK(energy.value(Term::ANGLE, quadratic)
+        == Approx(mu * 6 * (side * (half - 1) * (half - 1) + 2 * second_moment)).epsilon(1e-12));
+  CHECK(energy.value(Term::NORMAL, quadratic) == Approx(mu_zeta * 6 * side * (half - 1) * (half - 1)).epsilon(1e-12));
+
+  // f = |x|^2 / 5: the normal part is one everywhere
+  CHECK(energy.value(Term::NORMAL, quadratic / half) < 1e-20 * mu_zeta * side);
+}
+
+TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
+{
+  const Fit_problem& problem = cube_problem();
+  Energy energy = problem.energy();
+  const double weight = energy.weight(Term::SINGULAR_HESSIAN);
+  for(double sign : { 1., -1. }) {
+    const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign);      // det H = sign, everywhere
+    energy.set_singular_hessian_domain(x, -everywhere, everywhere);
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(weight * problem.field.number_of_cells()).epsilon(1e-12));
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, 2 * x) == Approx(8 * weight * problem.field.number_of_cells()).epsilon(1e-12));
+
+    const std::vector<char> cells = cells_between(problem, x, 1, 3);
+    const auto size = std::count(cells.begin(), cells.end(), 1);
+    REQUIRE(size > 0);
+    REQUIRE(std::size_t(size) < cells.size());
+    energy.set_singular_hessian_domain(x, 1, 3);
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(weight * size).epsilon(1e-12));
+  }
+  CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0);     // no domain yet
+}
+
+TEST_CASE("The range on the mesh is that of the quadrature points, which lie inside the pieces")
+{
+  const Fit_problem& problem = cube_problem();
+  const std::pair<double, double> range
+    = problem.energy().range_on_mesh(problem.coefficients([](double x, double y, double) { return x + 10 * y; }));
+  CHECK(range.second <= 11 * half);
+  CHECK(range.second > 11 * half - 11);
+  CHECK(range.first >= -11 * half);
+  CHECK(range.first < -11 * half + 11);
+}
+
+TEST_CASE("The initial guess averages the samples")
+{
+  const Fit_problem& problem = cube_problem();
+  const Eigen::VectorXd guess = problem.energy().initial_guess();
+  const auto range = std::minmax_element(problem.samples.begin(), problem.samples.end());
+  CHECK(guess.minCoeff() >= *range.first);
+  CHECK(guess.maxCoeff() <= *range.second);
+  // means weighted by nonnegative functions: constants are reproduced, to rounding
+  const std::vector<double> constant(problem.samples.size(), 3.);
+  const Energy energy(problem.field, constant, problem.clipped, true, problem.gamma(), all_four_terms());
+  CHECK((energy.initial_guess().array() - 3).abs().maxCoeff() < 1e-13);
+  // and a closed mesh's distance is near: nowhere off by more than the function's reach of two cells
+  Field field = problem.field;
+  field.set_coefficients(guess * problem.width());
+  double worst = 0;
+  std::size_t n = 0;
+  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
+    worst = (std::max)(worst, std::abs(field.cell(c).value(p) - problem.samples[n++]));
+  });
+  CHECK(worst < 2);
+}
+
+TEST_CASE("Gradients are the derivatives of the values")
+{
+  // a mesh with facets in all directions, and pieces of all sizes
+  const Fit_problem problem(sphere(1), 4.3, 1);
+  Energy energy = problem.energy();
+  Deterministic_numbers random(2);
+  const std::size_t size = problem.field.number_of_coefficients();
+  for(double sign : { 1., -1. }) {
+    // determinants near +-1: |det H| is smooth there
+    const Eigen::VectorXd x = paraboloid(problem, 1, sign, 1) + 0.02 * random.vector(size);
+    energy.set_singular_hessian_domain(x, -1, 3);
+    const std::vector<char> cells = cells_between(problem, x, -1, 3);
+    const double h = 1. / 256;
+    for(int trial = 0; trial < 12; ++trial) {
+      // all coefficients at once, or one alone
+      Eigen::VectorXd d = random.vector(size);
+      if(trial >= 4) d = Eigen::VectorXd::Unit(size, std::size_t((1 + random()) / 2 * (size - 1)));
+      double least = everywhere;
+      for(double step : { -2., 2. })
+        for(double det : determinants(problem, x + step * h * d, cells)) least = (std::min)(least, sign * det);
+      REQUIRE(least > 0.1);
+      for(Term term : all_terms) {
+        CAPTURE(int(term), trial, sign);
+        const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
+        // exact, but for rounding, as the terms are polynomials of degree two, or three, along a line
+        const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
+        // each value is a sum of less than 2^15 numbers, added up with relative errors that behave like a random walk
+        const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
+        CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
+        // the rounding is far less than what is compared
+        if(trial < 4) CHECK(std::abs(difference) > 100 * rounding);
+      }
+    }
+  }
+}
+
+TEST_CASE("The normal equations are those of the three quadratic terms")
+{
+  const Fit_problem problem(sphere(1), 4.3, 1);
+  const Energy energy = problem.energy();
+  const std::size_t size = problem.field.number_of_coefficients();
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<CGAL::Sequential_tag>(A, b);
+  REQUIRE(std::size_t(A.rows()) == size);
+  REQUIRE(A.isCompressed());
+  bool lower = true, ascending = true;
+  for(int c = 0; c < A.outerSize(); ++c) {
+    int last = c - 1;
+    for(Eigen::SparseMatrix<double>::InnerIterator it(A, c); it; ++it) {
+      lower = lower && it.row() >= c;
+      ascending = ascending && it.row() > last;
+      last = int(it.row());
+    }
+  }
+  CHECK(lower);
+  CHECK(ascending);
+
+  const Eigen::MatrixXd full = symmetric(A);
+  const auto quadratic_value = [&](const Eigen::VectorXd& x) {
+    double sum = 0;
+    for(Term term : quadratic_terms) sum += energy.value(term, x);
+    return sum;
+  };
+  Deterministic_numbers random(3);
+  for(int trial = 0; trial < 4; ++trial) {
+    const Eigen::VectorXd x = random.vector(size);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
+    for(Term term : quadratic_terms) gradient += energy.gradient(term, x);
+    const Eigen::VectorXd residual = 2 * (full * x - b);
+    CHECK((residual - gradient).norm() <= 1e-12 * gradient.norm());
+    const double constant = quadratic_value(Eigen::VectorXd::Zero(size));
+    const double model = x.dot(full * x) - 2 * b.dot(x) + constant;
+    CHECK(model == Approx(quadratic_value(x)).epsilon(1e-12));
+  }
+  // positive definite: the samples alone decide every coefficient
+  Energy_weights distance_only;
+  distance_only.mu = 0;
+  problem.energy(distance_only).assemble<CGAL::Sequential_tag>(A, b);
+  CHECK(Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(Eigen::MatrixXd(A)).info() == Eigen::Success);
+}
+
+TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det H)^2 / max(|det H|, eta)")
+{
+  const Fit_problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 2, 1);
+  Energy energy = problem.energy();
+  const std::size_t size = problem.field.number_of_coefficients();
+  Deterministic_numbers random(4);
+  const Eigen::VectorXd x = paraboloid(problem, 1, -0.5, 0.3) + 0.1 * random.vector(size);
+  const double eta = 0.15, eps1 = -0.4, eps2 = 0.4;
+  energy.set_singular_hessian_domain(x, eps1, eps2);
+  const std::vector<char> cells = cells_between(problem, x, eps1, eps2);
+  REQUIRE(std::count(cells.begin(), cells.end(), 1) > 0);
+  REQUIRE(std::count(cells.begin(), cells.end(), 0) > 0);
+  const std::vector<double> det = determinants(problem, x, cells);
+  const auto small = std::count_if(det.begin(), det.end(), [&](double d) { return std::abs(d) < eta; });
+  REQUIRE(small > 0);
+  REQUIRE(std::size_t(small) < det.size());
+
+  // the Jacobian of the determinants: each is a cubic polynomial in each coefficient, for which this is exact
+  Eigen::MatrixXd J(det.size(), size);
+  const double h = 0.25;
+  for(std::size_t n = 0; n < size; ++n) {
+    const Eigen::VectorXd d = Eigen::VectorXd::Unit(size, n) * h;
+    const std::vector<double> p1 = determinants(problem, x + d, cells), m1 = determinants(problem, x - d, cells),
+                              p2 = determinants(problem, x + 2 * d, cells), m2 = determinants(problem, x - 2 * d, cells);
+    for(std::size_t s = 0; s < det.size(); ++s) J(s, n) = (8 * (p1[s] - m1[s]) - (p2[s] - m2[s])) / (12 * h);
+  }
+  Eigen::MatrixXd expected_A = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd expected_b = Eigen::VectorXd::Zero(size);
+  for(std::size_t s = 0; s < det.size(); ++s) {
+    const double w = energy.weight(Term::SINGULAR_HESSIAN) / 8 / (std::max)(std::abs(det[s]), eta);
+    const Eigen::VectorXd row = J.row(s);
+    expected_A += w * row * row.transpose();
+    expected_b += w * (row.dot(x) - det[s]) * row;
+  }
+
+  Eigen::SparseMatrix<double> A, added_A;
+  Eigen::VectorXd b, added_b;
+  energy.assemble<CGAL::Sequential_tag>(A, b);
+  added_A = A;
+  added_b = b;
+  energy.add_singular_hessian<CGAL::Sequential_tag>(x, eta, added_A, added_b);
+  // what is taken away again was up to mu zeta = 10^4 times the local area: twelve digits of that remain
+  const double scale = symmetric(A).cwiseAbs().maxCoeff();
+  CHECK((symmetric(added_A) - symmetric(A) - expected_A).cwiseAbs().maxCoeff() < 1e-12 * scale);
+  CHECK((added_b - b - expected_b).cwiseAbs().maxCoeff() < 1e-12 * scale);
+  CHECK(expected_A.cwiseAbs().maxCoeff() > 1e-6 * scale);
+  CHECK(expected_b.cwiseAbs().maxCoeff() > 1e-6 * scale);
+}
+
+TEST_CASE("Assembly does not depend on the number of threads, not even in the last bit")
+{
+  const Fit_problem problem(torus(3, 1, 16, 9), 20);
+  Energy energy = problem.energy();
+  const Eigen::VectorXd x = energy.initial_guess();
+  energy.set_singular_hessian_domain(x, -1, 1);
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<CGAL::Sequential_tag>(A, b);
+  energy.add_singular_hessian<CGAL::Sequential_tag>(x, 1e-3, A, b);
+  for(int run = 0; run < 3; ++run) {
+    Eigen::SparseMatrix<double> parallel_A;
+    Eigen::VectorXd parallel_b;
+    energy.assemble<CGAL::Parallel_if_available_tag>(parallel_A, parallel_b);
+    energy.add_singular_hessian<CGAL::Parallel_if_available_tag>(x, 1e-3, parallel_A, parallel_b);
+    REQUIRE(parallel_A.nonZeros() == A.nonZeros());
+    CHECK(std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), parallel_A.valuePtr()));
+    CHECK(std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), parallel_A.innerIndexPtr()));
+    CHECK(b == parallel_b);
+  }
+}
+
+TEST_CASE("In cell units, the energy does not know how large the mesh is")
+{
+  const auto scaled = [](double s) {
+    Mesh mesh = torus(3, 1, 8, 5);
+    for(auto v : mesh.vertices())
+      mesh.point(v) = Point_3(s * mesh.point(v).x(), s * mesh.point(v).y(), s * mesh.point(v).z());
+    return mesh;
+  };
+  const Fit_problem one(scaled(1), 8), large(scaled(1024), 8), odd(scaled(1e-3), 8);
+  REQUIRE(one.field.number_of_coefficients() == large.field.number_of_coefficients());
+  REQUIRE(one.field.number_of_coefficients() == odd.field.number_of_coefficients());
+  const Eigen::VectorXd x = one.energy().initial_guess();
+  CHECK(x == large.energy().initial_guess());
+  for(Term term : all_terms) {
+    Energy e = one.energy(), l = large.energy(), o = odd.energy();
+    for(Energy* energy : { &e, &l, &o }) energy->set_singular_hessian_domain(x, -1, 1);
+    REQUIRE(e.value(term, x) > 0);
+    CHECK(e.value(term, x) == l.value(term, x));      // powers of two: exactly
+    CHECK(e.value(term, x) == Approx(o.value(term, x)).epsilon(1e-5));     // the lattice is rounded to 20 bits
+  }
+}

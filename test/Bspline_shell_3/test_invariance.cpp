@@ -1,0 +1,216 @@
+// The shell of a mesh that was scaled, moved, turned or reversed is the scaled, moved, turned or reversed shell; and
+// it does not depend on threads or on the run.
+#include "test_meshes.h"
+
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace {
+
+namespace P = CGAL::Bspline_shells::parameters;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef std::function<Point_3(const Point_3&)> Map;
+
+// A lump without symmetry, whose coordinates are multiples of 2^-20: they can be moved far without rounding.
+Mesh lump()
+{
+  Mesh mesh = sphere(2);
+  for(auto v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    const double r = 1 + 0.2 * p.x() * p.y() + 0.15 * p.z() * p.z() * p.x() + 0.1 * p.y();
+    const auto grid = [](double c) { return std::ldexp(std::nearbyint(std::ldexp(c, 20)), -20); };
+    mesh.point(v) = Point_3(grid(r * p.x()), grid(0.8 * r * p.y()), grid(1.2 * r * p.z()));
+  }
+  return mesh;
+}
+
+Mesh mapped(Mesh mesh, const Map& map)
+{
+  for(auto v : mesh.vertices()) mesh.point(v) = map(mesh.point(v));
+  return mesh;
+}
+
+Map scaling(double s)
+{
+  return [s](const Point_3& p) { return Point_3(s * p.x(), s * p.y(), s * p.z()); };
+}
+
+// weights with which conjugate gradients get far: where the iteration stops must not be what is compared
+CGAL::Bspline_shells::Energy_weights gentle_weights()
+{
+  CGAL::Bspline_shells::Energy_weights weights;
+  weights.zeta = 10;
+  weights.singular_hessian = 0;
+  return weights;
+}
+
+Shell tight_shell(const Mesh& mesh, double spacing)
+{
+  const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh,
+    P::grid_spacing(spacing).energy_weights(gentle_weights())
+     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver(1e-13, 20000)));
+  REQUIRE(shell);
+  return shell;
+}
+
+// points in the shell and around it
+std::vector<Point_3> probes(const Mesh& mesh, double offset)
+{
+  std::vector<Point_3> points;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 n = CGAL::cross_product(q - p, r - p);
+    const Point_3 c = CGAL::centroid(p, q, r);
+    for(int side = -1; side <= 1; ++side) points.push_back(c + side * offset / std::sqrt(n.squared_length()) * n);
+  }
+  return points;
+}
+
+// Whether `other` is `scale` times `shell` at the mapped points, to within `tolerance` (user units of `shell`).
+void check_same(const Shell& shell, const Shell& other, const std::vector<Point_3>& points, const Map& map, double scale,
+                double tolerance)
+{
+  CHECK(other.report().surface_cells == shell.report().surface_cells);
+  CHECK(other.report().cells == shell.report().cells);
+  CHECK(other.report().unknowns == shell.report().unknowns);
+  CHECK(std::abs(other.inner_level() / scale - shell.inner_level()) <= tolerance);
+  CHECK(std::abs(other.outer_level() / scale - shell.outer_level()) <= tolerance);
+  double worst = 0;
+  for(const Point_3& p : points) {
+    const auto f = shell.field().value(p), g = other.field().value(map(p));
+    REQUIRE(f);
+    REQUIRE(g);
+    worst = (std::max)(worst, std::abs(*g / scale - *f));
+  }
+  CHECK(worst <= tolerance);
+}
+
+constexpr double spacing = 0.25;
+
+} // namespace
+
+TEST_CASE("Scaled by a power of two, a mesh has the same shell to the last bit")
+{
+  const Mesh mesh = lump();
+  const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh, P::resolution(11));
+  REQUIRE(shell);
+  for(int exponent : { 1, 40, -40, -200 }) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1., exponent);
+    const Shell other = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mapped(mesh, scaling(scale)), P::resolution(11));
+    REQUIRE(other);
+    CHECK(other.report().gamma == shell.report().gamma);
+    CHECK(other.report().fit.iterations == shell.report().fit.iterations);
+    REQUIRE(other.field().number_of_coefficients() == shell.field().number_of_coefficients());
+    CHECK(other.field().coefficients() == scale * shell.field().coefficients());
+    CHECK(other.inner_level() == scale * shell.inner_level());
+    CHECK(other.outer_level() == scale * shell.outer_level());
+    CHECK(other.relative_thickness() == shell.relative_thickness());
+  }
+}
+
+TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
+{
+  const Mesh mesh = lump();
+  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Shell shell = tight_shell(mesh, spacing);
+  for(double scale : { 1e-6, 1e6, 3. }) {
+    CAPTURE(scale);
+    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the ten cells of half the box a lattice plane moves by 1e-5
+    // of a cell, and the field, which is off by hundredths of a cell at the edges, by less than that.
+    check_same(shell, tight_shell(mapped(mesh, scaling(scale)), scale * spacing), points, scaling(scale), scale, 1e-5 * spacing);
+  }
+}
+
+TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
+{
+  const Mesh mesh = lump();
+  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Shell shell = tight_shell(mesh, spacing);
+  for(double distance : { std::ldexp(1., 10), std::ldexp(1., 21) }) {      // up to a million times the box
+    CAPTURE(distance);
+    const Map map = [distance](const Point_3& p) { return Point_3(p.x() + distance, p.y() - distance, p.z() + distance); };
+    // Every vertex and the spacing are kept exactly. What is computed from them is rounded to 2^-53 of the coordinates,
+    // and bounds allow for that: 9 times 40 eps times coordinates over width (level_bounds.h) times the range of the
+    // field on a cell, which is about two cells.
+    const double eps = std::ldexp(1., -52);
+    const double tolerance = spacing * (1e-9 + 2 * 9 * 40 * eps * distance / spacing);
+    check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, tolerance);
+  }
+}
+
+TEST_CASE("Turned by right angles or mirrored, a mesh has the turned shell")
+{
+  const Mesh mesh = lump();
+  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Shell shell = tight_shell(mesh, spacing);
+  const Map turn_x = [](const Point_3& p) { return Point_3(p.x(), -p.z(), p.y()); };
+  const Map turn_y = [](const Point_3& p) { return Point_3(p.z(), p.y(), -p.x()); };
+  const Map turn_z = [](const Point_3& p) { return Point_3(-p.y(), p.x(), p.z()); };
+  for(const Map& turn : { turn_x, turn_y, turn_z }) {
+    Map map = turn;
+    for(int times = 1; times <= 3; ++times) {
+      CAPTURE(times);
+      // the lattice turns with the mesh, so that nothing is different but the order of sums: 1e-16, times condition
+      // numbers of up to 1e6
+      check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, 1e-9 * spacing);
+      map = [map, turn](const Point_3& p) { return turn(map(p)); };
+    }
+  }
+  const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
+  Mesh mirrored = mapped(mesh, mirror);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mirrored);
+  check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, 1e-9 * spacing);
+}
+
+TEST_CASE("With its facets reversed, a mesh has the negative field")
+{
+  Mesh mesh = lump(), hole = lump();
+  for(auto v : hole.vertices()) hole.point(v) = scaling(0.5)(hole.point(v));
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
+  CGAL::copy_face_graph(hole, mesh);     // so that reversing is not the same as turning it inside out
+  const Shell shell = tight_shell(mesh, spacing / 2);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  const Shell reversed = tight_shell(mesh, spacing / 2);
+  REQUIRE(reversed.field().number_of_coefficients() == shell.field().number_of_coefficients());
+  // The corners of a facet in another order: other rounding in its normal and pieces, times the condition number.
+  CHECK((reversed.field().coefficients() + shell.field().coefficients()).cwiseAbs().maxCoeff() < 1e-8);
+  CHECK(std::abs(reversed.inner_level() + shell.outer_level()) < 1e-8);
+  CHECK(std::abs(reversed.outer_level() + shell.inner_level()) < 1e-8);
+  CHECK(shell.thickness() > 1e-4);
+}
+
+TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit")
+{
+  const Mesh mesh = lump();
+  const auto build = [&](auto tag) {
+    typedef decltype(tag) Tag;
+    CGAL::Bspline_shells::Energy_weights weights;
+    weights.singular_hessian = 1;
+    const Shell shell = CGAL::bspline_shell_3<Tag>(mesh, P::resolution(14).energy_weights(weights));
+    REQUIRE(shell);
+    return shell;
+  };
+  const Shell shell = build(CGAL::Sequential_tag());
+  const auto check_identical = [&](const Shell& other) {
+    REQUIRE(other.field().number_of_coefficients() == shell.field().number_of_coefficients());
+    CHECK(other.field().coefficients() == shell.field().coefficients());
+    CHECK(other.inner_level() == shell.inner_level());
+    CHECK(other.outer_level() == shell.outer_level());
+    CHECK(other.report().edges.min == shell.report().edges.min);
+    CHECK(other.report().edges.max == shell.report().edges.max);
+    bool same = other.facet_ranges().size() == shell.facet_ranges().size();
+    for(std::size_t n = 0; same && n < shell.facet_ranges().size(); ++n)
+      same = other.facet_ranges()[n].min == shell.facet_ranges()[n].min
+          && other.facet_ranges()[n].max == shell.facet_ranges()[n].max;
+    CHECK(same);
+  };
+  check_identical(build(CGAL::Sequential_tag()));
+  for(int run = 0; run < 3; ++run) check_identical(build(CGAL::Parallel_if_available_tag()));
+}

@@ -1,0 +1,89 @@
+// Meshes for tests: generated ones with known answers, and those of libcgal-demo.
+#ifndef TEST_MESHES_H
+#define TEST_MESHES_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef Kernel::Vector_3 Vector_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+
+inline Mesh demo_mesh(const std::string& name)
+{
+  Mesh mesh;
+  const bool read = CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh);
+  REQUIRE(read);
+  return mesh;
+}
+
+// a regular icosahedron, subdivided and pushed to the sphere
+inline Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN)
+{
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Point_3(0, 0, 0), 1.);
+  for(int s = 0; s < subdivisions; ++s) {
+    Mesh fine;
+    std::vector<Mesh::Vertex_index> at_vertex, at_edge;
+    for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
+    for(auto e : mesh.edges())
+      at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+    for(auto f : mesh.faces()) {
+      Mesh::Vertex_index v[3], m[3];
+      auto h = mesh.halfedge(f);
+      for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
+      fine.add_face(v[0], m[0], m[2]);
+      fine.add_face(m[0], v[1], m[1]);
+      fine.add_face(m[2], m[1], v[2]);
+      fine.add_face(m[0], m[1], m[2]);
+    }
+    mesh = fine;
+  }
+  for(auto v : mesh.vertices()) {
+    const Vector_3 d = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = center + radius / std::sqrt(d.squared_length()) * d;
+  }
+  return mesh;
+}
+
+// an axis-parallel box, its six sides quadrangles or triangles
+inline Mesh box(const Point_3& a, const Point_3& b, bool triangulated = true)
+{
+  Mesh mesh;
+  CGAL::make_hexahedron(a, Point_3(b.x(), a.y(), a.z()), Point_3(b.x(), b.y(), a.z()), Point_3(a.x(), b.y(), a.z()),
+                        Point_3(a.x(), b.y(), b.z()), Point_3(a.x(), a.y(), b.z()), Point_3(b.x(), a.y(), b.z()), b, mesh);
+  if(triangulated) CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return mesh;
+}
+
+// a torus around the z-axis
+inline Mesh torus(double major, double minor, int around, int across)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  const double pi = std::acos(-1.);
+  for(int i = 0; i < around; ++i)
+    for(int j = 0; j < across; ++j) {
+      const double a = 2 * pi * i / around, b = 2 * pi * j / across, r = major + minor * std::cos(b);
+      v.push_back(mesh.add_vertex(Point_3(r * std::cos(a), r * std::sin(a), minor * std::sin(b))));
+    }
+  const auto at = [&](int i, int j) { return v[(i % around) * across + j % across]; };
+  for(int i = 0; i < around; ++i)
+    for(int j = 0; j < across; ++j) {
+      mesh.add_face(at(i, j), at(i+1, j), at(i+1, j+1));
+      mesh.add_face(at(i, j), at(i+1, j+1), at(i, j+1));
+    }
+  return mesh;
+}
+
+#endif // TEST_MESHES_H
