@@ -24,6 +24,7 @@
 #include <CGAL/tags.h>
 
 #include <iterator>
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -62,6 +63,32 @@ void widen(const Field& field, const std::vector<typename Field::Cell_index>& ce
   more = dilate(std::move(more), -rings, rings);
   keys.insert(keys.end(), more.begin(), more.end());
   sort_unique(keys);
+}
+
+inline Cell_complex_3 cells_beyond(const Cell_complex_3& cells, const Cell_complex_3& known)
+{
+  std::vector<std::uint64_t> keys;
+  for(Cell_complex_3::Index c = 0; c < cells.number_of_cells(); ++c) {
+    const Lattice_3::Point& p = cells.lattice_point(c);
+    if(known.cell(p) == Cell_complex_3::npos) keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
+  }
+  return Cell_complex_3(cells.lattice(), keys);
+}
+
+// the samples of cells, each from the one of two complexes that has the cell
+inline std::vector<double> merge_samples(const Cell_complex_3& cells, const Cell_complex_3& first,
+                                         const std::vector<double>& first_samples, const Cell_complex_3& second,
+                                         const std::vector<double>& second_samples)
+{
+  constexpr std::size_t n = Distance_samples::per_cell;
+  std::vector<double> samples(cells.number_of_cells() * n);
+  for(Cell_complex_3::Index c = 0; c < cells.number_of_cells(); ++c) {
+    const Cell_complex_3::Index old = first.cell(cells.lattice_point(c));
+    const double* from = old != Cell_complex_3::npos ? &first_samples[old * n]
+                                                     : &second_samples[second.cell(cells.lattice_point(c)) * n];
+    std::copy(from, from + n, &samples[c * n]);
+  }
+  return samples;
 }
 
 // the coefficients, in cell units, of a field on fewer cells, where it has them
@@ -220,7 +247,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   std::vector<std::uint64_t> keys = dense ? BS::internal::box_cells(lattice, box, rings)
                                           : BS::internal::dilate(surface_cells, -rings, rings);
   constexpr int max_widenings = 5;
-  std::optional<Field> narrower;
+  std::optional<Field> narrower;        // the field before the last widening
+  std::vector<double> samples;
   for(;; ++report.widenings) {
     Field field(BS::Cell_complex_3(lattice, keys));
     report.cells = field.number_of_cells();
@@ -229,16 +257,21 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
       return stop(Status::MEMORY_LIMIT_EXCEEDED);
 
     if(!start(Step::DISTANCE)) return stop(Status::CANCELED);
-    std::vector<double> samples;
+    // after a widening, only where there was no cell before
+    const BS::Cell_complex_3 unsampled = narrower ? BS::internal::cells_beyond(field.cells(), narrower->cells()) : field.cells();
+    std::vector<double> more_samples;
     if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-      samples = BS::sample_signed_distance<ConcurrencyTag>(distance, field.cells(), surface_cells);
+      more_samples = BS::sample_signed_distance<ConcurrencyTag>(distance, unsampled, surface_cells);
     else
-      samples = BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle),
-                                                           field.cells(), surface_cells);
+      more_samples = BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle),
+                                                                unsampled, surface_cells);
+    samples = narrower ? BS::internal::merge_samples(field.cells(), narrower->cells(), samples, unsampled, more_samples)
+                       : std::move(more_samples);
 
     if(!start(Step::FIT)) return stop(Status::CANCELED);
     {
-      BS::Fit_energy<Field> energy(field, samples, clipped, input.faces_outwards(), report.gamma, weights);
+      // distance and normals both grow the way the facets face: neither has to be turned
+      BS::Fit_energy<Field> energy(field, samples, clipped, true, report.gamma, weights);
       Eigen::VectorXd guess = energy.template initial_guess<ConcurrencyTag>();
       if(narrower) BS::internal::take_over_coefficients(*narrower, field, guess);
       report.fit = BS::fit_field<ConcurrencyTag>(field, energy, solver, std::move(guess));

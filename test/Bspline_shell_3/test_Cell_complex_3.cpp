@@ -241,7 +241,8 @@ TEST_CASE("lattice sets: index and index_range against a search, with holes and 
 TEST_CASE("lattice sets: dilation is the sum with a cube")
 {
   CGAL::Random random(5);
-  for(const std::pair<int, int>& cube : { std::make_pair(-1, 2), std::make_pair(-1, 1), std::make_pair(0, 0), std::make_pair(1, 3) }) {
+  typedef std::pair<int, int> Range;
+  for(const Range& cube : { Range(-1, 2), Range(-1, 1), Range(0, 0), Range(1, 3) }) {
     const Sparse_cells sparse(random, -5, 4, 0.03);
     std::set<std::uint64_t> sum;
     for(const Lattice_point& p : sparse.points)
@@ -269,7 +270,8 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
           CAPTURE(i, j, k);
           if(expected.empty()) { CHECK(c == Cells::npos); continue; }
           CHECK(std::count(expected.begin(), expected.end(), c) == 1);
-          const Cells::Index upper = cells.cell({ int(std::floor(i / 2.)), int(std::floor(j / 2.)), int(std::floor(k / 2.)) });
+          const auto half = [](int n) { return int(std::floor(n / 2.)); };
+          const Cells::Index upper = cells.cell({ half(i), half(j), half(k) });
           if(upper != Cells::npos) CHECK(c == upper);
         }
   }

@@ -337,7 +337,7 @@ TEST_CASE("Assembly does not depend on the number of threads, not even in the la
     REQUIRE(parallel_A.nonZeros() == A.nonZeros());
     CHECK(std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), parallel_A.valuePtr()));
     CHECK(std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), parallel_A.innerIndexPtr()));
-    CHECK(b == parallel_b);
+    CHECK((b == parallel_b));
   }
 }
 
@@ -353,7 +353,7 @@ TEST_CASE("In cell units, the energy does not know how large the mesh is")
   REQUIRE(one.field.number_of_coefficients() == large.field.number_of_coefficients());
   REQUIRE(one.field.number_of_coefficients() == odd.field.number_of_coefficients());
   const Eigen::VectorXd x = one.energy().initial_guess();
-  CHECK(x == large.energy().initial_guess());
+  CHECK((x == large.energy().initial_guess()));
   for(Term term : all_terms) {
     Energy e = one.energy(), l = large.energy(), o = odd.energy();
     for(Energy* energy : { &e, &l, &o }) energy->set_singular_hessian_domain(x, -1, 1);

@@ -142,7 +142,8 @@ std::vector<std::uint64_t> surface_cells(const BS::Input_mesh_3& input, const BS
 // samples that are made together, and one query each
 struct Comparison { std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0; };
 
-Comparison compare(const BS::Mesh_signed_distance_3& oracle, const BS::Cell_complex_3& cells, const std::vector<double>& samples)
+Comparison compare(const BS::Mesh_signed_distance_3& oracle, const BS::Cell_complex_3& cells,
+                   const std::vector<double>& samples)
 {
   Comparison c;
   c.samples = samples.size();
@@ -212,7 +213,8 @@ TEST_CASE("signed distance: of a sphere's mesh, between those of its inscribed a
   double inscribed = 1;
   for(auto f : mesh.faces()) {
     auto h = mesh.halfedge(f);
-    const Kernel::Plane_3 plane(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    const Kernel::Plane_3 plane(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                mesh.point(mesh.target(mesh.next(h))));
     inscribed = (std::min)(inscribed, std::sqrt(CGAL::squared_distance(plane, Point_3(0, 0, 0))));
   }
   REQUIRE(inscribed > 0.98);

@@ -4,6 +4,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,8 @@ double allowance(const Triangle& t)
 
 struct Faults
 {
-  int outside_cell = 0, off_plane = 0, off_facet = 0, not_cut = 0, not_convex = 0, unsorted = 0, area = 0, lost = 0, normal = 0;
+  int outside_cell = 0, off_plane = 0, off_facet = 0, not_cut = 0, not_convex = 0;
+  int unsorted = 0, area = 0, lost = 0, normal = 0;
   int sum() const
   {
     return outside_cell + off_plane + off_facet + not_cut + not_convex + unsorted + area + lost + normal;
@@ -251,7 +253,46 @@ TEST_CASE("clipped mesh: needles a few bits wide are not lost")
   check_clip(tetrahedron(a, a + Vector_3(1e-12, -1e-12, 0), b, a + Vector_3(0, 1e-12, -1e-12)), 0.1);
   // along an edge of the lattice
   check_clip(tetrahedron(Point_3(0, 0, -.9), Point_3(1e-12, 0, -.9), Point_3(0, 0, .8), Point_3(0, 1e-12, -.9)), 0.25);
-  check_clip(tetrahedron(Point_3(-1e-12, 0, -.9), Point_3(1e-12, 1e-12, -.9), Point_3(0, 0, .8), Point_3(0, -1e-12, -.9)), 0.25);
+  check_clip(tetrahedron(Point_3(-1e-12, 0, -.9), Point_3(1e-12, 1e-12, -.9), Point_3(0, 0, .8),
+                         Point_3(0, -1e-12, -.9)), 0.25);
+}
+
+TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie on a plane")
+{
+  // p + t (q - p) with t near 1 may be beyond q, and then in another cell: here if the cell has zero inside
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 24.7, 24.7, 24.7), 24.7);
+  CGAL::Random random(1);
+  Mesh mesh;
+  for(int n = 0; n < 4000; ++n) {
+    std::array<Point_3, 4> v;
+    // with all 53 bits
+    const auto coordinate = [&] { return random.get_double(-12, 12) + random.get_double(-1e-7, 1e-7); };
+    for(Point_3& p : v) p = Point_3(coordinate(), coordinate(), coordinate());
+    double x[3];
+    for(int a = 0; a < 3; ++a) {
+      x[a] = lattice.coordinate(a, random.get_int(-1, 1));
+      if(a == n % 3) x[a] = std::nextafter(x[a], x[a] < 0 ? -1e3 : 1e3);
+    }
+    v[0] = Point_3(x[0], x[1], x[2]);
+    if(CGAL::orientation(v[0], v[1], v[2], v[3]) == CGAL::NEGATIVE) std::swap(v[2], v[3]);
+    CGAL::make_tetrahedron(v[0], v[1], v[2], v[3], mesh);
+  }
+  BS::Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = tolerated.singular_vertices = true;
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
+  const Clipped clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, lattice);
+  CHECK(clipped.number_of_pieces() > clipped.number_of_facets());
+  int outside = 0;
+  for(const Clipped::Piece& piece : clipped.pieces()) {
+    const BS::Lattice_3::Point l = BS::internal::Lattice_key::decode(piece.cell);
+    for(std::uint32_t v = 0; v < piece.size; ++v)
+      for(int a = 0; a < 3; ++a) {
+        const double y = clipped.point(piece.first + v)[a];
+        outside += y < lattice.coordinate(a, l[a]) || y > lattice.coordinate(a, l[a] + 1);
+      }
+  }
+  CHECK(outside == 0);
 }
 
 TEST_CASE("clipped mesh: faults that are planted are found")

@@ -192,7 +192,7 @@ TEST_CASE("When a solver fails, the report says how and the field stays as it wa
 
   CG impatient(1e-10, 1);
   CHECK(BS::fit_field<Tag>(field, energy, impatient, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
-  CHECK(field.coefficients() == before);
+  CHECK((field.coefficients() == before));
   CHECK(impatient.iterations() == 1);
 
   Recording_solver no_factorization;
@@ -200,13 +200,13 @@ TEST_CASE("When a solver fails, the report says how and the field stays as it wa
   CHECK(BS::fit_field<Tag>(field, energy, no_factorization, energy.initial_guess()).status
         == Solver_status::NOT_POSITIVE_DEFINITE);
   CHECK(no_factorization.guesses.empty());
-  CHECK(field.coefficients() == before);
+  CHECK((field.coefficients() == before));
 
   Recording_solver fails_later;      // in the first step on the singular Hessian
   fails_later.fails_at_solve = 2;
   CHECK(BS::fit_field<Tag>(field, energy, fails_later, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
   CHECK(fails_later.guesses.size() == 2);
-  CHECK(field.coefficients() == before);
+  CHECK((field.coefficients() == before));
 }
 
 TEST_CASE("A fit that starts at the solution has nothing to do")

@@ -53,7 +53,7 @@ Shell tight_shell(const Mesh& mesh, double spacing)
 {
   const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh,
     P::grid_spacing(spacing).energy_weights(gentle_weights())
-     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver(1e-13, 20000)));
+     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver(1e-12, 20000)));
   REQUIRE(shell);
   return shell;
 }
@@ -79,19 +79,22 @@ void check_same(const Shell& shell, const Shell& other, const std::vector<Point_
   CHECK(other.report().surface_cells == shell.report().surface_cells);
   CHECK(other.report().cells == shell.report().cells);
   CHECK(other.report().unknowns == shell.report().unknowns);
-  CHECK(std::abs(other.inner_level() / scale - shell.inner_level()) <= tolerance);
-  CHECK(std::abs(other.outer_level() / scale - shell.outer_level()) <= tolerance);
+  // bounds of the mesh are refined up to 1e-4 of their range
+  const double level_tolerance = tolerance + 1e-4 * shell.thickness();
+  CHECK(std::abs(other.inner_level() / scale - shell.inner_level()) <= level_tolerance);
+  CHECK(std::abs(other.outer_level() / scale - shell.outer_level()) <= level_tolerance);
   double worst = 0;
-  for(const Point_3& p : points) {
-    const auto f = shell.field().value(p), g = other.field().value(map(p));
-    REQUIRE(f);
-    REQUIRE(g);
-    worst = (std::max)(worst, std::abs(*g / scale - *f));
-  }
+  for(const Point_3& p : points)      // throws outside the domain
+    worst = (std::max)(worst, std::abs(other.field().value(map(p)).value() / scale - shell.field().value(p).value()));
   CHECK(worst <= tolerance);
 }
 
-constexpr double spacing = 0.25;
+constexpr double spacing = 0.5;      // with few digits, so that the lattice is exact wherever the mesh is
+
+// Surface integrals are computed on triangles of the mesh's pieces, which are divided from their first corner on. The
+// corners come in another order when axes are exchanged or facets reversed. What the quadrature leaves out differs then,
+// by about as much as halving its triangles would change the field: far less than a thousandth of a cell.
+constexpr double quadrature = 1e-3 * spacing;
 
 } // namespace
 
@@ -108,7 +111,7 @@ TEST_CASE("Scaled by a power of two, a mesh has the same shell to the last bit")
     CHECK(other.report().gamma == shell.report().gamma);
     CHECK(other.report().fit.iterations == shell.report().fit.iterations);
     REQUIRE(other.field().number_of_coefficients() == shell.field().number_of_coefficients());
-    CHECK(other.field().coefficients() == scale * shell.field().coefficients());
+    CHECK((other.field().coefficients() == scale * shell.field().coefficients()));
     CHECK(other.inner_level() == scale * shell.inner_level());
     CHECK(other.outer_level() == scale * shell.outer_level());
     CHECK(other.relative_thickness() == shell.relative_thickness());
@@ -122,7 +125,7 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
   const Shell shell = tight_shell(mesh, spacing);
   for(double scale : { 1e-6, 1e6, 3. }) {
     CAPTURE(scale);
-    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the ten cells of half the box a lattice plane moves by 1e-5
+    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the three cells of half the box a lattice plane moves by 3e-6
     // of a cell, and the field, which is off by hundredths of a cell at the edges, by less than that.
     check_same(shell, tight_shell(mapped(mesh, scaling(scale)), scale * spacing), points, scaling(scale), scale, 1e-5 * spacing);
   }
@@ -138,9 +141,9 @@ TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
     const Map map = [distance](const Point_3& p) { return Point_3(p.x() + distance, p.y() - distance, p.z() + distance); };
     // Every vertex and the spacing are kept exactly. What is computed from them is rounded to 2^-53 of the coordinates,
     // and bounds allow for that: 9 times 40 eps times coordinates over width (level_bounds.h) times the range of the
-    // field on a cell, which is about two cells.
+    // field on a cell, which is about two cells. The solver's tolerance comes on top.
     const double eps = std::ldexp(1., -52);
-    const double tolerance = spacing * (1e-9 + 2 * 9 * 40 * eps * distance / spacing);
+    const double tolerance = spacing * (1e-7 + 2 * 9 * 40 * eps * distance / spacing);
     check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, tolerance);
   }
 }
@@ -157,33 +160,36 @@ TEST_CASE("Turned by right angles or mirrored, a mesh has the turned shell")
     Map map = turn;
     for(int times = 1; times <= 3; ++times) {
       CAPTURE(times);
-      // the lattice turns with the mesh, so that nothing is different but the order of sums: 1e-16, times condition
-      // numbers of up to 1e6
-      check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, 1e-9 * spacing);
+      // The lattice turns with the mesh. After half a turn nothing differs but the order of sums: 1e-16, and the solver's
+      // tolerance of 1e-12, times condition numbers of up to 1e5.
+      check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, times == 2 ? 1e-7 * spacing : quadrature);
       map = [map, turn](const Point_3& p) { return turn(map(p)); };
     }
   }
   const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
   Mesh mirrored = mapped(mesh, mirror);
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mirrored);
-  check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, 1e-9 * spacing);
+  check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, quadrature);
 }
 
 TEST_CASE("With its facets reversed, a mesh has the negative field")
 {
-  Mesh mesh = lump(), hole = lump();
-  for(auto v : hole.vertices()) hole.point(v) = scaling(0.5)(hole.point(v));
+  Mesh mesh = lump();
+  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  Mesh hole = mapped(mesh, scaling(0.25));      // so that the mesh is no ball, and a ball is not its inside-out
   CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
-  CGAL::copy_face_graph(hole, mesh);     // so that reversing is not the same as turning it inside out
-  const Shell shell = tight_shell(mesh, spacing / 2);
+  CGAL::copy_face_graph(hole, mesh);
+  const Shell shell = tight_shell(mesh, spacing);
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  const Shell reversed = tight_shell(mesh, spacing / 2);
-  REQUIRE(reversed.field().number_of_coefficients() == shell.field().number_of_coefficients());
-  // The corners of a facet in another order: other rounding in its normal and pieces, times the condition number.
-  CHECK((reversed.field().coefficients() + shell.field().coefficients()).cwiseAbs().maxCoeff() < 1e-8);
-  CHECK(std::abs(reversed.inner_level() + shell.outer_level()) < 1e-8);
-  CHECK(std::abs(reversed.outer_level() + shell.inner_level()) < 1e-8);
-  CHECK(shell.thickness() > 1e-4);
+  const Shell reversed = tight_shell(mesh, spacing);
+  CHECK(reversed.report().cells == shell.report().cells);
+  CHECK(std::abs(reversed.inner_level() + shell.outer_level()) < quadrature);
+  CHECK(std::abs(reversed.outer_level() + shell.inner_level()) < quadrature);
+  double worst = 0;
+  for(const Point_3& p : points)
+    worst = (std::max)(worst, std::abs(reversed.field().value(p).value() + shell.field().value(p).value()));
+  CHECK(worst < quadrature);
+  CHECK(shell.thickness() > 10 * quadrature);     // so that the levels above are not all the same
 }
 
 TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit")
@@ -200,7 +206,7 @@ TEST_CASE("The shell is the same in every run and with any number of threads, to
   const Shell shell = build(CGAL::Sequential_tag());
   const auto check_identical = [&](const Shell& other) {
     REQUIRE(other.field().number_of_coefficients() == shell.field().number_of_coefficients());
-    CHECK(other.field().coefficients() == shell.field().coefficients());
+    CHECK((other.field().coefficients() == shell.field().coefficients()));
     CHECK(other.inner_level() == shell.inner_level());
     CHECK(other.outer_level() == shell.outer_level());
     CHECK(other.report().edges.min == shell.report().edges.min);

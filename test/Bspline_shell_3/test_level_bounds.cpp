@@ -115,7 +115,7 @@ CGAL::Bbox_3 around(const Point_3& p) { return (p + Vector_3(-1.01, -1.02, -0.99
 
 TEST_CASE("extrema on an edge: polynomials with known critical points")
 {
-  const auto r = [](int a, int b) { return Rational(a) / b; };
+  const auto r = [](int a, int b) { return Rational(a, b); };
   const std::vector<std::vector<Rational> > cases = {
     {}, { r(1,3) }, { r(1,4), r(2,3) }, { r(1,7), r(1,2), r(9,10) },
     { r(1,9), r(2,9), r(3,9), r(4,9), r(5,9), r(6,9), r(7,9), r(8,9) },
@@ -125,7 +125,8 @@ TEST_CASE("extrema on an edge: polynomials with known critical points")
     { r(1,2), r(1,2) }, { r(1,3), r(1,3), r(3,4) },                     // double roots are no extrema
     { r(1,2), r(1,2), r(1,2) },                                         // triple ones are
     { r(1,2), r(1,2), r(1,2), r(1,2), r(1,2), r(1,2), r(1,2) },
-    { r(1,1000), r(999,1000) }, { r(1,2), r(501,1000) }, { r(1,3), r(2,3), r(1000000,1) } };
+    { r(1,1000), r(999,1000) }, { r(1,2), r(501,1000) },
+    { r(1,3), r(10000,1) }, { r(1,3), r(-10000000,1) } };               // coefficients that nearly vanish
   for(const std::vector<Rational>& roots : cases)
     for(double scale : { 1., -1., 1e-200, 1e200 })
       for(int constant : { 0, 100 }) {
@@ -274,12 +275,31 @@ TEST_CASE("bounds on facets: they see a peak that lies between the edges")
   for(double tolerance : { 1e-1, 1e-3, 1e-6, 1e-9 }) {
     const Range mesh = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped, tolerance).mesh;
     CAPTURE(tolerance);
-    CHECK(mesh.max >= 0);
-    CHECK(mesh.min <= lowest);
+    CHECK(mesh.max >= -rounding);               // coefficients are rounded
+    CHECK(mesh.min <= lowest + rounding);
     CHECK(mesh.max <= tolerance * (0 - lowest) + 10 * rounding);
     CHECK(mesh.min >= lowest - tolerance * (0 - lowest) - 10 * rounding);
     CHECK(mesh.max - mesh.min <= last);
     last = mesh.max - mesh.min;
+  }
+}
+
+TEST_CASE("bounds on facets: no part of a facet is forgotten, wherever the peak is")
+{
+  Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
+  CGAL::Random random(6);
+  for(int n = 0; n < 30; ++n) {
+    const double a = random.get_double(-2, 2), b = random.get_double(-2, 2);
+    problem.set([&](const BS::Lattice_3::Point& g) {
+      return -(g[0]*g[0] - 1/3. - 2*a*g[0] + a*a) - (g[1]*g[1] - 1/3. - 2*b*g[1] + b*b);
+    });
+    const double tolerance = 1e-9, lowest = -(2 + std::abs(a)) * (2 + std::abs(a)) - (2 + std::abs(b)) * (2 + std::abs(b));
+    const double rounding = 640 * eps * 50;           // as above; the largest coefficient is less than 50
+    const Range mesh = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped, tolerance).mesh;
+    CHECK(mesh.max >= -rounding);
+    CHECK(mesh.max <= -tolerance * lowest + rounding);
+    CHECK(mesh.min <= lowest + rounding);
+    CHECK(mesh.min >= (1 + tolerance) * lowest - rounding);
   }
 }
 
@@ -310,6 +330,29 @@ TEST_CASE("bounds on facets: of a linear field they are its values at the vertic
   const Range edges = BS::edge_range<CGAL::Sequential_tag>(problem.field, problem.clipped);
   CHECK(edges.min == Approx(whole.min).epsilon(0).margin(allowance));
   CHECK(edges.max == Approx(whole.max).epsilon(0).margin(allowance));
+}
+
+TEST_CASE("bounds on facets: the allowance for rounding is needed, and is enough")
+{
+  // far from the origin, a linear field: coefficients of the form are values, with no slack between them and the field
+  const Point_3 center(1e6, -1e6, 1234.5);
+  Problem problem(sphere(2, 1, center), BS::Lattice_3(around(center), 0.3));
+  problem.set([&](const BS::Lattice_3::Point& g) { return g[0] + 0.7 * g[1] - 0.3 * g[2] + 100.1; });
+  const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+  int outside = 0, beyond_values = 0;
+  std::size_t n = 0;
+  for(auto f : problem.input.mesh().faces()) {
+    Range rounded;
+    for(const Point_3& p : problem.input.triangle(f)) rounded.include(*problem.field.value(p));
+    for(const Point_3& p : problem.input.triangle(f)) {
+      const Rational y = exact_value(problem.field, exact(p));
+      outside += y < Rational(ranges.facet[n].min) || y > Rational(ranges.facet[n].max);
+      beyond_values += y < Rational(rounded.min) || y > Rational(rounded.max);
+    }
+    ++n;
+  }
+  CHECK(outside == 0);
+  CHECK(beyond_values > 0);
 }
 
 TEST_CASE("bounds on facets: the same with any number of threads")

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/vertex_cone.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -107,6 +108,12 @@ private:
     std::size_t* current;
   };
 
+  // to_double() of a lazy number depends on its history, to one part in 10^5; the copy must not
+  template <typename NT>
+  static double rounded(const NT& x) { return CGAL::to_double(x); }
+  template <typename ET>
+  static double rounded(const Lazy_exact_nt<ET>& x) { return CGAL::to_double(x.exact()); }
+
   template <typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm)
   {
@@ -133,10 +140,9 @@ private:
                           CGAL::parameters::vertex_point_map(vpm)
                                           .face_to_face_output_iterator(std::back_inserter(face_pairs))
                                           .vertex_to_vertex_output_iterator(std::back_inserter(vertex_pairs)));
-    // to_double of a lazy number may depend on its history; the copy must not
     for(const auto& pair : vertex_pairs) {
       const auto& p = get(vpm, pair.first);
-      m_mesh.point(pair.second) = Kernel::Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+      m_mesh.point(pair.second) = Kernel::Point_3(rounded(p[0]), rounded(p[1]), rounded(p[2]));
     }
     // faces are copied in the order of their range, vertices in the order in which edges lead to them
     m_origin.assign(m_mesh.number_of_faces(), 0);

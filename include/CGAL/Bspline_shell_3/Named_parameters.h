@@ -61,7 +61,9 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::geom_traits_t, geom_traits)                                                    \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
-  ADD(internal_np::visitor_t, visitor)
+  ADD(internal_np::visitor_t, visitor)                                                            \
+  ADD(internal_np::filter_t, filter)                                                              \
+  ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
 
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
 #undef CGAL_BSPLINE_SHELLS_ADD_PARAMETER

@@ -9,6 +9,8 @@
 #include <CGAL/Bspline_shell_3/Cell_complex_3.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -230,9 +230,11 @@ inline Level_range round_outwards(const Level_range& range, double quantum)
   Level_range r;
   r.min = std::floor(range.min / quantum) * quantum;
   r.max = std::ceil(range.max / quantum) * quantum;
-  // to a quantum that small, every such number is a multiple
+  // quotients that overflow: to a quantum that small every such number is a multiple; and some that underflow
   if(!std::isfinite(r.min)) r.min = range.min;
   if(!std::isfinite(r.max)) r.max = range.max;
+  if(r.min == 0 && range.min < 0) r.min = -quantum;
+  if(r.max == 0 && range.max > 0) r.max = quantum;
   while(r.min > range.min) r.min = std::nextafter(r.min, -std::numeric_limits<double>::infinity());
   while(r.max < range.max) r.max = std::nextafter(r.max, std::numeric_limits<double>::infinity());
   return r;

@@ -1,0 +1,89 @@
+/*!
+\ingroup PkgBsplineShell3Concepts
+\cgalConcept
+
+The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that make
+up its domain, a tricubic polynomial. Bounds, shells and level sets know a field by its cells only: by their boxes,
+their Bernstein coefficients and their neighbours. They do not know how the coefficients came about.
+
+Const member functions may be called from several threads at once. Models are default constructible (a field without
+cells), copyable and movable.
+
+\cgalHasModel `CGAL::Bspline_shells::Uniform_bspline_field_3`
+
+\sa `CGAL::Bspline_shell_3`
+\sa `CGAL::Bspline_shells::facet_ranges()`
+\sa `CGAL::Bspline_shells::extract_level_set()`
+*/
+class BsplineField_3
+{
+public:
+
+/// \name Types
+/// @{
+
+  /// A tag for the geometry of the field, usually a \cgal kernel.
+  typedef unspecified_type Geom_traits;
+
+  /// The type of values: `double`.
+  typedef unspecified_type FT;
+
+  /// A point with coordinates `p[0]`, `p[1]` and `p[2]` that convert to `double`.
+  typedef unspecified_type Point_3;
+
+  /// A vector, constructible from three `double`s.
+  typedef unspecified_type Vector_3;
+
+  /// A cell with its polynomial: `CGAL::Bspline_shells::Tricubic_cell_3`. It is a view, valid as long as the field is
+  /// neither changed nor destroyed.
+  typedef unspecified_type Cell;
+
+  /// The number of a cell, an unsigned integer. The cells of a field are numbered from 0.
+  typedef unspecified_type Cell_index;
+
+  /// The number of no cell.
+  static constexpr Cell_index npos;
+
+/// @}
+
+/// \name Cells
+/// @{
+
+  /// the number of cells
+  std::size_t number_of_cells() const;
+
+  /// a cell
+  Cell cell(Cell_index c) const;
+
+  /// a cell that contains `p`, or `npos` if `p` is outside the domain or has a coordinate that is not finite. Cells are
+  /// closed: a point on a common face may get either cell.
+  Cell_index locate(const Point_3& p) const;
+
+  /// the cell across the face of `c` that is orthogonal to an axis (0, 1 or 2), on the side of larger (`positive`) or
+  /// smaller coordinates; `npos` if the face is on the boundary of the domain
+  Cell_index neighbor(Cell_index c, int axis, bool positive) const;
+
+  /// calls `visit(c)` once for each cell that meets the closed box; returns whether the cells cover the box
+  template <typename Visitor>
+  bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const;
+
+  /// the cells as cells of a lattice, under the same numbers
+  const CGAL::Bspline_shells::Cell_complex_3& cells() const;
+
+/// @}
+
+/// \name Evaluation
+/// What is asked for outside the domain is empty. Derivatives are per user unit.
+/// @{
+
+  /// the value
+  std::optional<FT> value(const Point_3& p) const;
+
+  /// the gradient
+  std::optional<Vector_3> gradient(const Point_3& p) const;
+
+  /// the matrix of second derivatives
+  std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const;
+
+/// @}
+};

@@ -1,0 +1,48 @@
+/*!
+\ingroup PkgBsplineShell3Concepts
+\cgalConcept
+
+The concept `SPDSolver` describes solvers of linear systems \f$A x = b\f$ with a sparse, symmetric and positive definite
+matrix: the normal equations of a fit.
+
+A solver is used for several systems, one after the other, each time with a call to `compute()` and then one to
+`solve()`. It is never called from two threads at once. It need not be copyable if it is passed with `std::ref()`; one
+that is passed by value is copied before its first use.
+
+\cgalHasModel `CGAL::Bspline_shells::Conjugate_gradient_solver`
+\cgalHasModel `CGAL::Bspline_shells::Cholmod_solver`
+
+\sa `CGAL::Bspline_shells::fit_field()`
+*/
+class SPDSolver
+{
+public:
+
+/// \name Operations
+/// @{
+
+  /// takes, and may factorize, a matrix. `lower` holds the lower triangle alone, in compressed columns with ascending
+  /// rows. It stays as it is until the last call to `solve()`, so that the solver may refer to it.
+  /// \return `SUCCESS`, or the reason why the system cannot be solved; `solve()` is not called then
+  CGAL::Bspline_shells::Solver_status compute(const Eigen::SparseMatrix<double>& lower);
+
+  /// solves the system with the last matrix.
+  /// \param b the right-hand side
+  /// \param[in,out] x an approximation of the solution, from which an iterative solver may start, and the solution
+  /// \return `SUCCESS`, or the reason why `x` is no solution to the solver's tolerance
+  CGAL::Bspline_shells::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
+
+/// @}
+
+/// \name Queries
+/// for reports; of the last call to `solve()`, and whatever before the first
+/// @{
+
+  /// the number of iterations; 1 for a direct solver
+  std::size_t iterations() const;
+
+  /// the relative residual \f$|b - Ax| / |b|\f$
+  double residual() const;
+
+/// @}
+};

@@ -1,0 +1,238 @@
+// The concepts: models that offer nothing but what a concept asks for must do.
+#include "test_meshes.h"
+
+#include <CGAL/bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/extract_level_set.h>
+#ifdef HAVE_CHOLMOD
+#include <CGAL/Bspline_shell_3/Cholmod_solver.h>
+#endif
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+typedef CGAL::Bspline_shell_3<> Shell;
+
+// SignedDistanceOracle_3: neither copied nor assigned, with points and numbers that can do nothing else
+class Distance_archetype
+{
+public:
+  class Point_3
+  {
+    friend class Distance_archetype;
+    double m_x, m_y, m_z;
+  public:
+    Point_3(double x, double y, double z) : m_x(x), m_y(y), m_z(z) {}
+    Point_3(const Point_3&) = delete;
+    Point_3(Point_3&&) = default;
+  };
+  class FT
+  {
+    double m_value;
+  public:
+    explicit FT(double value, int) : m_value(value) {}
+    operator double() const { return m_value; }
+  };
+
+  explicit Distance_archetype(double radius) : m_radius(radius) {}
+  Distance_archetype(const Distance_archetype&) = delete;
+  Distance_archetype& operator=(const Distance_archetype&) = delete;
+
+  FT operator()(const Point_3& p) const
+  {
+    return FT(std::sqrt(p.m_x * p.m_x + p.m_y * p.m_y + p.m_z * p.m_z) - m_radius, 0);
+  }
+
+private:
+  double m_radius;
+};
+
+// SPDSolver: dense Cholesky factorization
+class Solver_archetype
+{
+public:
+  explicit Solver_archetype(int) {}
+  Solver_archetype(const Solver_archetype&) = delete;
+  Solver_archetype& operator=(const Solver_archetype&) = delete;
+
+  BS::Solver_status compute(const Eigen::SparseMatrix<double>& lower)
+  {
+    m_factor.compute(Eigen::MatrixXd(lower));
+    return m_factor.info() == Eigen::Success ? BS::Solver_status::SUCCESS : BS::Solver_status::NOT_POSITIVE_DEFINITE;
+  }
+  BS::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  {
+    x = m_factor.solve(b);
+    return BS::Solver_status::SUCCESS;
+  }
+  std::size_t iterations() const { return 1; }
+  double residual() const { return 0; }
+
+private:
+  Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> m_factor;
+};
+
+// ShellVisitor
+class Visitor_archetype
+{
+public:
+  explicit Visitor_archetype(int) {}
+  Visitor_archetype(const Visitor_archetype&) = delete;
+  Visitor_archetype& operator=(const Visitor_archetype&) = delete;
+  bool start_step(BS::Shell_step) { ++calls; return true; }
+  int calls = 0;
+};
+
+// BsplineField_3: a uniform field of which nothing else is seen
+class Field_archetype
+{
+  typedef BS::Uniform_bspline_field_3<> Model;
+  Model m_model;
+
+public:
+  struct Geom_traits {};
+  typedef double FT;
+  typedef CGAL::Simple_cartesian<double>::Point_3 Point_3;
+  typedef CGAL::Simple_cartesian<double>::Vector_3 Vector_3;
+  typedef Model::Cell Cell;
+  typedef Model::Cell_index Cell_index;
+  static constexpr Cell_index npos = Model::npos;
+
+  Field_archetype() = default;
+  explicit Field_archetype(const Model& model, int) : m_model(model) {}
+
+  const BS::Cell_complex_3& cells() const { return m_model.cells(); }
+  std::size_t number_of_cells() const { return m_model.number_of_cells(); }
+  Cell cell(Cell_index c) const { return m_model.cell(c); }
+  Cell_index locate(const Point_3& p) const { return m_model.locate(Model::Point_3(p.x(), p.y(), p.z())); }
+  Cell_index neighbor(Cell_index c, int axis, bool positive) const { return m_model.neighbor(c, axis, positive); }
+  template <typename Visitor>
+  bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const { return m_model.visit_cells(box, visit); }
+  std::optional<FT> value(const Point_3& p) const { return m_model.value(Model::Point_3(p.x(), p.y(), p.z())); }
+  std::optional<Vector_3> gradient(const Point_3&) const { return std::nullopt; }
+  std::optional<Eigen::Matrix3d> hessian(const Point_3&) const { return std::nullopt; }
+};
+
+template <typename Index>
+struct Cell_visitor { void operator()(Index) const {} };
+
+// what may be asked of any field
+template <typename Field>
+void check_field_interface()
+{
+  typedef typename Field::Cell_index Cell_index;
+  typedef typename Field::Cell Cell;
+  typedef typename Field::Point_3 Point_3;
+  static_assert(std::is_default_constructible<Field>::value, "");
+  static_assert(std::is_copy_constructible<Field>::value && std::is_move_constructible<Field>::value, "");
+  static_assert(std::is_integral<Cell_index>::value, "");
+  static_assert(std::is_same<std::remove_cv_t<decltype(Field::npos)>, Cell_index>::value, "");
+  typedef const Field& F;
+  static_assert(std::is_same<decltype(std::declval<F>().number_of_cells()), std::size_t>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().cell(Cell_index())), Cell>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().neighbor(Cell_index(), 0, true)), Cell_index>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().cells()), const BS::Cell_complex_3&>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
+                             std::optional<typename Field::FT> >::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
+                             std::optional<typename Field::Vector_3> >::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
+                             std::optional<Eigen::Matrix3d> >::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<typename Field::Cell_index>())), bool>::value, "");
+}
+
+} // namespace
+
+TEST_CASE("SignedDistanceOracle_3: the archetype gives the field its values")
+{
+  const Distance_archetype oracle(0.95);
+  BS::Energy_weights distance_only;
+  distance_only.mu = 0;
+  const Shell shell = CGAL::bspline_shell_3(sphere(1),
+    P::resolution(8).energy_weights(distance_only).signed_distance_oracle(std::cref(oracle)));
+  REQUIRE(shell);
+  CHECK(*shell.field().value(Point_3(0.95, 0, 0)) == Approx(0).margin(0.01));
+  CHECK(*shell.field().value(Point_3(0, 0, -1.2)) == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("SPDSolver: the archetype and the package's models find the same shell")
+{
+  const Mesh mesh = sphere(1);
+  const auto p = P::grid_spacing(0.5);
+  Solver_archetype archetype(0);
+  BS::Conjugate_gradient_solver iterative(1e-10);
+  const Shell shell = CGAL::bspline_shell_3(mesh, p.spd_solver(std::ref(archetype))),
+              other = CGAL::bspline_shell_3(mesh, p.spd_solver(std::ref(iterative)));
+  REQUIRE(shell);
+  REQUIRE(other);
+  CHECK(shell.report().fit.iterations == 1);
+  // bounds are refined to 1e-4 of their range
+  CHECK(std::abs(shell.inner_level() - other.inner_level()) < 2e-4 * shell.thickness());
+  CHECK(std::abs(shell.outer_level() - other.outer_level()) < 2e-4 * shell.thickness());
+#ifdef HAVE_CHOLMOD
+  BS::Cholmod_solver cholmod;
+  const Shell direct = CGAL::bspline_shell_3(mesh, p.spd_solver(std::ref(cholmod)));
+  REQUIRE(direct);
+  CHECK(std::abs(shell.inner_level() - direct.inner_level()) < 2e-4 * shell.thickness());
+  CHECK(std::abs(shell.outer_level() - direct.outer_level()) < 2e-4 * shell.thickness());
+#endif
+}
+
+TEST_CASE("ShellVisitor: the archetype is told")
+{
+  Visitor_archetype visitor(0);
+  REQUIRE(CGAL::bspline_shell_3(sphere(1), P::grid_spacing(0.5).visitor(std::ref(visitor))));
+  CHECK(visitor.calls == 5);
+}
+
+TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field than the archetype has")
+{
+  check_field_interface<BS::Uniform_bspline_field_3<> >();
+  check_field_interface<BS::Uniform_bspline_field_3<CGAL::Simple_cartesian<double> > >();
+  check_field_interface<Field_archetype>();
+
+  const Mesh mesh = sphere(1);
+  const Shell shell = CGAL::bspline_shell_3(mesh, P::grid_spacing(0.25));
+  REQUIRE(shell);
+  const Field_archetype field(shell.field(), 0);
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells().lattice());
+
+  const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(field, clipped);
+  CHECK(ranges.mesh.min == shell.report().facets_bound.min);
+  CHECK(ranges.mesh.max == shell.report().facets_bound.max);
+  CHECK(BS::edge_range<CGAL::Sequential_tag>(field, clipped).min == shell.report().edges.min);
+
+  const BS::Level_range levels = { shell.inner_level(), shell.outer_level() };
+  const BS::Shell_component component = BS::shell_component(field, clipped.cells(), levels);
+  CHECK(component.cells == shell.shell_cells());
+  CHECK(component.border_cells.empty());
+
+  BS::Shell_report report = shell.report();
+  const CGAL::Bspline_shell_3<Field_archetype> other(field, levels, component.cells, ranges.facet, report);
+  REQUIRE(other);
+  CHECK(other.bounded_side(Field_archetype::Point_3(0, 0, 0)) == CGAL::ON_UNBOUNDED_SIDE);
+  for(auto v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    CHECK(other.bounded_side(Field_archetype::Point_3(p.x(), p.y(), p.z())) == shell.bounded_side(p));
+  }
+  CHECK_FALSE(CGAL::Bspline_shell_3<Field_archetype>());
+
+  CGAL::Surface_mesh<Point_3> level_set, same_set;
+  BS::extract_level_set<CGAL::Sequential_tag>(field, shell.outer_level(), level_set);
+  BS::extract_level_set<CGAL::Sequential_tag>(shell.field(), shell.outer_level(), same_set);
+  CHECK(level_set.number_of_faces() > 0);
+  CHECK(level_set.number_of_faces() == same_set.number_of_faces());
+}

@@ -1,0 +1,163 @@
+// The shell of a mesh does not depend on the types that the mesh is made of, nor on the order of named parameters.
+#include "test_meshes.h"
+
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef CGAL::Sequential_tag Tag;
+typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
+typedef CGAL::Simple_cartesian<double> Plain;
+typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+
+// Quadrangles and triangles. A copy may begin a facet at another corner, which changes rounding: all are copies.
+template <typename FaceGraph>
+FaceGraph mixed_mesh()
+{
+  FaceGraph mesh;
+  CGAL::copy_face_graph(box(Point_3(0, 0, 0), Point_3(1, 0.5, 0.5), false), mesh);
+  CGAL::copy_face_graph(sphere(1, 0.4, Point_3(0.5, 1.125, 0.25)), mesh);
+  return mesh;
+}
+
+void check_identical(const Shell& a, const Shell& b)
+{
+  REQUIRE(a);
+  REQUIRE(b);
+  CHECK(a.inner_level() == b.inner_level());
+  CHECK(a.outer_level() == b.outer_level());
+  REQUIRE(a.field().number_of_coefficients() == b.field().number_of_coefficients());
+  CHECK((a.field().coefficients() == b.field().coefficients()));      // not to be printed
+  REQUIRE(a.facet_ranges().size() == b.facet_ranges().size());
+  bool same = true;
+  for(std::size_t n = 0; n < a.facet_ranges().size(); ++n)
+    same = same && a.facet_ranges()[n].min == b.facet_ranges()[n].min && a.facet_ranges()[n].max == b.facet_ranges()[n].max;
+  CHECK(same);
+}
+
+const Shell& reference()
+{
+  static const Shell shell = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::resolution(10));
+  return shell;
+}
+
+} // namespace
+
+TEST_CASE("Surface_mesh with other kernels: the same shell")
+{
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mixed_mesh<CGAL::Surface_mesh<Plain::Point_3> >(), P::resolution(10)));
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mixed_mesh<CGAL::Surface_mesh<Epeck::Point_3> >(), P::resolution(10)));
+}
+
+TEST_CASE("Polyhedron_3: the same shell, its facets in the order of the polyhedron's")
+{
+  const Polyhedron polyhedron = mixed_mesh<Polyhedron>();
+  const Shell shell = CGAL::bspline_shell_3<Tag>(polyhedron, P::resolution(10));
+  REQUIRE(shell);
+  REQUIRE(shell.facet_ranges().size() == polyhedron.size_of_facets());
+  // Facets may begin at another corner, which changes quadrature: see test_invariance.cpp.
+  const double tolerance = 1e-3 * shell.field().cells().width();
+  CHECK(shell.report().cells == reference().report().cells);
+  CHECK(std::abs(shell.inner_level() - reference().inner_level()) < tolerance);
+  CHECK(std::abs(shell.outer_level() - reference().outer_level()) < tolerance);
+  std::size_t n = 0;
+  bool enclosed = true;
+  for(auto f : faces(polyhedron)) {
+    for(auto h : CGAL::halfedges_around_face(halfedge(f, polyhedron), polyhedron)) {
+      const double value = shell.field().value(target(h, polyhedron)->point()).value();
+      enclosed = enclosed && value >= shell.facet_ranges()[n].min - 1e-14 && value <= shell.facet_ranges()[n].max + 1e-14;
+    }
+    ++n;
+  }
+  CHECK(enclosed);
+}
+
+TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
+{
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(sphere(1), polyhedron);
+  std::size_t n = 0;
+  for(auto v : vertices(polyhedron))
+    if(n++ == 17) v->point() = CGAL::ORIGIN + std::numeric_limits<double>::infinity() * Vector_3(1, 1, 1);
+  const Shell infinite = CGAL::bspline_shell_3<Tag>(polyhedron, P::resolution(10));
+  CHECK(infinite.status() == BS::Shell_status::NOT_FINITE);
+  CHECK(infinite.report().offending_simplices.vertices == std::vector<std::size_t>{ 17 });
+
+  Polyhedron open;
+  CGAL::copy_face_graph(box(Point_3(0, 0, 0), Point_3(1, 1, 1), false), open);
+  std::vector<Polyhedron::Facet_handle> neighbours;
+  const Polyhedron::Halfedge_handle border = std::next(open.facets_begin(), 2)->halfedge();
+  for(auto h : CGAL::halfedges_around_face(border, open)) neighbours.push_back(h->opposite()->facet());
+  open.make_hole(border);
+  std::vector<std::size_t> expected;
+  n = 0;
+  for(auto f : faces(open)) {
+    if(std::find(neighbours.begin(), neighbours.end(), f) != neighbours.end()) expected.push_back(n);
+    ++n;
+  }
+  const Shell refused = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
+  CHECK(refused.status() == BS::Shell_status::OPEN_MESH);
+  CHECK(expected.size() == 4);
+  CHECK(refused.report().offending_simplices.facets == expected);
+}
+
+TEST_CASE("Numbers that are evaluated lazily count for what they are, however they came about")
+{
+  typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
+    // Zero, but the interval around it is wide and lopsided: a third, times a large number, minus the same, squared.
+  const auto third = []() { return Epeck::FT(1) / Epeck::FT(3); };
+  const Epeck::FT large(std::ldexp(1., 42));
+  Exact_mesh lazy = mixed_mesh<Exact_mesh>();
+  for(auto v : lazy.vertices()) {
+    const Epeck::FT zero = CGAL::square(third() * large - third() * large);
+    REQUIRE(CGAL::to_interval(zero).second > 1e-8);
+    const Epeck::Point_3 p = lazy.point(v);
+    lazy.point(v) = Epeck::Point_3(p.x() + zero, p.y() - zero, p.z() + zero);
+  }
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(lazy, P::resolution(10)));
+}
+
+TEST_CASE("The vertex point map is honoured, first or last in the parameters, ours or CGAL's")
+{
+  Mesh mesh = mixed_mesh<Mesh>();
+  std::unordered_map<Mesh::Vertex_index, Point_3> points;
+  for(auto v : mesh.vertices()) {
+    points[v] = mesh.point(v);
+    mesh.point(v) = Point_3(0, 0, 0);      // of no use without the map
+  }
+  REQUIRE(CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10)).status() == BS::Shell_status::DEGENERATE_FACET);
+  const auto vpm = boost::make_assoc_property_map(points);
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10).vertex_point_map(vpm)));
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(vpm).resolution(10)));
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh,
+    P::number_of_rings(2).vertex_point_map(vpm).geom_traits(Kernel()).memory_limit(1e9).resolution(10)));
+  const double spacing = reference().field().cells().width();
+  const Shell by_spacing = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::grid_spacing(spacing));
+  check_identical(by_spacing, CGAL::bspline_shell_3<Tag>(mesh, CGAL::parameters::vertex_point_map(vpm).grid_spacing(spacing)));
+}
+
+TEST_CASE("A map may belong to the mesh and hold points of another kernel")
+{
+  Mesh mesh = mixed_mesh<Mesh>();
+  auto map = mesh.add_property_map<Mesh::Vertex_index, Plain::Point_3>("v:elsewhere").first;
+  for(auto v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    map[v] = Plain::Point_3(p.x(), p.y(), p.z());
+    mesh.point(v) = Point_3(0, 0, 0);
+  }
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(map).resolution(10)));
+}
