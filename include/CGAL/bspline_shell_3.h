@@ -23,7 +23,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <iterator>
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -270,8 +269,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
 
     if(!start(Step::FIT)) return stop(Status::CANCELED);
     {
-      // distance and normals both grow the way the facets face: neither has to be turned
-      BS::Fit_energy<Field> energy(field, samples, clipped, true, report.gamma, weights);
+      BS::Fit_energy<Field> energy(field, samples, clipped, report.gamma, weights);
       Eigen::VectorXd guess = energy.template initial_guess<ConcurrencyTag>();
       if(narrower) BS::internal::take_over_coefficients(*narrower, field, guess);
       report.fit = BS::fit_field<ConcurrencyTag>(field, energy, solver, std::move(guess));

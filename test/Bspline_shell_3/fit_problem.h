@@ -54,7 +54,7 @@ struct Fit_problem
   double gamma() const { return input.unit() / width(); }
   Energy energy(const Energy_weights& weights = all_four_terms()) const
   {
-    return Energy(field, samples, clipped, true, gamma(), weights);
+    return Energy(field, samples, clipped, gamma(), weights);
   }
 
   // coefficients, one for each function, of its lattice point

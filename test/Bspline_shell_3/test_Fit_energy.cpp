@@ -142,8 +142,9 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
   for(double sign : { 1., -1. }) {
     const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign);      // det H = sign, everywhere
     energy.set_singular_hessian_domain(x, -everywhere, everywhere);
-    CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(weight * problem.field.number_of_cells()).epsilon(1e-12));
-    CHECK(energy.value(Term::SINGULAR_HESSIAN, 2 * x) == Approx(8 * weight * problem.field.number_of_cells()).epsilon(1e-12));
+    const double whole = weight * problem.field.number_of_cells();
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(whole).epsilon(1e-12));
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, 2 * x) == Approx(8 * whole).epsilon(1e-12));
 
     const std::vector<char> cells = cells_between(problem, x, 1, 3);
     const auto size = std::count(cells.begin(), cells.end(), 1);
@@ -175,7 +176,7 @@ TEST_CASE("The initial guess averages the samples")
   CHECK(guess.maxCoeff() <= *range.second);
   // means weighted by nonnegative functions: constants are reproduced, to rounding
   const std::vector<double> constant(problem.samples.size(), 3.);
-  const Energy energy(problem.field, constant, problem.clipped, true, problem.gamma(), all_four_terms());
+  const Energy energy(problem.field, constant, problem.clipped, problem.gamma(), all_four_terms());
   CHECK((energy.initial_guess().array() - 3).abs().maxCoeff() < 1e-13);
   // and a closed mesh's distance is near: nowhere off by more than the function's reach of two cells
   Field field = problem.field;

@@ -157,21 +157,22 @@ std::string printed_by(const Function& f)
 
 TEST_CASE("A shell encloses its mesh")
 {
-  SECTION("smooth")    { const Mesh m = sphere(2); check_shell(CGAL::bspline_shell_3(m, P::resolution(16)), m); }
-  SECTION("polygons")  { const Mesh m = box(Point_3(0, 0, 0), Point_3(3, 2, 1), false);
-                         check_shell(CGAL::bspline_shell_3(m, P::resolution(16)), m); }
-  SECTION("genus one") { const Mesh m = torus(3, 1.2, 20, 12); check_shell(CGAL::bspline_shell_3(m, P::resolution(16)), m); }
-  SECTION("facets larger than cells, off the origin")
-                       { const Mesh m = sphere(0, 2, Point_3(70, -30, 10)); check_shell(CGAL::bspline_shell_3(m, P::resolution(20)), m); }
-  SECTION("a user's mesh")
-                       { const Mesh m = demo_mesh("blobby.off"); check_shell(CGAL::bspline_shell_3(m, P::resolution(20)), m); }
+  const auto check = [](const Mesh& mesh, double resolution) {
+    check_shell(CGAL::bspline_shell_3(mesh, P::resolution(resolution)), mesh);
+  };
+  SECTION("smooth") { check(sphere(2), 16); }
+  SECTION("polygons") { check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16); }
+  SECTION("genus one") { check(torus(3, 1.2, 20, 12), 16); }
+  SECTION("facets larger than cells, off the origin") { check(sphere(0, 2, Point_3(70, -30, 10)), 20); }
+  SECTION("a user's mesh") { check(demo_mesh("blobby.off"), 20); }
 }
 
 TEST_CASE("A mesh with removed facets has one range for each that is left")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Mesh gone;
-  const auto f = gone.add_face(gone.add_vertex(Point_3(5, 0, 0)), gone.add_vertex(Point_3(6, 0, 0)), gone.add_vertex(Point_3(5, 1, 0)));
+  const auto p = gone.add_vertex(Point_3(5, 0, 0)), q = gone.add_vertex(Point_3(6, 0, 0)), r = gone.add_vertex(Point_3(5, 1, 0));
+  const auto f = gone.add_face(p, q, r);
   CGAL::copy_face_graph(mesh, gone);
   CGAL::Euler::remove_face(gone.halfedge(f), gone);
   REQUIRE(gone.has_garbage());
@@ -263,7 +264,8 @@ TEST_CASE("The field's domain is the cells of the mesh and rings of cells around
 TEST_CASE("The dense grid agrees with the band, to a tenth of the levels")
 {
   const Mesh mesh = sphere(2);
-  const Shell band = CGAL::bspline_shell_3(mesh, P::resolution(12)), dense = CGAL::bspline_shell_3(mesh, P::resolution(12).dense_grid(true));
+  const Shell band = CGAL::bspline_shell_3(mesh, P::resolution(12)),
+              dense = CGAL::bspline_shell_3(mesh, P::resolution(12).dense_grid(true));
   REQUIRE(band);
   check_shell(dense, mesh);
   CHECK(dense.field().locate(CGAL::ORIGIN) != Shell::Field::npos);
@@ -449,6 +451,16 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
       }
   }
   CHECK(separated);
+
+  // the distance is sampled where cells are added; the fit is that of all samples
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells().lattice());
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(
+    BS::Mesh_signed_distance_3(input), shell.field().cells(), clipped.cells());
+  const BS::Fit_energy<Shell::Field> energy(shell.field(), samples, clipped, shell.report().gamma, BS::Energy_weights());
+  CHECK(energy.value(BS::Energy_term::DISTANCE, Eigen::VectorXd(shell.field().coefficients() / w))
+        == Approx(shell.report().fit.energy[std::size_t(BS::Energy_term::DISTANCE)]).epsilon(1e-9));
 
   // the visitor may stop there, too
   Step_recorder stopper;

@@ -149,7 +149,8 @@ void check_field_interface()
                              std::optional<typename Field::Vector_3> >::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
                              std::optional<Eigen::Matrix3d> >::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<typename Field::Cell_index>())), bool>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())),
+                             bool>::value, "");
 }
 
 } // namespace

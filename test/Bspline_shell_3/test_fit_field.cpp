@@ -109,7 +109,8 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
 
   const Eigen::VectorXd x = field.coefficients() / problem.width();
   const auto gradient = [&](const Eigen::VectorXd& y) {
-    return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::ANGLE, y) + energy.gradient(Term::NORMAL, y));
+    return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::ANGLE, y)
+                           + energy.gradient(Term::NORMAL, y));
   };
   // the gradient is 2 (A x - b), and 2 b is minus the gradient at zero; twice for rounding
   CHECK(gradient(x).norm() <= 2 * 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());

@@ -59,8 +59,10 @@ const Shell& reference()
 
 TEST_CASE("Surface_mesh with other kernels: the same shell")
 {
-  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mixed_mesh<CGAL::Surface_mesh<Plain::Point_3> >(), P::resolution(10)));
-  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mixed_mesh<CGAL::Surface_mesh<Epeck::Point_3> >(), P::resolution(10)));
+  const auto plain = mixed_mesh<CGAL::Surface_mesh<Plain::Point_3> >();
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(plain, P::resolution(10)));
+  const auto exact = mixed_mesh<CGAL::Surface_mesh<Epeck::Point_3> >();
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(exact, P::resolution(10)));
 }
 
 TEST_CASE("Polyhedron_3: the same shell, its facets in the order of the polyhedron's")
@@ -147,7 +149,8 @@ TEST_CASE("The vertex point map is honoured, first or last in the parameters, ou
     P::number_of_rings(2).vertex_point_map(vpm).geom_traits(Kernel()).memory_limit(1e9).resolution(10)));
   const double spacing = reference().field().cells().width();
   const Shell by_spacing = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::grid_spacing(spacing));
-  check_identical(by_spacing, CGAL::bspline_shell_3<Tag>(mesh, CGAL::parameters::vertex_point_map(vpm).grid_spacing(spacing)));
+  check_identical(by_spacing,
+                  CGAL::bspline_shell_3<Tag>(mesh, CGAL::parameters::vertex_point_map(vpm).grid_spacing(spacing)));
 }
 
 TEST_CASE("A map may belong to the mesh and hold points of another kernel")

@@ -87,13 +87,12 @@ public:
 
   /// \param field gives cells and functions; its coefficients are not looked at
   /// \param samples the signed distance at the samples of all cells, user units (`sample_signed_distance()`)
-  /// \param clipped the mesh, cut by the field's cells
-  /// \param faces_outwards `false` turns the normals
+  /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
   /// \param gamma number of cells per unit of length of the paper
   /// \pre field, samples and clipped mesh outlive this object
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
-             bool faces_outwards, double gamma, const Energy_weights& weights)
-    : m_field(field), m_samples(samples), m_clipped(clipped), m_orientation(faces_outwards ? 1 : -1)
+             double gamma, const Energy_weights& weights)
+    : m_field(field), m_samples(samples), m_clipped(clipped)
     , m_weights(weights), m_gamma(gamma), m_equations(field)
   {
     for(int s = 0; s < Distance_samples::per_cell; ++s)
@@ -276,15 +275,22 @@ private:
         const Clipped_mesh_3::Point& p = m_clipped.point(piece.first + v);
         return std::array<double, 3>{ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width };
       };
-      const std::array<double, 3> first = local(0);
-      std::array<double, 3> last = local(1);
-      for(std::uint32_t v = 2; v < piece.size; ++v) {
-        const std::array<double, 3> next = local(v);
-        internal::for_each_quadrature_point(first, last, next, [&](const std::array<double, 3>& t, double w) {
+      const auto add_triangle = [&](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
+        internal::for_each_quadrature_point(p, q, r, [&](const std::array<double, 3>& t, double w) {
           m_points.push_back({ t, w, piece.facet });
         });
-        last = next;
+      };
+      if(piece.size == 3) {
+        add_triangle(local(0), local(1), local(2));
+        continue;
       }
+      // from the middle: a mirrored or turned mesh gets the mirrored or turned points
+      std::array<double, 3> middle = {};
+      for(std::uint32_t v = 0; v < piece.size; ++v) {
+        const std::array<double, 3> p = local(v);
+        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+      }
+      for(std::uint32_t v = 0; v < piece.size; ++v) add_triangle(middle, local(v), local((v + 1) % piece.size));
     }
     for(; filled < m_first_point.size(); ++filled) m_first_point[filled] = m_points.size();
   }
@@ -316,12 +322,6 @@ private:
   }
 
   Local_vector sample_row(int s) const { return outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]); }
-
-  std::array<double, 3> normal(std::uint32_t facet) const
-  {
-    const Clipped_mesh_3::Point& n = m_clipped.normal(facet);
-    return { m_orientation * n[0], m_orientation * n[1], m_orientation * n[2] };
-  }
 
   std::array<double, 64> gather(const Vector& x, Cell_index c) const
   {
@@ -394,7 +394,7 @@ private:
             basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
           }
           const std::array<double, 3> g = internal::first_order_jet<double>(local.data(), basis).gradient;
-          const std::array<double, 3> n = normal(point.facet);
+          const std::array<double, 3>& n = m_clipped.normal(point.facet);
           if(term == Energy_term::NORMAL)
             visit(n[0]*g[0] + n[1]*g[1] + n[2]*g[2] - 1, point.weight, [&]() { return directional_row(basis, n); });
           else
@@ -456,7 +456,7 @@ private:
         basis[0][a] = Cubic_bspline<>::values(point.t[a]);
         basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
       }
-      std::array<double, 3> frame[3] = { normal(point.facet) };
+      std::array<double, 3> frame[3] = { m_clipped.normal(point.facet) };
       tangent_frame(frame);
       const Local_vector along_normal = directional_row(basis, frame[0]);
       rhs += point.weight * both * along_normal;
@@ -480,7 +480,6 @@ private:
   const Field& m_field;
   const std::vector<double>& m_samples;
   const Clipped_mesh_3& m_clipped;
-  double m_orientation;
   Energy_weights m_weights;
   double m_gamma;
   internal::Normal_equations<Field> m_equations;

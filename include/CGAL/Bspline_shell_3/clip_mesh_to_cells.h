@@ -28,7 +28,7 @@ namespace Bspline_shells {
  *
  * It serves quadrature and the search for extrema, where rounding of the cuts does no harm (a cut point lies within
  * a few units in the last place of the facet and exactly on its lattice planes). Both facets at an edge are cut at the
- * same points. Facets that lie in a plane between two cells belong to the cell of larger coordinates.
+ * same points. Facets that lie in a plane between two cells belong to the cell behind them.
  */
 class Clipped_mesh_3
 {
@@ -103,9 +103,10 @@ private:
     Cutter(const Lattice_3& lattice, std::vector<Piece>& pieces, std::vector<Point>& points)
       : m_lattice(lattice), m_pieces(pieces), m_points(points) {}
 
-    void cut(const std::array<Point, 3>& triangle, std::uint32_t facet)
+    void cut(const std::array<Point, 3>& triangle, const Point& normal, std::uint32_t facet)
     {
       m_facet = facet;
+      for(int a = 0; a < 3; ++a) m_behind[a] = normal[a] > 0 ? 1 : 0;
       m_polygon[0].assign(triangle.begin(), triangle.end());
       slice(0);
     }
@@ -120,10 +121,14 @@ private:
         lowest = (std::min)(lowest, p[axis]);
         highest = (std::max)(highest, p[axis]);
       }
-      const int first = m_lattice.interval(axis, lowest);
+      int first = m_lattice.interval(axis, lowest);
       int last = m_lattice.interval(axis, highest);
-      // a polygon that merely touches a plane from below does not enter the slab above
-      if(last > first && m_lattice.coordinate(axis, last) == highest) --last;
+      if(last > first) {
+        // a polygon that merely touches a plane from below does not enter the slab above
+        if(m_lattice.coordinate(axis, last) == highest) --last;
+      } else if(lowest == highest && m_lattice.coordinate(axis, first) == lowest) {
+        first = last = first - m_behind[axis];
+      }
       for(int i = first; i <= last; ++i) {
         m_cell[axis] = i;
         if(first == last) {
@@ -182,6 +187,7 @@ private:
     std::array<std::vector<Point>, 4> m_polygon;
     std::vector<Point> m_half;
     Lattice_3::Point m_cell;
+    std::array<int, 3> m_behind = {};     // per axis, 1 if the cell behind a facet is the one of smaller coordinates
     std::uint32_t m_facet = 0;
   };
 
@@ -229,7 +235,7 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Lattice_3& latti
   std::vector<std::vector<Point> > points(pieces.size());
   internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Clipped_mesh_3::Cutter cutter(lattice, pieces[begin / chunk], points[begin / chunk]);
-    for(std::size_t n = begin; n < end; ++n) cutter.cut(triangles[n], std::uint32_t(n));
+    for(std::size_t n = begin; n < end; ++n) cutter.cut(triangles[n], clipped.m_normals[n], std::uint32_t(n));
   });
 
   std::size_t number_of_pieces = 0, number_of_points = 0;

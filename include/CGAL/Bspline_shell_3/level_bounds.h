@@ -156,7 +156,7 @@ struct Facet_ranges
  * at most `tolerance` times their range.
  */
 template <typename ConcurrencyTag, typename Field>
-Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-4)
+Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-7)
 {
   typedef std::array<double, 3> Local_point;
   constexpr std::size_t chunk = 1024;
