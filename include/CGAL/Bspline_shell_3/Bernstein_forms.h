@@ -84,6 +84,8 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
  *
  * \tparam NT a number type, `double` or an interval
  * \param c 64 Bernstein coefficients of a cell
+ * \param p the first end of the segment
+ * \param q its other end
  */
 template <typename NT>
 std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 3>& p, const std::array<NT, 3>& q)

@@ -48,6 +48,7 @@ public:
     return m_solver.info() == Eigen::Success ? Solver_status::SUCCESS : Solver_status::NOT_POSITIVE_DEFINITE;
   }
 
+  /// \param b the right-hand side
   /// \param[out] x the solution
   Solver_status solve(const Vector& b, Vector& x)
   {

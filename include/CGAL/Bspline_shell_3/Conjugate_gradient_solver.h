@@ -52,6 +52,7 @@ public:
     return Solver_status::SUCCESS;
   }
 
+  /// \param b the right-hand side
   /// \param[in,out] x where the iteration starts, and the solution
   Solver_status solve(const Vector& b, Vector& x)
   {

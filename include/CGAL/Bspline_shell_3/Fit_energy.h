@@ -89,6 +89,7 @@ public:
   /// \param samples the signed distance at the samples of all cells, user units (`sample_signed_distance()`)
   /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
   /// \param gamma number of cells per unit of length of the paper
+  /// \param weights of the terms
   /// \pre field, samples and clipped mesh outlive this object
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
              double gamma, const Energy_weights& weights)

@@ -44,6 +44,8 @@ struct Fit_report
  * than one percent, or after ten.
  *
  * \tparam Solver a model of `SPDSolver`
+ * \param energy the energy of `field`
+ * \param solver is given one linear system for each step
  * \param x where an iterative solver starts, in cell units (`Fit_energy::initial_guess()`)
  * \param[out] field gets the coefficients of the solution, unless the solver fails
  * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in

@@ -112,6 +112,8 @@ std::vector<double> sample_signed_distance(const Oracle& oracle, const Cell_comp
  * The same for a mesh: the closest facet of one sample is where the search for the next one starts, and one exact
  * side-of-mesh query serves all cells that are connected without crossing the mesh.
  *
+ * \param oracle the distance to the mesh
+ * \param cells where it is sampled
  * \param surface_cells the lattice keys of all cells that the mesh enters, ascending (`Clipped_mesh_3::cells()`)
  */
 template <typename ConcurrencyTag>

@@ -37,6 +37,8 @@ struct Shell_component
  *
  * The ranges over-estimate: what is not in the cover is certainly not in the shell (up to rounding of the levels).
  *
+ * \param field the field
+ * \param levels \f$\epsilon_1\f$ and \f$\epsilon_2\f$, user units
  * \param surface_cells lattice keys of the cells that the mesh enters (`Clipped_mesh_3::cells()`)
  */
 template <typename Field>

@@ -97,6 +97,7 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
  * Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned round where
  * they do not agree with their neighbours; nothing else is repaired.
  *
+ * \param file its name
  * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
  * \param[out] offenders positions of facets and vertices in the file, vertices without repetitions
  */

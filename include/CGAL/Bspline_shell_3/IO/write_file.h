@@ -20,6 +20,7 @@ namespace Bspline_shells {
  * \brief writes a file under another name and renames it when it is complete, so that an interrupted or failed write
  * leaves neither a part of the file nor harms the one that it was to replace.
  *
+ * \param file its name
  * \param write called with a `std::ostream&`; returns whether it succeeded
  * \return whether the file is there and complete
  */
