@@ -141,10 +141,10 @@ TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
     CAPTURE(distance);
     const Map map = [distance](const Point_3& p) { return Point_3(p.x() + distance, p.y() - distance, p.z() + distance); };
     // Every vertex and the spacing are kept exactly. What is computed from them is rounded to 2^-53 of the coordinates,
-    // and bounds allow for that: 9 times 40 eps times coordinates over width (level_bounds.h) times the range of the
+    // and bounds allow for that: 9 times 64 eps times coordinates over width (level_bounds.h) times the range of the
     // field on a cell, which is less than three cells. The solver's tolerance comes on top.
     const double eps = std::ldexp(1., -52);
-    const double tolerance = spacing * (1e-7 + 3 * 9 * 40 * eps * distance / spacing);
+    const double tolerance = spacing * (1e-7 + 3 * 9 * 64 * eps * distance / spacing);
     check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, tolerance);
   }
 }

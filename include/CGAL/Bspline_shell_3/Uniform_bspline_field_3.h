@@ -140,6 +140,23 @@ public:
     return local;
   }
 
+  /// the 64 Bernstein coefficients of a cell, from the B-spline coefficients: exact with a number type that is
+  template <typename NT>
+  std::array<NT, 64> bernstein_coefficients(Cell_index c) const
+  {
+    const std::array<double, 64> local = local_coefficients(c);
+    std::array<NT, 64> b;
+    for(int n = 0; n < 64; ++n) b[n] = NT(local[n]);
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
+      for(int n = 0; n < 64; ++n) {
+        if((n / stride) % 4 != 0) continue;
+        const std::array<NT, 4> r =
+          Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
+        for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
+      }
+    return b;
+  }
+
   /// replaces all coefficients, in user units. \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
@@ -156,16 +173,9 @@ public:
 private:
   void convert_to_bernstein(Cell_index c)
   {
-    std::array<double, 64> b = local_coefficients(c);
     double largest = 0;
-    for(double x : b) largest = (std::max)(largest, std::abs(x));
-    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
-      for(int n = 0; n < 64; ++n) {
-        if((n / stride) % 4 != 0) continue;
-        const std::array<double, 4> r =
-          Cubic_bspline<double>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
-        for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
-      }
+    for(double x : local_coefficients(c)) largest = (std::max)(largest, std::abs(x));
+    const std::array<double, 64> b = bernstein_coefficients<double>(c);
     std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
     // Each of the three passes takes averages (weights that sum to one) with at most three roundings of relative size
     // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up. Three of them and

@@ -6,7 +6,9 @@
 #ifndef CGAL_BSPLINE_SHELL_3_LEVEL_BOUNDS_H
 #define CGAL_BSPLINE_SHELL_3_LEVEL_BOUNDS_H
 
+#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Bernstein_forms.h>
+#include <CGAL/Bspline_shell_3/Level_range.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
@@ -21,17 +23,6 @@
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/// \ingroup PkgBsplineShell3Bounds
-/// an interval of values of a field, user units
-struct Level_range
-{
-  double min = std::numeric_limits<double>::infinity();
-  double max = -std::numeric_limits<double>::infinity();
-
-  void include(double x) { min = (std::min)(min, x); max = (std::max)(max, x); }
-  void include(const Level_range& r) { min = (std::min)(min, r.min); max = (std::max)(max, r.max); }
-};
 
 namespace internal {
 
@@ -88,15 +79,10 @@ struct Piece_in_cell
       corner.push_back(cell.local_coordinates(p));
       for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(p[a]));
     }
-    // Polar forms: 18 roundings for the weights of the three axes, 12 for the contractions, 21 for the sums of up to
-    // ten terms twice and the division, all on averages of the cell's coefficients: less than 26 eps of the largest.
-    // Corners of a piece: six cuts one after the other, each off by at most ten units of eps/2 of the coordinates, and
-    // the local coordinate with its bisections; the polynomial changes by at most 3 (max - min) per cell unit and axis.
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    const std::pair<double, double> c = cell.coefficient_range();
-    const double largest = (std::max)(std::abs(c.first), std::abs(c.second));
-    error = cell.error_radius() + 32 * eps * largest
-          + 9 * (c.second - c.first) * eps * (40 * (reach + cell.width()) / cell.width() + 16);
+    // Corners of a piece: six cuts one after the other, each off by at most ten roundings of the coordinates, and the
+    // local coordinates with their bisections.
+    const double shift = rounding * (64 * (reach + cell.width()) / cell.width() + 32);
+    error = Form_error(shift)(enclosed_value(cell));
   }
 };
 

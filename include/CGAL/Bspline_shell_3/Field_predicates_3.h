@@ -1,0 +1,401 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIELD_PREDICATES_3_H
+#define CGAL_BSPLINE_SHELL_3_FIELD_PREDICATES_3_H
+
+#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/facet_normal.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Certificate
+/// the honest answer to a question that is decided in bounded time
+enum class Verdict
+{
+  PROVED,       ///< it holds, rigorously
+  REFUTED,      ///< it does not hold: there is a witness
+  UNDECIDED     ///< the bounds were not tight enough; there is a place
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief where a claim fails or is undecided.
+ */
+struct Witness
+{
+  /// barycentric coordinates of the point in the triangle (on a segment, of its two ends): dyadic numbers, exact
+  std::array<double, 3> barycentric = {};
+  /// the point, rounded
+  std::array<double, 3> point = {};
+  /// encloses the value there: of the field, or of the derivative along the normal per user unit
+  Level_range value;
+  /// the point lies outside the field's domain
+  bool outside = false;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief how often each tier of a predicate decided.
+ */
+struct Predicate_statistics
+{
+  std::size_t by_cell = 0;          ///< coefficients of a whole cell
+  std::size_t by_form = 0;          ///< coefficients on a part of the triangle
+  std::size_t subdivisions = 0;
+
+  Predicate_statistics& operator+=(const Predicate_statistics& o)
+  {
+    by_cell += o.by_cell;
+    by_form += o.by_form;
+    subdivisions += o.subdivisions;
+    return *this;
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief rigorous questions about a field: its sign at a point, its range and its slope on segments and triangles.
+ *
+ * What is decided holds for the spline with its `double` coefficients, at every point of the simplex with the given,
+ * exact vertices. A triangle is subdivided in dyadic barycentric coordinates; a part is bounded on every leaf cell that
+ * its box meets, by the cell's polynomial on the whole part. On each point of the part the field is one of these
+ * polynomials, so that nothing needs to be cut at the cells' faces, and nothing can be lost; and as they
+ * join with two derivatives, continuing them a little beyond their cells costs next to nothing.
+ *
+ * Const member functions may be called from several threads at once; there is no global state, and no dependence on the
+ * rounding mode.
+ *
+ * \tparam Field_ a model of `BsplineField_3`
+ */
+template <typename Field_>
+class Field_predicates_3
+{
+public:
+  typedef Field_ Field;
+  typedef typename Field::Point_3 Point_3;
+  typedef typename Field::Cell_index Cell_index;
+
+  /// \pre `field` outlives this object
+  explicit Field_predicates_3(const Field& field) : m_field(&field) {}
+
+  const Field& field() const { return *m_field; }
+
+  /// compares the field at `p` with `level`: exact. Nothing outside the domain.
+  std::optional<Comparison_result> compare(const Point_3& p, double level) const
+  {
+    const Cell_index c = m_field->locate(p);
+    if(c == Field::npos) return std::nullopt;
+    const typename Field::Cell cell = m_field->cell(c);
+    const Level_range range = enclose_at_point(enclosed_value(cell), cell.local_coordinates(p), local_error(p, cell));
+    if(range.min > level) return LARGER;
+    if(range.max < level) return SMALLER;
+    typedef Exact_rational ET;
+    const std::array<ET, 64> b = m_field->template bernstein_coefficients<ET>(c);
+    std::array<internal::Weights<ET>, 3> weights;
+    for(int a = 0; a < 3; ++a) {
+      const ET t = (ET(p[a]) - ET(cell.corner()[a])) / ET(cell.width());
+      weights[a] = internal::polar_weights<ET>(t, t, t, 1);
+    }
+    return CGAL::compare(internal::contract(b.data(), weights[0], weights[1], weights[2]), ET(level));
+  }
+
+  /// whether `levels.min <= f <= levels.max` on the triangle
+  Verdict values_within(const std::array<Point_3, 3>& triangle, const Level_range& levels,
+                        Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    return decide(triangle, Values_within{ levels }, witness, statistics);
+  }
+
+  /// whether `levels.min <= f <= levels.max` on the segment
+  Verdict values_within(const std::array<Point_3, 2>& segment, const Level_range& levels,
+                        Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    return decide(segment, Values_within{ levels }, witness, statistics);
+  }
+
+  /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f > 0\f$.
+  /// \pre the triangle is not degenerate
+  Verdict crosses_upwards(const std::array<Point_3, 3>& triangle,
+                          Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    const Facet_normal n = facet_normal(triangle[0], triangle[1], triangle[2]);
+    return decide(triangle, Increases{ n.direction, n.radius }, witness, statistics);
+  }
+
+  /// whether the field strictly increases along the segment, from its first point to its second
+  Verdict increases(const std::array<Point_3, 2>& segment,
+                    Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    Increases question = { {}, 0 };
+    double largest = 0;
+    for(int a = 0; a < 3; ++a) {
+      question.direction[a] = segment[1][a] - segment[0][a];
+      largest = (std::max)(largest, std::abs(question.direction[a]));
+    }
+    question.radius = internal::rounding * largest;
+    return decide(segment, question, witness, statistics);
+  }
+
+private:
+  // A question gives the tricubic to bound on a cell, what range of it proves the claim, and what range refutes it.
+  struct Values_within
+  {
+    Level_range levels;
+    Enclosed_tricubic function(const typename Field::Cell& cell) const { return enclosed_value(cell); }
+    bool proves(const Level_range& r) const { return levels.min <= r.min && r.max <= levels.max; }
+    bool refutes(const Level_range& r) const { return r.max < levels.min || r.min > levels.max; }
+    double unit(const typename Field::Cell&) const { return 1; }
+  };
+  struct Increases
+  {
+    std::array<double, 3> direction;
+    double radius;
+    Enclosed_tricubic function(const typename Field::Cell& cell) const
+    {
+      return enclosed_derivative(enclosed_value(cell), direction, radius);
+    }
+    bool proves(const Level_range& r) const { return r.min > 0; }
+    bool refutes(const Level_range& r) const { return r.max <= 0; }
+    double unit(const typename Field::Cell& cell) const { return cell.width(); }
+  };
+
+  // a part of a segment (size two) or a triangle (size three): its corners in units of 2^-depth
+  template <std::size_t size>
+  struct Part
+  {
+    std::array<std::array<std::int64_t, size>, size> corner;
+    int depth;
+  };
+
+  // A function on a cell, worked out when it is first asked for; questions about neighbouring parts ask again.
+  struct Cell_function
+  {
+    Cell_index cell;
+    Enclosed_tricubic function;
+    bool proved;               // on the whole cell
+  };
+
+  static constexpr int extra_depth = 14;              // below the size of a cell
+  static constexpr std::size_t most_parts = 20000;    // of one simplex smaller than a cell: bounded time
+
+  static double local_error(const Point_3& p, const typename Field::Cell& cell)
+  {
+    double largest = 0;
+    for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(p[a] - cell.corner()[a]) / cell.width());
+    return 4 * internal::rounding * largest;    // a difference and a quotient
+  }
+
+  template <std::size_t size, typename Question>
+  Verdict decide(const std::array<Point_3, size>& simplex, const Question& question,
+                 Witness* witness, Predicate_statistics* statistics) const
+  {
+    const double width = m_field->cell(0).width();
+    double extent = 0, reach = 0;
+    for(int a = 0; a < 3; ++a) {
+      double lowest = simplex[0][a], highest = lowest;
+      for(const Point_3& p : simplex) { lowest = (std::min)(lowest, p[a]); highest = (std::max)(highest, p[a]); }
+      extent = (std::max)(extent, highest - lowest);
+      reach = (std::max)({ reach, std::abs(lowest), std::abs(highest) });
+    }
+    const int coarse_depth = extent > width ? int(std::ceil(std::log2(extent / width))) : 0;
+    const int max_depth = coarse_depth + extra_depth;
+    // products with exact weights that sum to one, and two sums
+    const double position_error = 4 * internal::rounding * reach;
+
+    Predicate_statistics local_statistics;
+    Predicate_statistics& count = statistics ? *statistics : local_statistics;
+    Verdict verdict = Verdict::PROVED;
+    std::vector<Cell_function> functions;
+    std::vector<Cell_index> cells;
+    std::vector<Part<size> > stack(1);
+    stack[0].depth = 0;
+    for(std::size_t v = 0; v < size; ++v) {
+      stack[0].corner[v].fill(0);
+      stack[0].corner[v][v] = 1;
+    }
+    std::size_t parts = 0;
+    while(!stack.empty()) {
+      const Part<size> part = stack.back();
+      stack.pop_back();
+      if(part.depth < coarse_depth) {
+        subdivide(part, stack);
+        continue;
+      }
+      // the part's corners, its box, and the cells that it may meet
+      std::array<std::array<double, 3>, size> corner;
+      std::array<double, 3> least, most;
+      for(std::size_t v = 0; v < size; ++v)
+        for(int a = 0; a < 3; ++a) corner[v][a] = coordinate(simplex, part.corner[v], part.depth, a);
+      for(int a = 0; a < 3; ++a) {
+        least[a] = most[a] = corner[0][a];
+        for(const auto& p : corner) { least[a] = (std::min)(least[a], p[a]); most[a] = (std::max)(most[a], p[a]); }
+        least[a] -= 2 * position_error;
+        most[a] += 2 * position_error;
+      }
+      cells.clear();
+      const bool covered = m_field->visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
+                                                [&](Cell_index c) { cells.push_back(c); });
+      bool proved = covered && !cells.empty();
+      for(Cell_index c : cells) {
+        if(!proved) break;
+        const Cell_function& f = cell_function(functions, c, question);
+        if(f.proved) { ++count.by_cell; continue; }
+        proved = question.proves(bound(simplex, part, f.function, m_field->cell(c)));
+        count.by_form += proved;
+      }
+      if(proved) continue;
+      // a corner where it certainly fails?
+      for(std::size_t v = 0; v < size; ++v)
+        if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
+      if(part.depth < max_depth && ++parts <= most_parts) {
+        ++count.subdivisions;
+        subdivide(part, stack);
+        continue;
+      }
+      if(verdict == Verdict::PROVED && witness) describe(simplex, part.corner[0], part.depth, *witness);
+      verdict = Verdict::UNDECIDED;
+      if(parts > most_parts) return verdict;
+    }
+    return verdict;
+  }
+
+  template <typename Question>
+  const Cell_function& cell_function(std::vector<Cell_function>& functions, Cell_index c, const Question& question) const
+  {
+    for(std::size_t n = functions.size(); n-- > 0; )      // the last ones are the most likely
+      if(functions[n].cell == c) return functions[n];
+    if(functions.size() >= 64) functions.erase(functions.begin(), functions.begin() + 32);
+    const Enclosed_tricubic f = question.function(m_field->cell(c));
+    functions.push_back({ c, f, question.proves(f.range()) });
+    return functions.back();
+  }
+
+  // one coordinate of the point with the given barycentric coordinates, in the order of the vertices: the same for
+  // every part that has the point as a corner
+  template <std::size_t size>
+  static double coordinate(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator,
+                           int depth, int a)
+  {
+    double sum = 0;
+    for(std::size_t v = 0; v < size; ++v) sum += std::ldexp(double(numerator[v]), -depth) * simplex[v][a];
+    return sum;
+  }
+
+  template <std::size_t size>
+  Level_range bound(const std::array<Point_3, size>& simplex, const Part<size>& part, const Enclosed_tricubic& f,
+                    const typename Field::Cell& cell) const
+  {
+    std::array<std::array<double, 3>, size> t;
+    double largest = 0;
+    for(int a = 0; a < 3; ++a) {
+      std::array<double, size> local;
+      for(std::size_t v = 0; v < size; ++v) {
+        local[v] = (simplex[v][a] - cell.corner()[a]) / cell.width();
+        largest = (std::max)(largest, std::abs(local[v]));
+      }
+      for(std::size_t v = 0; v < size; ++v) {
+        double sum = 0;
+        for(std::size_t u = 0; u < size; ++u) sum += std::ldexp(double(part.corner[v][u]), -part.depth) * local[u];
+        t[v][a] = sum;
+      }
+    }
+    // two roundings of each local coordinate, then a product and at most three sums
+    const double shift = 8 * internal::rounding * largest;
+    if constexpr(size == 3) return enclose_on_triangle(f, t, shift);
+    else return enclose_on_segment(f, t, shift);
+  }
+
+  // Whether the claim fails at a point of the simplex, by the polynomials of all cells that the point may lie in.
+  template <std::size_t size, typename Question>
+  bool fails_at(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator, int depth,
+                double position_error, const Question& question, std::vector<Cell_function>& functions,
+                Witness* witness) const
+  {
+    std::array<double, 3> p;
+    for(int a = 0; a < 3; ++a) p[a] = coordinate(simplex, numerator, depth, a);
+    const double e = 2 * position_error;
+    Level_range range;
+    bool fails = true, somewhere = false;
+    m_field->visit_cells(Bbox_3(p[0] - e, p[1] - e, p[2] - e, p[0] + e, p[1] + e, p[2] + e), [&](Cell_index c) {
+      somewhere = true;
+      if(!fails) return;
+      const typename Field::Cell cell = m_field->cell(c);
+      const Cell_function& f = cell_function(functions, c, question);
+      std::array<double, 3> t = cell.local_coordinates(p);
+      const double shift = (e + 4 * internal::rounding * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]))) / cell.width();
+      const Level_range r = enclose_at_point(f.function, t, shift);
+      fails = question.refutes(r);
+      const double unit = question.unit(cell);
+      range.include(Level_range{ r.min / unit, r.max / unit });
+    });
+    if(!fails) return false;
+    if(witness) {
+      describe(simplex, numerator, depth, *witness);
+      witness->value = range;
+      witness->outside = !somewhere;
+    }
+    return true;
+  }
+
+  template <std::size_t size>
+  static void describe(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator,
+                       int depth, Witness& witness)
+  {
+    witness = Witness();
+    for(std::size_t v = 0; v < size; ++v) witness.barycentric[v] = std::ldexp(double(numerator[v]), -depth);
+    for(int a = 0; a < 3; ++a) witness.point[a] = coordinate(simplex, numerator, depth, a);
+  }
+
+  static void subdivide(const Part<2>& part, std::vector<Part<2> >& stack)
+  {
+    std::array<std::array<std::int64_t, 2>, 3> p;      // first, middle, last
+    for(int v = 0; v < 2; ++v) {
+      p[0][v] = 2 * part.corner[0][v];
+      p[1][v] = part.corner[0][v] + part.corner[1][v];
+      p[2][v] = 2 * part.corner[1][v];
+    }
+    stack.push_back({ { p[1], p[2] }, part.depth + 1 });
+    stack.push_back({ { p[0], p[1] }, part.depth + 1 });
+  }
+
+  static void subdivide(const Part<3>& part, std::vector<Part<3> >& stack)
+  {
+    std::array<std::array<std::int64_t, 3>, 3> c, m;   // corners, and midpoints of the sides opposite to them
+    for(int v = 0; v < 3; ++v)
+      for(int u = 0; u < 3; ++u) {
+        c[v][u] = 2 * part.corner[v][u];
+        m[v][u] = part.corner[(v+1) % 3][u] + part.corner[(v+2) % 3][u];
+      }
+    const int depth = part.depth + 1;
+    stack.push_back({ { m[0], m[1], m[2] }, depth });
+    stack.push_back({ { c[2], m[1], m[0] }, depth });
+    stack.push_back({ { c[1], m[0], m[2] }, depth });
+    stack.push_back({ { c[0], m[2], m[1] }, depth });
+  }
+
+  const Field* m_field;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIELD_PREDICATES_3_H
