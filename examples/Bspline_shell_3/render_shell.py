@@ -3,16 +3,22 @@
 
 Usage: render_shell.py PREFIX PICTURE.png      (reads PREFIX_{inner,outer,mesh}.ply)
 """
+import os
 import sys
 
 import vtk
 
 
 def read(name):
+    if not os.path.isfile(name):
+        sys.exit(f"{name} is missing")
     reader = vtk.vtkPLYReader()
     reader.SetFileName(name)
     reader.Update()
-    return reader.GetOutput()
+    data = reader.GetOutput()
+    if data.GetNumberOfPolys() == 0:
+        sys.exit(f"{name} has no facets")
+    return data
 
 
 def actor(data, color=None, opacity=1.0, edges=False):
@@ -55,8 +61,6 @@ def outline(data, plane, color, width):
 
 def main(prefix, picture):
     mesh, inner, outer = (read(f"{prefix}_{part}.ply") for part in ("mesh", "inner", "outer"))
-    if mesh.GetNumberOfPoints() == 0:
-        sys.exit(f"{prefix}_mesh.ply cannot be read")
     bounds = mesh.GetBounds()
     center = [(bounds[2*a] + bounds[2*a + 1]) / 2 for a in range(3)]
     spans = [bounds[2*a + 1] - bounds[2*a] for a in range(3)]

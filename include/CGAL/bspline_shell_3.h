@@ -23,10 +23,17 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
-#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -133,8 +140,8 @@ inline double estimated_bytes(double cells, double unknowns, double pieces, bool
  *   - `grid_spacing(double)`: instead, the edge length of a cell in user units
  *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more where the shell
  *     would leave them, added up to five times
- *   - `dense_grid(bool)`: the paper's reference, with `Energy_weights::paper()`: all cells of the mesh's box; default
- *     `false`
+ *   - `dense_grid(bool)`: all cells of the mesh's box and some rings around it, as in the paper (whose energy is
+ *     `Energy_weights::paper()`); default `false`
  *   - `energy_weights(Bspline_shells::Energy_weights)`: the paper's \f$\mu\f$ and
  *     \f$\zeta\f$ by default, without \f$E_{singularH}\f$
  *   - `spd_solver(S)`: a model of `SPDSolver`, default `Bspline_shells::Conjugate_gradient_solver`. Pass
@@ -142,12 +149,13 @@ inline double estimated_bytes(double cells, double unknowns, double pieces, bool
  *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
  *     `std::cref(oracle)` not to copy it
  *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
- *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`
+ *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`.
+ *     Inside is then what an odd number of facets separates from infinity.
+ *   - `allow_open_shell(bool)`: do not refuse a shell that runs into the end of the cells; default `false`
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
  * \return a shell, or none and the reason (`Bspline_shell_3::status()`)
- * \pre resolution and spacing are positive and finite, the number of rings is at least one
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -164,6 +172,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   typedef BS::Uniform_bspline_field_3<> Field;
   typedef BS::Shell_status Status;
   typedef BS::Shell_step Step;
+  constexpr int max_number_of_rings = 1000;
+  constexpr double largest_relative_spacing = 1000;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
   const double resolution = choose_parameter(get_parameter(np, tags::resolution), 50.);
@@ -176,6 +186,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
   tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
 
+  const bool allow_open_shell = choose_parameter(get_parameter(np, tags::allow_open_shell), false);
+
   typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
     internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference> Visitor;
   BS::Default_shell_visitor default_visitor;
@@ -186,9 +198,6 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   BS::Conjugate_gradient_solver default_solver;
   Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
 
-  CGAL_precondition(resolution > 0 && asked_spacing >= 0 && asked_rings >= 0);
-
-
   BS::Shell_report report;
   Real_timer timer;
   timer.start();
@@ -198,9 +207,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     report.seconds[std::size_t(current)] += timer.time();
     timer.reset();
     current = step;
-    if(visitor.start_step(step)) return true;
-    report.status = Status::CANCELED;
-    return false;
+    return visitor.start_step(step);
   };
   const auto stop = [&](Status status) {
     report.seconds[std::size_t(current)] += timer.time();
@@ -208,62 +215,77 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     return Bspline_shell_3<>(report);
   };
 
+  const auto is_weight = [](double x) { return std::isfinite(x) && x >= 0; };
+  constexpr bool default_spacing = is_default_parameter<CGAL_NP_CLASS, internal_np::grid_spacing_t>::value;
+  constexpr bool default_rings = is_default_parameter<CGAL_NP_CLASS, tags::number_of_rings_t>::value;
+  if(!(std::isfinite(resolution) && resolution > 0 && std::isfinite(asked_spacing) && (default_spacing || asked_spacing > 0)
+       && (default_rings || asked_rings > 0) && memory_limit > 0
+       && is_weight(weights.mu) && is_weight(weights.zeta) && is_weight(weights.singular_hessian)))
+    return stop(Status::INVALID_PARAMETER);
+
   if(!start(Step::CHECK)) return stop(Status::CANCELED);
   BS::Input_mesh_3 input;
   const Status checked = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);
   report.offending_simplices = input.offending_simplices();
   if(checked != Status::SUCCESS) return stop(checked);
-  report.facets = input.mesh().number_of_faces();
+  report.triangles = input.mesh().number_of_faces();
   report.components = input.number_of_components();
   report.unit = input.unit();
 
   if(!start(Step::CELLS)) return stop(Status::CANCELED);
-  const BS::Lattice_3 lattice(input.bbox(), asked_spacing > 0 ? asked_spacing : input.unit() / resolution);
-  if(!lattice.is_exact() || input.unit() > lattice.spacing() * BS::internal::Lattice_key::max_coordinate)
+  const int rings = default_rings ? 2 : asked_rings;
+  const double spacing = default_spacing ? input.unit() / resolution : asked_spacing;
+  if(!(spacing < input.unit() * largest_relative_spacing)) return stop(Status::INVALID_PARAMETER);
+  const BS::Lattice_3 lattice = BS::Lattice_3::off_the_ends(input.bbox(), spacing);
+  if(!lattice.is_exact() || input.unit() / lattice.spacing() > BS::internal::Lattice_key::max_coordinate)
     return stop(Status::GRID_TOO_FINE);
+  if(rings > max_number_of_rings) return stop(Status::TOO_MANY_CELLS);
   report.gamma = input.unit() / lattice.spacing();
   const bool copies_matrix = weights.singular_hessian > 0;
   const double pieces = BS::Clipped_mesh_3::estimated_number_of_pieces(input, lattice.spacing());
-  if(BS::internal::estimated_bytes(0, 0, pieces, copies_matrix) > memory_limit) return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  const auto exceeds_memory = [&](double cells, double unknowns) {
+    return !(BS::internal::estimated_bytes(cells, unknowns, pieces, copies_matrix) <= memory_limit);
+  };
+  if(exceeds_memory(0, 0)) return stop(Status::MEMORY_LIMIT_EXCEEDED);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<ConcurrencyTag>(input, lattice);
-  const std::vector<std::uint64_t> surface_cells = clipped.cells();
-  report.surface_cells = surface_cells.size();
+  const std::vector<std::uint64_t> surface_keys = clipped.cells();
+  report.surface_cells = surface_keys.size();
 
-  const auto distance = [&]() {
-    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-      return BS::Mesh_signed_distance_3(input);
-    else
-      return 0;
-  }();
-
-  const int rings = asked_rings > 0 ? asked_rings : 2;
+  // Before the cells are listed: how many there are at least, each with its unknown.
   const Bbox_3 box = input.bbox();
-  double box_cells = 1;
-  for(int a = 0; a < 3; ++a) box_cells *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings + 2;
-  const double at_least = dense ? box_cells : double(surface_cells.size());
-  if(BS::internal::estimated_bytes(at_least, at_least, pieces, copies_matrix) > memory_limit)
-    return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  double at_least = dense ? 1 : (std::max)(double(surface_keys.size()), std::pow(2. * rings + 1, 3));
+  for(int a = 0; dense && a < 3; ++a) at_least *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings;
+  if(at_least > double(BS::Fit_energy<Field>::max_number_of_unknowns)) return stop(Status::TOO_MANY_CELLS);
+  if(exceeds_memory(at_least, at_least)) return stop(Status::MEMORY_LIMIT_EXCEEDED);
   std::vector<std::uint64_t> keys = dense ? BS::internal::box_cells(lattice, box, rings)
-                                          : BS::internal::dilate(surface_cells, -rings, rings);
-  constexpr int max_widenings = 5;
+                                          : BS::internal::dilate(surface_keys, -rings, rings);
+
+  // the signed distance at the samples of some cells, from the mesh or from the caller's oracle
+  std::optional<BS::Mesh_signed_distance_3> distance;
+  const auto sample = [&](const BS::Cell_complex_3& cells) {
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) {
+      if(!distance) distance.emplace(input);
+      return BS::sample_distance_to_mesh<ConcurrencyTag>(*distance, cells, surface_keys);
+    } else
+      return BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle), cells);
+  };
+
+  constexpr int max_widenings = 5;      // by 2 to 6 rings: twenty cells in all
   std::optional<Field> narrower;        // the field before the last widening
   std::vector<double> samples;
   for(;; ++report.widenings) {
     Field field(BS::Cell_complex_3(lattice, keys));
     report.cells = field.number_of_cells();
     report.unknowns = field.number_of_coefficients();
-    if(BS::internal::estimated_bytes(double(report.cells), double(report.unknowns), pieces, copies_matrix) > memory_limit)
-      return stop(Status::MEMORY_LIMIT_EXCEEDED);
+    if(report.unknowns > BS::Fit_energy<Field>::max_number_of_unknowns) return stop(Status::TOO_MANY_CELLS);
+    if(exceeds_memory(double(report.cells), double(report.unknowns))) return stop(Status::MEMORY_LIMIT_EXCEEDED);
 
     if(!start(Step::DISTANCE)) return stop(Status::CANCELED);
     // after a widening, only where there was no cell before
     const BS::Cell_complex_3 unsampled = narrower ? BS::internal::cells_beyond(field.cells(), narrower->cells()) : field.cells();
-    std::vector<double> more_samples;
-    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-      more_samples = BS::sample_signed_distance<ConcurrencyTag>(distance, unsampled, surface_cells);
-    else
-      more_samples = BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle),
-                                                                unsampled, surface_cells);
+    std::vector<double> more_samples = sample(unsampled);
+    if(!std::all_of(more_samples.begin(), more_samples.end(), [](double d) { return std::isfinite(d); }))
+      return stop(Status::DISTANCE_NOT_FINITE);
     samples = narrower ? BS::internal::merge_samples(field.cells(), narrower->cells(), samples, unsampled, more_samples)
                        : std::move(more_samples);
 
@@ -282,9 +304,13 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     report.facets_bound = triangles.mesh;
     constexpr double tau = 1e10;
     const BS::Level_range levels = BS::round_outwards(triangles.mesh, report.unit / tau);
+    std::vector<typename Field::Cell_index> surface_cells;
+    for(std::uint64_t key : surface_keys) surface_cells.push_back(field.cells().cell(BS::internal::Lattice_key::decode(key)));
     BS::Shell_component component = BS::shell_component(field, surface_cells, levels);
-    if(!component.border_cells.empty()) {
-      if(asked_rings > 0 || report.widenings == max_widenings) return stop(Status::SHELL_LEAVES_BAND);
+    const bool is_open = !component.border_cells.empty();
+    const bool may_widen = default_rings && report.widenings < max_widenings;
+    if(is_open && !may_widen && !allow_open_shell) return stop(Status::SHELL_LEAVES_BAND);
+    if(is_open && may_widen) {
       if(!start(Step::CELLS)) return stop(Status::CANCELED);
       BS::internal::widen(field, component.border_cells, 2 + report.widenings, keys);
       narrower = std::move(field);
@@ -294,7 +320,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     // num_faces() may count removed facets
     std::vector<BS::Level_range> facets(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
     for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);
-    stop(Status::SUCCESS);
+    report.seconds[std::size_t(current)] += timer.time();
+    report.status = Status::SUCCESS;
     return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets), report);
   }
 }

@@ -46,7 +46,7 @@ struct Fit_problem
     clipped = BS::clip_mesh_to_cells<Tag>(input, lattice);
     field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(clipped.cells(), -rings, rings)));
     const BS::Mesh_signed_distance_3 distance(input);
-    samples = BS::sample_signed_distance<Tag>(distance, field.cells(), clipped.cells());
+    samples = BS::sample_distance_to_mesh<Tag>(distance, field.cells(), clipped.cells());
   }
   Fit_problem(const Fit_problem&) = delete;      // energies refer to it
 

@@ -278,6 +278,39 @@ TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only
   }
 }
 
+TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doubles")
+{
+  const auto scaled = [](double s) {
+    return tetrahedron(Point_3(0, 0, 0), Point_3(s, 0, 0), Point_3(0, s, 0), Point_3(0, 0, s));
+  };
+  Input_mesh_3 input;
+  for(double s : { 1.1e60, 1e90, 1e300, 0.9e-60, 1e-100, 1e-300 }) {
+    CAPTURE(s);
+    CHECK(check(input, scaled(s)) == Status::COORDINATES_OUT_OF_RANGE);
+  }
+  for(double s : { 0.9e60, 1.1e-60 }) {
+    CAPTURE(s);
+    CHECK(check(input, scaled(s)) == Status::SUCCESS);
+  }
+}
+
+TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it may intersect itself")
+{
+  // two triangles back to back, and a folded flat octahedron that no axis is orthogonal to
+  Mesh flat = tetrahedron(Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(1, 1, 0));
+  Input_mesh_3 input;
+  CHECK(check(input, flat) == Status::SELF_INTERSECTION);
+  Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = true;
+  CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
+  CHECK(input.offending_simplices().facets == Positions{ 0 });
+  for(auto v : flat.vertices()) {
+    const Point_3 p = flat.point(v);
+    flat.point(v) = Point_3(p.x(), p.y(), p.x() / 3 + p.y() / 7);
+  }
+  CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
+}
+
 TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
 {
   const double tiny = std::ldexp(1., -1000);

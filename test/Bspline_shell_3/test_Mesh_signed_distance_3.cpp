@@ -163,7 +163,7 @@ void check_samples(const Mesh& mesh, double spacing, int rings)
   const BS::Mesh_signed_distance_3 oracle(input);
   const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
   const std::vector<std::uint64_t> surface = surface_cells(input, cells);
-  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells, surface);
+  const std::vector<double> samples = BS::sample_distance_to_mesh<CGAL::Sequential_tag>(oracle, cells, surface);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
   REQUIRE(surface.size() < cells.number_of_cells());     // some cells get their sign from others
   const Comparison c = compare(oracle, cells, samples);
@@ -171,7 +171,7 @@ void check_samples(const Mesh& mesh, double spacing, int rings)
   CHECK(c.positive > c.samples / 20);
   CHECK(c.wrong_sign == 0);
   CHECK(c.wrong_distance == 0);
-  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(oracle, cells, surface) == samples);
+  CHECK(BS::sample_distance_to_mesh<CGAL::Parallel_if_available_tag>(oracle, cells, surface) == samples);
 }
 
 // a user's oracle: no mesh at all
@@ -330,7 +330,7 @@ TEST_CASE("samples of the distance: signs flow through all cells that are not sa
   const BS::Input_mesh_3 input = input_of(sphere(2));
   const BS::Mesh_signed_distance_3 oracle(input);
   const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
-  CHECK(compare(oracle, cells, BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells, {})).wrong_sign > 100);
+  CHECK(compare(oracle, cells, BS::sample_distance_to_mesh<CGAL::Sequential_tag>(oracle, cells, {})).wrong_sign > 100);
 }
 
 TEST_CASE("samples of the distance: from a user's oracle")
@@ -338,7 +338,7 @@ TEST_CASE("samples of the distance: from a user's oracle")
   const BS::Input_mesh_3 input = input_of(sphere(1));
   const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
   const Ball ball = { 0.9 };
-  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(ball, cells, {});
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(ball, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
   int wrong = 0;
   for(std::size_t n = 0; n < samples.size(); ++n) {
@@ -348,5 +348,5 @@ TEST_CASE("samples of the distance: from a user's oracle")
                                         corner[2] + (n & 4 ? .75 : .25) * w));
   }
   CHECK(wrong == 0);
-  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(ball, cells, {}) == samples);
+  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(ball, cells) == samples);
 }

@@ -330,13 +330,16 @@ TEST_CASE("A user's distance replaces that to the mesh")
   REQUIRE(shifted);
   CHECK(*shifted.field().value(Point_3(1.05, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shifted.field().value(Point_3(0, 0, -1)) == Approx(-0.05).margin(0.01));
-  // and the package's own oracle is one that a user may pass, with the same result as by default
+  // and the package's own oracle is one that a user may pass, with the same result as by default, but for distances that
+  // are rounded in another way and the solver's tolerance
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
   const BS::Mesh_signed_distance_3 distance(input);
   const Shell own = CGAL::bspline_shell_3(mesh, P::resolution(10).signed_distance_oracle(std::cref(distance)));
   REQUIRE(own);
-  CHECK(same(own, default_distance));
+  CHECK(own.report().cells == default_distance.report().cells);
+  CHECK(own.inner_level() == Approx(default_distance.inner_level()).epsilon(1e-3));
+  CHECK(own.outer_level() == Approx(default_distance.outer_level()).epsilon(1e-3));
 }
 
 TEST_CASE("The visitor is told of every step, in order, and can stop at each")
@@ -456,7 +459,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells().lattice());
-  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(
+  const std::vector<double> samples = BS::sample_distance_to_mesh<CGAL::Sequential_tag>(
     BS::Mesh_signed_distance_3(input), shell.field().cells(), clipped.cells());
   const BS::Fit_energy<Shell::Field> energy(shell.field(), samples, clipped, shell.report().gamma, BS::Energy_weights());
   CHECK(energy.value(BS::Energy_term::DISTANCE, Eigen::VectorXd(shell.field().coefficients() / w))
@@ -491,10 +494,72 @@ TEST_CASE("Refusals come with the places that are to blame")
   if(allowed) check_shell(allowed, crossing);
 }
 
+TEST_CASE("The distance to another mesh is a user's distance like any other")
+{
+  // the larger sphere's surface has cells that the smaller one's mesh does not enter: signs must come from the oracle
+  const Mesh mesh = sphere(2, 1), larger = sphere(2, 1.25);
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(larger, get(CGAL::vertex_point, larger), {}) == Status::SUCCESS);
+  const BS::Mesh_signed_distance_3 distance(input);
+  BS::Energy_weights weights;
+  weights.mu = 1e-6;          // all but interpolates the samples
+  const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(10).energy_weights(weights).number_of_rings(4)
+                                                   .allow_open_shell(true)
+                                                   .signed_distance_oracle(std::cref(distance)));
+  REQUIRE(shell);
+  for(double r : { 0.8, 1., 1.2, 1.4 }) {
+    const Point_3 p(0.6 * r, 0.64 * r, 0.48 * r);
+    CHECK(std::abs(shell.field().value(p).value() - distance(p)) < 0.02);
+  }
+}
+
+TEST_CASE("DISTANCE_NOT_FINITE: the oracle returns no number")
+{
+  struct Hole : Sphere_distance
+  {
+    double operator()(const ::Point_3& p) const
+    {
+      return p.x() > 0.9 ? std::numeric_limits<double>::quiet_NaN() : Sphere_distance::operator()(p);
+    }
+  };
+  CHECK(CGAL::bspline_shell_3(sphere(1), P::resolution(8).signed_distance_oracle(Hole())).status() == Status::DISTANCE_NOT_FINITE);
+}
+
+TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are off")
+{
+  const Mesh mesh = sphere(0);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for(double x : { nan, infinity, 0., -1., 1e-9 }) {
+    CAPTURE(x);
+    CHECK(CGAL::bspline_shell_3(mesh, P::resolution(x)).status() == Status::INVALID_PARAMETER);
+  }
+  for(double x : { nan, infinity, 0., -1., 1e6 }) {
+    CAPTURE(x);
+    CHECK(CGAL::bspline_shell_3(mesh, P::grid_spacing(x)).status() == Status::INVALID_PARAMETER);
+  }
+  for(int rings : { 0, -3 }) CHECK(CGAL::bspline_shell_3(mesh, P::number_of_rings(rings)).status() == Status::INVALID_PARAMETER);
+  for(double x : { nan, 0., -1. }) CHECK(CGAL::bspline_shell_3(mesh, P::memory_limit(x)).status() == Status::INVALID_PARAMETER);
+  for(double x : { nan, infinity, -1. }) {
+    BS::Energy_weights weights;
+    weights.zeta = x;
+    CHECK(CGAL::bspline_shell_3(mesh, P::energy_weights(weights)).status() == Status::INVALID_PARAMETER);
+  }
+}
+
+TEST_CASE("TOO_MANY_CELLS: found out before they are listed")
+{
+  const Mesh mesh = sphere(0);
+  CHECK(CGAL::bspline_shell_3(mesh, P::resolution(3000).dense_grid(true)).status() == Status::TOO_MANY_CELLS);
+  CHECK(CGAL::bspline_shell_3(mesh, P::resolution(10).number_of_rings(500)).status() == Status::TOO_MANY_CELLS);
+  CHECK(CGAL::bspline_shell_3(mesh, P::resolution(10).number_of_rings(std::numeric_limits<int>::max())).status()
+        == Status::TOO_MANY_CELLS);
+}
+
 TEST_CASE("A default shell is none")
 {
   const Shell shell;
   CHECK_FALSE(shell);
+  CHECK(shell.status() == Status::NOT_BUILT);
   for(int s = 0; s <= int(Status::CANCELED); ++s) CHECK_FALSE(std::string(BS::message(Status(s))).empty());
 }
 

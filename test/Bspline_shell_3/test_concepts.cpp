@@ -217,7 +217,10 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   CHECK(BS::edge_range<CGAL::Sequential_tag>(field, clipped).min == shell.report().edges.min);
 
   const BS::Level_range levels = { shell.inner_level(), shell.outer_level() };
-  const BS::Shell_component component = BS::shell_component(field, clipped.cells(), levels);
+  std::vector<Field_archetype::Cell_index> surface_cells;
+  for(std::uint64_t key : clipped.cells())
+    surface_cells.push_back(field.cells().cell(BS::internal::Lattice_key::decode(key)));
+  const BS::Shell_component component = BS::shell_component(field, surface_cells, levels);
   CHECK(component.cells == shell.shell_cells());
   CHECK(component.border_cells.empty());
 

@@ -146,7 +146,7 @@ TEST_CASE("The vertex point map is honoured, first or last in the parameters, ou
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10).vertex_point_map(vpm)));
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(vpm).resolution(10)));
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh,
-    P::number_of_rings(2).vertex_point_map(vpm).geom_traits(Kernel()).memory_limit(1e9).resolution(10)));
+    P::number_of_rings(2).vertex_point_map(vpm).memory_limit(1e9).resolution(10)));
   const double spacing = reference().field().cells().width();
   const Shell by_spacing = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::grid_spacing(spacing));
   check_identical(by_spacing,

@@ -57,7 +57,7 @@ bool measure(const std::string& file, double gamma, bool dense, bool paper_energ
     const BS::Shell_report& r = shell.report();
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
-    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"facets\":" << r.facets << ",\"gamma\":" << gamma
+    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"facets\":" << r.triangles << ",\"gamma\":" << gamma
               << ",\"mode\":\"" << (dense ? "reference" : "band") << "\",\"energy\":\""
               << (paper_energy ? "paper" : "quadratic") << "\",\"status\":\"" << (shell ? "success" : message(shell.status()))
               << "\",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"widenings\":" << r.widenings;

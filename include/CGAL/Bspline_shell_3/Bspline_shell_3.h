@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -28,9 +29,9 @@ namespace Bspline_shells {
  */
 struct Shell_report
 {
-  Shell_status status = Shell_status::EMPTY_MESH;
+  Shell_status status = Shell_status::NOT_BUILT;
   Offending_simplices offending_simplices;    ///< where it failed
-  std::size_t facets = 0;                     ///< triangles of the mesh
+  std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles
   std::size_t components = 0;                 ///< of the mesh
   double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
   double gamma = 0;                           ///< cells per unit

@@ -25,10 +25,10 @@ namespace Bspline_shells {
  *
  * \brief the lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
  *
- * The spacing is rounded to at most 20 significant bits and the origin, near the centre of the box, to a multiple of
- * the spacing's last bit, so that every corner of a cell, also of a cell halved up to twelve times, is a `double`:
- * what is proved on a cell's box is proved for the cell. The lattice is symmetric about its origin: a mesh that is
- * mirrored, turned by a right angle or scaled by a power of two gets the mirrored, turned or scaled lattice.
+ * The spacing is rounded to at most 20 significant bits and the origin to a multiple of half the spacing's last bit, so
+ * that every corner of a cell, also of a cell halved up to twelve times, is a `double`: what is proved on a cell's box is
+ * proved for the cell. The lattice is symmetric about the box's centre: a mesh that is mirrored, turned by a right angle or
+ * scaled by a power of two gets the mirrored, turned or scaled lattice.
  */
 class Lattice_3
 {
@@ -37,7 +37,7 @@ public:
 
   Lattice_3() = default;
 
-  /// a lattice for meshes in `box`, of a spacing near `spacing` (user units).
+  /// a lattice with a point near the centre of `box`, of a spacing near `spacing` (user units)
   /// \pre `box` is finite, `spacing > 0`
   Lattice_3(const Bbox_3& box, double spacing)
   {
@@ -48,7 +48,7 @@ public:
     const double mantissa = std::frexp(spacing, &exponent);            // in [1/2, 1)
     const double cells = (largest + 4 * spacing) / spacing;
     std::frexp(cells, &magnitude);
-    const int bits = (std::min)(20, 52 - finest_level - magnitude);
+    const int bits = (std::min)(20, 51 - finest_level - magnitude);
     m_exact = std::isfinite(cells) && bits >= 4 && std::ldexp(1., exponent - bits - finest_level) > 0;
     if(!m_exact) return;
     const double last_bit = std::ldexp(1., exponent - bits);
@@ -57,6 +57,21 @@ public:
       const double center = (box.min)(a) / 2 + (box.max)(a) / 2;       // rounds alike when mirrored
       m_origin[a] = std::nearbyint(center / last_bit) * last_bit;
     }
+  }
+
+  /// The same, but shifted by half a spacing along the axes across which the ends of the box would lie in lattice planes
+  /// or near them. Sides of a mesh in such planes are, after rounding, on either side of them, and the cells of a scaled
+  /// mesh would not be the scaled cells.
+  static Lattice_3 off_the_ends(const Bbox_3& box, double spacing)
+  {
+    Lattice_3 lattice(box, spacing);
+    if(!lattice.m_exact) return lattice;
+    for(int a = 0; a < 3; ++a) {
+      const double end = ((box.max)(a) / 2 - (box.min)(a) / 2) / lattice.m_spacing;
+      // not at a quarter, which boxes with simple ratios of sides have, and where rounding would decide
+      if(std::abs(end - std::nearbyint(end)) < 0.2) lattice.m_origin[a] -= lattice.m_spacing / 2;
+    }
+    return lattice;
   }
 
   /// whether the corners are exact; if not, the cells are too small for coordinates of that size

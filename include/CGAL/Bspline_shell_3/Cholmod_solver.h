@@ -44,7 +44,11 @@ public:
   Solver_status compute(const Matrix& lower)
   {
     m_matrix = &lower;
-    m_solver.compute(lower);
+    m_solver.analyzePattern(lower);
+    // without a symbolic factor, which Eigen does not look at, factorize() would crash
+    if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;
+    m_solver.factorize(lower);
+    if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;
     return m_solver.info() == Eigen::Success ? Solver_status::SUCCESS : Solver_status::NOT_POSITIVE_DEFINITE;
   }
 

@@ -85,20 +85,28 @@ class Fit_energy
 public:
   typedef Eigen::VectorXd Vector;
 
+  /// how many unknowns there can be: a column of the lower triangle has at most 172 entries, which `int`s number
+  static constexpr std::size_t max_number_of_unknowns = std::size_t(std::numeric_limits<int>::max()) / 172;
+
   /// \param field gives cells and functions; its coefficients are not looked at
   /// \param samples the signed distance at the samples of all cells, user units (`sample_signed_distance()`)
   /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
   /// \param gamma number of cells per unit of length of the paper
   /// \param weights of the terms
-  /// \pre field, samples and clipped mesh outlive this object
+  /// \pre field, samples and clipped mesh outlive this object; the field has all cells that the clipped mesh has pieces in,
+  /// and at most `max_number_of_unknowns` coefficients
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
              double gamma, const Energy_weights& weights)
     : m_field(field), m_samples(samples), m_clipped(clipped)
     , m_weights(weights), m_gamma(gamma), m_equations(field)
   {
     for(int s = 0; s < Distance_samples::per_cell; ++s)
-      for(int a = 0; a < 3; ++a)
-        m_sample_basis[s][a] = Cubic_bspline<>::values(Distance_samples::position(s, a));
+      for(int a = 0; a < 3; ++a) {
+        const double t = Distance_samples::position(s, a);
+        m_sample_basis[s][0][a] = Cubic_bspline<>::values(t);
+        m_sample_basis[s][1][a] = Cubic_bspline<>::first_derivatives(t);
+        m_sample_basis[s][2][a] = Cubic_bspline<>::second_derivatives(t);
+      }
     group_points();
   }
 
@@ -122,7 +130,7 @@ public:
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
       const std::array<double, 64> local = gather(x, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
-        const double f = internal::contract(local.data(), m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
+        const double f = sample_value(local, s);
         if(f >= eps1 && f <= eps2) { m_hessian_domain[c] = 1; break; }
       }
     }
@@ -322,7 +330,17 @@ private:
     return row;
   }
 
-  Local_vector sample_row(int s) const { return outer(m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]); }
+  Local_vector sample_row(int s) const
+  {
+    const std::array<Weights, 3>& b = m_sample_basis[s][0];
+    return outer(b[0], b[1], b[2]);
+  }
+
+  double sample_value(const std::array<double, 64>& local, int s) const
+  {
+    const std::array<Weights, 3>& b = m_sample_basis[s][0];
+    return internal::contract(local.data(), b[0], b[1], b[2]);
+  }
 
   std::array<double, 64> gather(const Vector& x, Cell_index c) const
   {
@@ -350,13 +368,7 @@ private:
   // the determinant of the Hessian at a sample and, if asked for, its derivative by the 64 coefficients
   double hessian_determinant(const std::array<double, 64>& local, int s, Local_vector* row) const
   {
-    internal::Basis_jet<double, 3> basis;
-    for(int a = 0; a < 3; ++a) {
-      const double t = Distance_samples::position(s, a);
-      basis[0][a] = m_sample_basis[s][a];
-      basis[1][a] = Cubic_bspline<>::first_derivatives(t);
-      basis[2][a] = Cubic_bspline<>::second_derivatives(t);
-    }
+    const internal::Basis_jet<double, 3>& basis = m_sample_basis[s];
     const std::array<double, 6> h = internal::second_order_jet<double>(local.data(), basis).hessian;
     const double xx = h[0], yy = h[1], zz = h[2], xy = h[3], xz = h[4], yz = h[5];
     const double cxx = yy*zz - yz*yz, cyy = xx*zz - xz*xz, czz = xx*yy - xy*xy;
@@ -378,7 +390,7 @@ private:
       case Energy_term::DISTANCE: {
         const std::array<double, 64> local = gather(x, c);
         for(int s = 0; s < Distance_samples::per_cell; ++s) {
-          const double f = internal::contract(local.data(), m_sample_basis[s][0], m_sample_basis[s][1], m_sample_basis[s][2]);
+          const double f = sample_value(local, s);
           visit(f - sample(c, s), 1., [&]() { return sample_row(s); });
         }
         return;
@@ -484,7 +496,7 @@ private:
   Energy_weights m_weights;
   double m_gamma;
   internal::Normal_equations<Field> m_equations;
-  std::array<std::array<Weights, 3>, Distance_samples::per_cell> m_sample_basis;
+  std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
   std::vector<Surface_point> m_points;        // by cell
   std::vector<std::size_t> m_first_point;     // of each cell, and the end
   std::vector<char> m_hessian_domain;         // by cell, or empty

@@ -22,9 +22,11 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <unordered_map>
+#include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -66,7 +68,7 @@ public:
     if(status == Shell_status::SUCCESS) status = check_surface();
     if(status == Shell_status::SUCCESS) status = triangulate();
     if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
-    if(status == Shell_status::SUCCESS) status = check_orientation(tolerated.self_intersections);
+    if(status == Shell_status::SUCCESS) status = tolerated.self_intersections ? check_volume() : check_orientation();
     if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
     if(status != Shell_status::SUCCESS) m_mesh.clear();
     return status;
@@ -83,7 +85,8 @@ public:
     return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
   }
   std::size_t number_of_components() const { return m_components; }
-  /// `false` if the facets face the bounded side; the field then grows inwards
+  /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether its
+  /// volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
 
@@ -154,7 +157,13 @@ private:
     for(const auto& pair : vertex_pairs) m_vertex_origin[pair.second] = get(vertex_position, pair.first);
     m_bbox = Bbox_3();
     for(auto f : m_mesh.faces()) m_bbox += Polygon_mesh_processing::face_bbox(f, m_mesh);
-    return Shell_status::SUCCESS;
+    // squares of cross products, and determinants, must be far from what a double can hold
+    constexpr double largest = 1e60, smallest = 1e-60;
+    for(int a = 0; a < 3; ++a)
+      if((std::max)(std::abs((m_bbox.min)(a)), std::abs((m_bbox.max)(a))) > largest)
+        return Shell_status::COORDINATES_OUT_OF_RANGE;
+    // a box that is a point has nothing but degenerate facets, which say more
+    return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
   }
 
   Shell_status check_surface()
@@ -203,38 +212,55 @@ private:
   }
 
   // All components must be oriented as the boundary of one volume, or all the other way round.
-  Shell_status check_orientation(bool may_intersect)
+  Shell_status check_orientation()
   {
     typedef Triangle_mesh::Property_map<Face_index, std::size_t> Face_map;
     Face_map component = m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
     Face_map volume = m_mesh.add_property_map<Face_index, std::size_t>("f:volume", 0).first;
     std::vector<bool> outward;
     std::vector<std::size_t> nesting;
-    // nesting is not defined for components that intersect each other
-    if(may_intersect) {
-      m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
-      m_outwards = Polygon_mesh_processing::is_outward_oriented(m_mesh);
-    } else {
-      Polygon_mesh_processing::volume_connected_components(m_mesh, volume,
-        CGAL::parameters::do_orientation_tests(true)
-                        .face_connected_component_map(component)
-                        .nesting_levels(std::ref(nesting))
-                        .is_cc_outward_oriented(std::ref(outward)));
-      m_components = nesting.size();
-    }
-    Shell_status status = Shell_status::SUCCESS;
-    if(!may_intersect) {
-      m_outwards = outward[0] == (nesting[0] % 2 == 0);
-      std::vector<bool> wrong(m_components, false);
-      for(std::size_t c = 0; c < m_components; ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
-      std::vector<std::size_t> facets;      // one facet of each component that disagrees
-      for(auto f : m_mesh.faces())
-        if(wrong[component[f]]) { facets.push_back(m_origin[f]); wrong[component[f]] = false; }
-      if(!facets.empty()) status = refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
-    }
+    Polygon_mesh_processing::volume_connected_components(m_mesh, volume,
+      CGAL::parameters::do_orientation_tests(true)
+                      .face_connected_component_map(component)
+                      .nesting_levels(std::ref(nesting))
+                      .is_cc_outward_oriented(std::ref(outward)));
+    m_components = nesting.size();
+    m_outwards = outward[0] == (nesting[0] % 2 == 0);
+    std::vector<bool> wrong(m_components, false);
+    for(std::size_t c = 0; c < m_components; ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
+    std::vector<std::size_t> facets;      // one facet of each component that disagrees
+    for(auto f : m_mesh.faces())
+      if(wrong[component[f]]) { facets.push_back(m_origin[f]); wrong[component[f]] = false; }
     m_mesh.remove_property_map(component);
     m_mesh.remove_property_map(volume);
-    return status;
+    return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
+  }
+
+  // Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.
+  Shell_status check_volume()
+  {
+    Triangle_mesh::Property_map<Face_index, std::size_t> component =
+      m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
+    m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
+    m_mesh.remove_property_map(component);
+    const Kernel::Point_3 o((m_bbox.xmin() + m_bbox.xmax()) / 2, (m_bbox.ymin() + m_bbox.ymax()) / 2,
+                            (m_bbox.zmin() + m_bbox.zmax()) / 2);
+    double volume = 0, products = 0;
+    for(auto f : m_mesh.faces()) {
+      const auto t = triangle(f);
+      const Kernel::Vector_3 u = t[0] - o, v = t[1] - o, w = t[2] - o;
+      volume += CGAL::determinant(u, v, w);
+      const auto size = [](const Kernel::Vector_3& x) { return std::abs(x.x()) + std::abs(x.y()) + std::abs(x.z()); };
+      products += size(u) * size(v) * size(w);
+    }
+    // three roundings of differences and three of products in each term, and one for each sum
+    const double error = std::numeric_limits<double>::epsilon() * (8. + double(m_mesh.number_of_faces())) * products;
+    if(!(std::abs(volume) > error)) {
+      std::vector<std::size_t> first = { m_origin[*m_mesh.faces().begin()] };
+      return refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, first);
+    }
+    m_outwards = volume > 0;
+    return Shell_status::SUCCESS;
   }
 
   Shell_status check_vertices()

@@ -29,6 +29,7 @@ enum signed_distance_oracle_t { signed_distance_oracle };
 enum memory_limit_t { memory_limit };
 enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
+enum allow_open_shell_t { allow_open_shell };
 
 } // namespace parameter_tags
 
@@ -58,8 +59,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::memory_limit_t, memory_limit)                                               \
   ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
+  ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
-  ADD(internal_np::geom_traits_t, geom_traits)                                                    \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \
   ADD(internal_np::filter_t, filter)                                                              \

@@ -15,7 +15,9 @@ enum class Solver_status
 {
   SUCCESS,
   NOT_POSITIVE_DEFINITE,    ///< the factorization broke down
-  NOT_CONVERGED             ///< the iteration limit was reached before the tolerance
+  NOT_CONVERGED,            ///< the iteration limit was reached before the tolerance
+  OUT_OF_MEMORY,            ///< the factorization needs more memory, or larger integers, than there are
+  NOT_FINITE                ///< the solution has infinite components, or some that are not numbers
 };
 
 } // namespace Bspline_shells

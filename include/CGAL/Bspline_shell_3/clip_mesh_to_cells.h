@@ -80,14 +80,14 @@ public:
     double pieces = 0;
     for(auto f : input.mesh().faces()) {
       const auto t = input.triangle(f);
-      const auto n = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+      const auto n = CGAL::cross_product((t[1] - t[0]) / spacing, (t[2] - t[0]) / spacing);
       // a plane of unit normal n crosses |n|_1 cells per unit of area; a curve of length s at most 1 + sqrt(3) s
       double l1 = 0, perimeter = 0;
       for(int a = 0; a < 3; ++a) {
         l1 += std::abs(n[a]);
         perimeter += std::sqrt((t[(a+1) % 3] - t[a]).squared_length());
       }
-      pieces += 1 + l1 / 2 / (spacing * spacing) + perimeter / spacing;
+      pieces += 1 + l1 / 2 + perimeter / spacing;
     }
     return pieces;
   }

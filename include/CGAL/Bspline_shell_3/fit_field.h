@@ -11,8 +11,11 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -30,7 +33,7 @@ struct Fit_report
   double residual = 0;                      ///< relative, of the last solve
   std::array<double, 4> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
   double seconds_assembly = 0;
-  double seconds_solver = 0;
+  double seconds_solver = 0;                ///< with the assembly of Gauss-Newton steps
 };
 
 /*!
@@ -74,11 +77,14 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
     ++report.linear_solves;
     report.status = solver.compute(matrix);
     if(report.status == Solver_status::SUCCESS) report.status = solver.solve(rhs, solution);
+    if(report.status == Solver_status::SUCCESS && !solution.allFinite()) report.status = Solver_status::NOT_FINITE;
     report.iterations += solver.iterations();
     report.residual = solver.residual();
     return report.status == Solver_status::SUCCESS;
   };
-  if(!solve(A, b, x)) return report;
+  const bool solved = solve(A, b, x);
+  report.seconds_solver = timer.time();
+  if(!solved) return report;
 
   if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
     // The paper integrates over the shell, which moves with the field. A domain that moves with every step makes the
@@ -91,7 +97,9 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
       Vector step_rhs = b;
       energy.template add_singular_hessian<ConcurrencyTag>(x, eta, step_matrix, step_rhs);
       Vector target = x;
-      if(!solve(step_matrix, step_rhs, target)) return report;
+      const bool step_solved = solve(step_matrix, step_rhs, target);
+      report.seconds_solver = timer.time();
+      if(!step_solved) return report;
       // the full step minimizes the model; the energy itself may want a shorter one
       double length = 1, after = energy.template value<ConcurrencyTag>(target);
       while(after > before && length > 1e-3) {
@@ -102,7 +110,6 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
       if(!(before - after > least_decrease * before)) break;
     }
   }
-  report.seconds_solver = timer.time();
   for(Energy_term term : { Energy_term::DISTANCE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL })
     report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
   field.template set_coefficients<ConcurrencyTag>(x * field.cells().width());

@@ -180,7 +180,8 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
         const Level_range range = { *hull.first - piece.error, *hull.second + piece.error };
         if(t.depth == 0) piece_range[n].include(range);
         const double slack = tolerance * (found.max - found.min) + 2 * piece.error;
-        if((range.max <= found.max + slack && range.min >= found.min - slack) || t.depth == max_depth) {
+        // so written that bounds that are not numbers end the search
+        if(!(range.max > found.max + slack || range.min < found.min - slack) || t.depth == max_depth) {
           bound.include(range);
           continue;
         }

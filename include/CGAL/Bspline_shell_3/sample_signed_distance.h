@@ -93,8 +93,7 @@ private:
  * \tparam Oracle a model of `SignedDistanceOracle_3`
  */
 template <typename ConcurrencyTag, typename Oracle>
-std::vector<double> sample_signed_distance(const Oracle& oracle, const Cell_complex_3& cells,
-                                           const std::vector<std::uint64_t>& /* surface_cells */)
+std::vector<double> sample_signed_distance(const Oracle& oracle, const Cell_complex_3& cells)
 {
   std::vector<double> samples(cells.number_of_cells() * Distance_samples::per_cell);
   internal::for_each_chunk<ConcurrencyTag>(cells.number_of_cells(), 64, [&](std::size_t begin, std::size_t end) {
@@ -109,16 +108,17 @@ std::vector<double> sample_signed_distance(const Oracle& oracle, const Cell_comp
 /*!
  * \ingroup PkgBsplineShell3Distance
  *
- * The same for a mesh: the closest facet of one sample is where the search for the next one starts, and one exact
- * side-of-mesh query serves all cells that are connected without crossing the mesh.
+ * \brief the same for a mesh whose cells are known, and faster: the closest facet of one sample is where the search for
+ * the next one starts, and one exact side-of-mesh query serves all cells that are connected without crossing the mesh.
  *
  * \param oracle the distance to the mesh
  * \param cells where it is sampled
- * \param surface_cells the lattice keys of all cells that the mesh enters, ascending (`Clipped_mesh_3::cells()`)
+ * \param surface_cells the lattice keys of all cells that the oracle's mesh enters, ascending
+ *        (`Clipped_mesh_3::cells()`). Signs are wrong where one is missing.
  */
 template <typename ConcurrencyTag>
-std::vector<double> sample_signed_distance(const Mesh_signed_distance_3& oracle, const Cell_complex_3& cells,
-                                           const std::vector<std::uint64_t>& surface_cells)
+std::vector<double> sample_distance_to_mesh(const Mesh_signed_distance_3& oracle, const Cell_complex_3& cells,
+                                            const std::vector<std::uint64_t>& surface_cells)
 {
   typedef Mesh_signed_distance_3::Point_3 Point_3;
   const internal::Sides_of_mesh sides(cells, surface_cells);

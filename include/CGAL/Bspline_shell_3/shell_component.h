@@ -6,7 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SHELL_COMPONENT_H
 #define CGAL_BSPLINE_SHELL_3_SHELL_COMPONENT_H
 
-#include <CGAL/Bspline_shell_3/internal/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
 
 #include <cstdint>
@@ -39,10 +38,10 @@ struct Shell_component
  *
  * \param field the field
  * \param levels \f$\epsilon_1\f$ and \f$\epsilon_2\f$, user units
- * \param surface_cells lattice keys of the cells that the mesh enters (`Clipped_mesh_3::cells()`)
+ * \param surface_cells the cells that the mesh enters
  */
 template <typename Field>
-Shell_component shell_component(const Field& field, const std::vector<std::uint64_t>& surface_cells,
+Shell_component shell_component(const Field& field, const std::vector<typename Field::Cell_index>& surface_cells,
                                 const Level_range& levels)
 {
   typedef typename Field::Cell_index Index;
@@ -57,8 +56,7 @@ Shell_component shell_component(const Field& field, const std::vector<std::uint6
   Shell_component component;
   component.cells.assign(field.number_of_cells(), 0);
   std::vector<Index> stack;
-  for(std::uint64_t key : surface_cells) {
-    const Index c = field.cells().cell(internal::Lattice_key::decode(key));
+  for(Index c : surface_cells) {
     component.cells[c] = 1;
     stack.push_back(c);
   }

@@ -11,12 +11,14 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,6 +30,52 @@ namespace Bspline_shells {
 namespace internal {
 
 typedef std::vector<std::vector<std::size_t> > Polygons;
+
+inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
+{
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+}
+
+// Whether an STL file without facets says so. CGAL's reader takes every text that is shorter than a binary header for
+// an empty mesh.
+inline bool is_empty_STL(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
+  return text.find("endsolid") != std::string::npos
+      || (text.size() >= 84 && text.compare(80, 4, std::string(4, '\0')) == 0);      // a header, and the number of facets
+}
+
+// Identifies points at equal positions. Returns where the first of each was, ascending.
+template <typename Point_3>
+std::vector<std::size_t> merge_points(std::vector<Point_3>& points, Polygons& polygons)
+{
+  std::map<Point_3, std::size_t> positions;
+  std::vector<std::size_t> first, merged;
+  merged.reserve(points.size());
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    const auto inserted = positions.emplace(points[v], first.size());
+    if(inserted.second) {
+      points[first.size()] = points[v];
+      first.push_back(v);
+    }
+    merged.push_back(inserted.first->second);
+  }
+  points.resize(first.size());
+  for(auto& polygon : polygons)
+    for(std::size_t& v : polygon) v = merged[v];
+  return first;
+}
+
+// notes which vertices are copied when a soup is oriented: those whose facets do not form one fan
+struct Copied_vertices : Polygon_mesh_processing::Default_orientation_visitor
+{
+  explicit Copied_vertices(std::vector<std::size_t>& copied) : copied(copied) {}
+  void duplicated_vertex(std::size_t v, std::size_t) { copied.push_back(v); }
+
+  std::vector<std::size_t>& copied;
+};
 
 // What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
 // them are turned round; a parity that contradicts itself around the surface makes it one-sided.
@@ -53,8 +101,7 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
     if(edge.second.size() > 2)
       for(const Use& use : edge.second) offenders.facets.push_back(use.polygon);
   if(!offenders.facets.empty()) {
-    std::sort(offenders.facets.begin(), offenders.facets.end());
-    offenders.facets.erase(std::unique(offenders.facets.begin(), offenders.facets.end()), offenders.facets.end());
+    sort_and_remove_repetitions(offenders.facets);
     return Shell_status::NON_MANIFOLD;
   }
   // union-find with parities
@@ -83,6 +130,7 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
       turned[ra] = char(pa ^ pb ^ differ);
     }
   }
+  sort_and_remove_repetitions(offenders.facets);
   return offenders.facets.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
 }
 
@@ -99,7 +147,7 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
  *
  * \param file its name
  * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
- * \param[out] offenders positions of facets and vertices in the file, vertices without repetitions
+ * \param[out] offenders positions of facets and vertices in the file, ascending; of vertices at equal positions, the first
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
@@ -116,7 +164,10 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offen
   } catch(const std::exception&) {       // some readers throw on broken files
     return Shell_status::UNREADABLE_FILE;
   }
-  if(polygons.empty()) return Shell_status::EMPTY_MESH;
+  if(polygons.empty()) {
+    const bool is_STL = CGAL::IO::internal::get_file_extension(file) == "stl";
+    return is_STL && !internal::is_empty_STL(file) ? Shell_status::UNREADABLE_FILE : Shell_status::EMPTY_MESH;
+  }
   for(const auto& polygon : polygons)
     for(std::size_t v : polygon)
       if(v >= points.size()) return Shell_status::UNREADABLE_FILE;
@@ -125,14 +176,13 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offen
       if(!std::isfinite(CGAL::to_double(points[v][a]))) { offenders.vertices.push_back(v); break; }
   if(!offenders.vertices.empty()) return Shell_status::NOT_FINITE;
 
-  PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  const std::vector<std::size_t> first = internal::merge_points(points, polygons);
   const Shell_status status = internal::diagnose_polygons(polygons, offenders);
   if(status != Shell_status::SUCCESS) return status;
-  const std::size_t vertices = points.size();
-  PMP::orient_polygon_soup(points, polygons);
-  // copies of vertices were made where facets do not form one fan
-  for(std::size_t v = vertices; v < points.size(); ++v)
-    offenders.vertices.push_back(std::size_t(std::find(points.begin(), points.begin() + vertices, points[v]) - points.begin()));
+  PMP::orient_polygon_soup(points, polygons,
+                           CGAL::parameters::visitor(internal::Copied_vertices(offenders.vertices)));
+  internal::sort_and_remove_repetitions(offenders.vertices);
+  for(std::size_t& v : offenders.vertices) v = first[v];
   if(!offenders.vertices.empty() || !PMP::is_polygon_soup_a_polygon_mesh(polygons)) return Shell_status::NON_MANIFOLD;
   mesh.clear();
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);

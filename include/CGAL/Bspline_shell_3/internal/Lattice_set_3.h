@@ -107,12 +107,6 @@ public:
     return range;
   }
 
-  std::size_t bytes() const
-  {
-    return m_points.capacity() * sizeof(Lattice_point) + m_runs.capacity() * sizeof(Run)
-         + m_rows.capacity() * sizeof(Index);
-  }
-
 private:
   struct Run { int begin, end; Index first; };
 
