@@ -110,10 +110,10 @@ void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd&
 
 // About how many bytes a shell takes at the peak, which is in the solver: per cell the samples, Bernstein coefficients
 // and lookups, per unknown a column of the matrix with up to 172 entries of 12 bytes (twice while a term is added to a
-// copy) and the solver's vectors; per piece its points and quadrature points.
+// copy), its share of the preconditioner's blocks and the solver's vectors; per piece its points and quadrature points.
 inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
 {
-  return cells * 680 + unknowns * (copies_matrix ? 4900 : 2600) + pieces * 500;
+  return cells * 680 + unknowns * (copies_matrix ? 6200 : 3900) + pieces * 500;
 }
 
 } // namespace internal
@@ -194,8 +194,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
   typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
-    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver>::reference> Solver;
-  BS::Conjugate_gradient_solver default_solver;
+    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver<ConcurrencyTag> >::reference> Solver;
+  BS::Conjugate_gradient_solver<ConcurrencyTag> default_solver;
   Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
 
   BS::Shell_report report;

@@ -294,8 +294,8 @@ TEST_CASE("The weights reach the fit")
 TEST_CASE("A solver may be passed by value or by reference, and its failure is a reason")
 {
   const Mesh mesh = sphere(1);
-  BS::Conjugate_gradient_solver solver(1e-8);
-  const Shell by_value = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver(1e-8))),
+  BS::Conjugate_gradient_solver<> solver(1e-8);
+  const Shell by_value = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8))),
               by_reference = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(std::ref(solver)));
   REQUIRE(by_value);
   REQUIRE(by_reference);
@@ -303,7 +303,7 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is a
   CHECK(solver.residual() <= 1e-8);
   CHECK(solver.residual() == by_reference.report().fit.residual);
 
-  const Shell failed = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver(1e-8, 1)));
+  const Shell failed = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
   CHECK_FALSE(failed);
   CHECK(failed.status() == Status::SOLVER_FAILED);
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
@@ -574,6 +574,6 @@ TEST_CASE("The library prints nothing")
     CGAL::bspline_shell_3(mesh, P::resolution(8));
     CGAL::bspline_shell_3(open, P::resolution(8));
     CGAL::bspline_shell_3(mesh, P::resolution(1e9));
-    CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver(1e-8, 1)));
+    CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
   }).empty());
 }

@@ -65,7 +65,7 @@ public:
   Solver_archetype(const Solver_archetype&) = delete;
   Solver_archetype& operator=(const Solver_archetype&) = delete;
 
-  BS::Solver_status compute(const Eigen::SparseMatrix<double>& lower)
+  BS::Solver_status compute(const Eigen::SparseMatrix<double>& lower, const BS::Unknown_blocks&)
   {
     m_factor.compute(Eigen::MatrixXd(lower));
     return m_factor.info() == Eigen::Success ? BS::Solver_status::SUCCESS : BS::Solver_status::NOT_POSITIVE_DEFINITE;
@@ -172,7 +172,7 @@ TEST_CASE("SPDSolver: the archetype and the package's models find the same shell
   const Mesh mesh = sphere(1);
   const auto p = P::grid_spacing(0.5);
   Solver_archetype archetype(0);
-  BS::Conjugate_gradient_solver iterative(1e-10);
+  BS::Conjugate_gradient_solver<> iterative(1e-10);
   const Shell shell = CGAL::bspline_shell_3(mesh, p.spd_solver(std::ref(archetype))),
               other = CGAL::bspline_shell_3(mesh, p.spd_solver(std::ref(iterative)));
   REQUIRE(shell);

@@ -53,7 +53,7 @@ Shell tight_shell(const Mesh& mesh, double spacing)
 {
   const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh,
     P::grid_spacing(spacing).energy_weights(gentle_weights())
-     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver(1e-12, 20000)));
+     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver<>(1e-12, 20000)));
   REQUIRE(shell);
   return shell;
 }

@@ -23,8 +23,10 @@ public:
 
   /// takes, and may factorize, a matrix. `lower` holds the lower triangle alone, in compressed columns with ascending
   /// rows. It stays as it is until the last call to `solve()`, so that the solver may refer to it.
+  /// `blocks` are sets of unknowns that are strongly coupled, for preconditioners; it need not outlive the call.
   /// \return `SUCCESS`, or the reason why the system cannot be solved; `solve()` is not called then
-  CGAL::Bspline_shells::Solver_status compute(const Eigen::SparseMatrix<double>& lower);
+  CGAL::Bspline_shells::Solver_status compute(const Eigen::SparseMatrix<double>& lower,
+                                              const CGAL::Bspline_shells::Unknown_blocks& blocks);
 
   /// solves the system with the last matrix.
   /// \param b the right-hand side

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CHOLMOD_SOLVER_H
 
 #include <CGAL/Bspline_shell_3/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Unknown_blocks.h>
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
@@ -41,7 +42,7 @@ public:
   Cholmod_solver(const Cholmod_solver&) : Cholmod_solver() {}
 
   /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
-  Solver_status compute(const Matrix& lower)
+  Solver_status compute(const Matrix& lower, const Unknown_blocks& = Unknown_blocks())
   {
     m_matrix = &lower;
     m_solver.analyzePattern(lower);

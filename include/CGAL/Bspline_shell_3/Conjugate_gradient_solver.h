@@ -7,6 +7,10 @@
 #define CGAL_BSPLINE_SHELL_3_CONJUGATE_GRADIENT_SOLVER_H
 
 #include <CGAL/Bspline_shell_3/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Unknown_blocks.h>
+#include <CGAL/Bspline_shell_3/internal/Schwarz_preconditioner.h>
+
+#include <CGAL/tags.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -19,13 +23,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief conjugate gradients with a diagonal preconditioner (Eigen); the default solver.
+ * \brief conjugate gradients (Eigen) with an additive Schwarz preconditioner; the default solver.
  *
- * A fit needs few digits: with the default tolerance the extrema of the field on the mesh agree with those of a direct
- * solve to about 1 % of the thickness on meshes with creases, to 10 % on smooth ones, whose shells are the thinnest.
+ * The preconditioner solves on overlapping blocks of neighbouring functions, and reaches in tens of iterations what takes
+ * thousands with the diagonal. With the default tolerance the extrema of the field on the mesh agree with those of a
+ * direct solve to about 1 % of the shell's thickness. The result does not depend on the number of threads.
  *
  * \cgalModels `SPDSolver`
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: of the preconditioner
+ * \cgalHeading{Memory} about as much as the matrix
  */
+template <typename ConcurrencyTag = Parallel_if_available_tag>
 class Conjugate_gradient_solver
 {
 public:
@@ -34,7 +43,7 @@ public:
 
   /// \param tolerance relative residual \f$|b - Ax| / |b|\f$ at which the iteration stops
   /// \param max_iterations gives up after so many
-  explicit Conjugate_gradient_solver(double tolerance = 1e-5, std::size_t max_iterations = 5000)
+  explicit Conjugate_gradient_solver(double tolerance = 1e-6, std::size_t max_iterations = 1000)
   {
     m_solver.setTolerance(tolerance);
     m_solver.setMaxIterations(Eigen::Index(max_iterations));
@@ -46,9 +55,12 @@ public:
   {}
 
   /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
-  Solver_status compute(const Matrix& lower)
+  /// \param blocks of the preconditioner; without any, it is the diagonal
+  Solver_status compute(const Matrix& lower, const Unknown_blocks& blocks = Unknown_blocks())
   {
+    m_solver.preconditioner().set_blocks(&blocks);
     m_solver.compute(lower);
+    m_solver.preconditioner().set_blocks(nullptr);
     return Solver_status::SUCCESS;
   }
 
@@ -64,7 +76,7 @@ public:
   double residual() const { return m_solver.error(); }                            ///< of the last `solve()`, relative
 
 private:
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower, Eigen::DiagonalPreconditioner<double> > m_solver;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower, internal::Schwarz_preconditioner<ConcurrencyTag> > m_solver;
 };
 
 } // namespace Bspline_shells

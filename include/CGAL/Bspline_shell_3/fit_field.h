@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Fit_energy.h>
 #include <CGAL/Bspline_shell_3/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Unknown_blocks.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -73,9 +74,10 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
   report.seconds_assembly = timer.time();
   timer.reset();
 
+  const Unknown_blocks blocks = overlapping_blocks(field.functions());
   const auto solve = [&](const Matrix& matrix, const Vector& rhs, Vector& solution) {
     ++report.linear_solves;
-    report.status = solver.compute(matrix);
+    report.status = solver.compute(matrix, blocks);
     if(report.status == Solver_status::SUCCESS) report.status = solver.solve(rhs, solution);
     if(report.status == Solver_status::SUCCESS && !solution.allFinite()) report.status = Solver_status::NOT_FINITE;
     report.iterations += solver.iterations();
