@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -118,32 +119,144 @@ public:
     return CGAL::compare(internal::contract(b.data(), weights[0], weights[1], weights[2]), ET(level));
   }
 
-  /// whether `levels.min <= f <= levels.max` on the triangle
-  Verdict values_within(const std::array<Point_3, 3>& triangle, const Level_range& levels,
+  /// whether `levels.min <= f <= levels.max` on a segment (two points) or a triangle (three)
+  template <std::size_t size>
+  Verdict values_within(const std::array<Point_3, size>& simplex, const Level_range& levels,
                         Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
   {
-    return decide(triangle, Values_within{ levels }, witness, statistics);
+    return decide(simplex, Values_within{ levels }, witness, statistics, nullptr);
   }
 
-  /// whether `levels.min <= f <= levels.max` on the segment
-  Verdict values_within(const std::array<Point_3, 2>& segment, const Level_range& levels,
+  /// whether `inner <= f <= outer` on a segment or a triangle, for two thresholds, models of `ShellThreshold`
+  template <std::size_t size, typename Threshold>
+  Verdict values_within(const std::array<Point_3, size>& simplex, const Threshold& inner, const Threshold& outer,
                         Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
   {
-    return decide(segment, Values_within{ levels }, witness, statistics);
+    if constexpr(Threshold::is_constant) {
+      return values_within(simplex, Level_range{ inner.level(), outer.level() }, witness, statistics);
+    } else {
+      const Verdict above = decide(simplex, Is_beyond<Threshold>{ inner, 1 }, witness, statistics, nullptr);
+      if(above == Verdict::REFUTED) return above;
+      Witness second;
+      const Verdict below = decide(simplex, Is_beyond<Threshold>{ outer, -1 }, &second, statistics, nullptr);
+      if(below == Verdict::PROVED) return above;
+      if(witness) *witness = second;
+      return below;
+    }
   }
 
   /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f > 0\f$.
+  /// \param[in,out] slope gets a lower bound of the derivative, per user unit along the unit normal; 0 if the answer is not yes.
+  /// The bound is the coarse one of whole cells where that is not below the value that `slope` has at the call.
   /// \pre the triangle is not degenerate
-  Verdict crosses_upwards(const std::array<Point_3, 3>& triangle,
-                          Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  Verdict crosses_upwards(const std::array<Point_3, 3>& triangle, Witness* witness = nullptr,
+                          Predicate_statistics* statistics = nullptr, double* slope = nullptr) const
   {
     const Facet_normal n = facet_normal(triangle[0], triangle[1], triangle[2]);
-    return decide(triangle, Increases{ n.direction, n.radius }, witness, statistics);
+    if(slope == nullptr) return decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, nullptr);
+    double squared = 0;
+    for(double x : n.direction) squared += (std::abs(x) + n.radius) * (std::abs(x) + n.radius);
+    const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
+    Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
+    const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
+    *slope = verdict == Verdict::PROVED ? least.value / length * (1 - 4 * internal::rounding) : 0;
+    return verdict;
   }
 
   /// whether the field strictly increases along the segment, from its first point to its second
   Verdict increases(const std::array<Point_3, 2>& segment,
                     Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    return decide(segment, along(segment), witness, statistics, nullptr);
+  }
+
+  /// whether the field minus a threshold strictly increases along the segment
+  template <typename Threshold>
+  Verdict increases_above(const std::array<Point_3, 2>& segment, const Threshold& threshold,
+                          Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  {
+    if constexpr(Threshold::is_constant) return increases(segment, witness, statistics);
+    else return decide(segment, Increases_above<Threshold>{ along(segment), threshold }, witness, statistics, nullptr);
+  }
+
+  /// whether the field is certainly on the positive or negative side of a threshold at a point, strictly. Exact for constant
+  /// thresholds; not outside the domain.
+  template <typename Threshold>
+  bool is_beyond(const Point_3& p, const Threshold& threshold, Sign side) const
+  {
+    if constexpr(Threshold::is_constant) {
+      const std::optional<Comparison_result> result = compare(p, threshold.level());
+      return result && *result == (side == POSITIVE ? LARGER : SMALLER);
+    } else {
+      Witness w;
+      return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w, nullptr,
+                    nullptr) == Verdict::REFUTED && !w.outside;
+    }
+  }
+
+  /// whether the derivative along `direction` is positive on a closed box in one leaf cell: the part of the cell at
+  /// `position` in units of its width / 2^depth. Without subdivision: no answer is final but yes.
+  bool increases_on_box(Cell_index c, int depth, const std::array<int, 3>& position, const std::array<double, 3>& direction) const
+  {
+    Enclosed_tricubic f = enclosed_value(m_field->cell(c));
+    for(int bit = depth - 1; bit >= 0; --bit)
+      f = restrict_to_octant(f, ((position[0] >> bit) & 1) | ((position[1] >> bit) & 1) << 1 | ((position[2] >> bit) & 1) << 2);
+    return enclosed_derivative(f, direction).range().min > 0;
+  }
+
+private:
+  // A question gives the tricubic to bound on a cell, what range of it proves the claim, and what range refutes it.
+  struct Values_within
+  {
+    Level_range levels;
+    Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index) const { return enclosed_value(cell); }
+    bool proves(const Level_range& r) const { return levels.min <= r.min && r.max <= levels.max; }
+    bool refutes(const Level_range& r) const { return r.max < levels.min || r.min > levels.max; }
+    double unit(const typename Field::Cell&) const { return 1; }
+  };
+  template <typename Threshold>
+  struct Is_beyond
+  {
+    const Threshold& threshold;
+    int sign;         // 1: above it, -1: below it
+    Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index c) const
+    {
+      Enclosed_tricubic d = threshold.difference(enclosed_value(cell), c);
+      for(double& x : d.coefficients) x *= sign;
+      return d;
+    }
+    bool proves(const Level_range& r) const { return r.min >= 0; }
+    bool refutes(const Level_range& r) const { return r.max < 0; }
+    double unit(const typename Field::Cell&) const { return 1; }
+  };
+  struct Increases
+  {
+    std::array<double, 3> direction;
+    double radius;
+    Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index) const
+    {
+      return enclosed_derivative(enclosed_value(cell), direction, radius);
+    }
+    bool proves(const Level_range& r) const { return r.min > 0; }
+    bool refutes(const Level_range& r) const { return r.max <= 0; }
+    double unit(const typename Field::Cell& cell) const { return cell.width(); }
+  };
+
+  template <typename Threshold>
+  struct Increases_above
+  {
+    Increases increases;
+    const Threshold& threshold;
+    Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index c) const
+    {
+      return enclosed_derivative(threshold.difference(enclosed_value(cell), c), increases.direction, increases.radius);
+    }
+    bool proves(const Level_range& r) const { return r.min > 0; }
+    bool refutes(const Level_range& r) const { return r.max <= 0; }
+    double unit(const typename Field::Cell& cell) const { return cell.width(); }
+  };
+
+  static Increases along(const std::array<Point_3, 2>& segment)
   {
     Increases question = { {}, 0 };
     double largest = 0;
@@ -152,31 +265,11 @@ public:
       largest = (std::max)(largest, std::abs(question.direction[a]));
     }
     question.radius = internal::rounding * largest;
-    return decide(segment, question, witness, statistics);
+    return question;
   }
 
-private:
-  // A question gives the tricubic to bound on a cell, what range of it proves the claim, and what range refutes it.
-  struct Values_within
-  {
-    Level_range levels;
-    Enclosed_tricubic function(const typename Field::Cell& cell) const { return enclosed_value(cell); }
-    bool proves(const Level_range& r) const { return levels.min <= r.min && r.max <= levels.max; }
-    bool refutes(const Level_range& r) const { return r.max < levels.min || r.min > levels.max; }
-    double unit(const typename Field::Cell&) const { return 1; }
-  };
-  struct Increases
-  {
-    std::array<double, 3> direction;
-    double radius;
-    Enclosed_tricubic function(const typename Field::Cell& cell) const
-    {
-      return enclosed_derivative(enclosed_value(cell), direction, radius);
-    }
-    bool proves(const Level_range& r) const { return r.min > 0; }
-    bool refutes(const Level_range& r) const { return r.max <= 0; }
-    double unit(const typename Field::Cell& cell) const { return cell.width(); }
-  };
+  // a lower bound of what is asked about, per user unit: whatever is proved, if it is at least what is wanted
+  struct Least_value { double wanted, value; };
 
   // a part of a segment (size two) or a triangle (size three): its corners in units of 2^-depth
   template <std::size_t size>
@@ -191,6 +284,7 @@ private:
   {
     Cell_index cell;
     Enclosed_tricubic function;
+    Level_range range;
     bool proved;               // on the whole cell
   };
 
@@ -206,7 +300,7 @@ private:
 
   template <std::size_t size, typename Question>
   Verdict decide(const std::array<Point_3, size>& simplex, const Question& question,
-                 Witness* witness, Predicate_statistics* statistics) const
+                 Witness* witness, Predicate_statistics* statistics, Least_value* bound_below) const
   {
     const double width = m_field->cell(0).width();
     double extent = 0, reach = 0;
@@ -255,14 +349,26 @@ private:
       const bool covered = m_field->visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
                                                 [&](Cell_index c) { cells.push_back(c); });
       bool proved = covered && !cells.empty();
+      double least_on_part = std::numeric_limits<double>::infinity();
       for(Cell_index c : cells) {
         if(!proved) break;
         const Cell_function& f = cell_function(functions, c, question);
-        if(f.proved) { ++count.by_cell; continue; }
-        proved = question.proves(bound(simplex, part, f.function, m_field->cell(c)));
+        const typename Field::Cell cell = m_field->cell(c);
+        const double unit = question.unit(cell);
+        if(f.proved && !(bound_below && f.range.min < bound_below->wanted * unit)) {
+          ++count.by_cell;
+          least_on_part = (std::min)(least_on_part, f.range.min / unit);
+          continue;
+        }
+        const Level_range range = bound(simplex, part, f.function, cell);
+        proved = question.proves(range);
         count.by_form += proved;
+        least_on_part = (std::min)(least_on_part, range.min / unit);
       }
-      if(proved) continue;
+      if(proved) {
+        if(bound_below) bound_below->value = (std::min)(bound_below->value, least_on_part);
+        continue;
+      }
       // a corner where it certainly fails?
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
@@ -284,8 +390,9 @@ private:
     for(std::size_t n = functions.size(); n-- > 0; )      // the last ones are the most likely
       if(functions[n].cell == c) return functions[n];
     if(functions.size() >= 64) functions.erase(functions.begin(), functions.begin() + 32);
-    const Enclosed_tricubic f = question.function(m_field->cell(c));
-    functions.push_back({ c, f, question.proves(f.range()) });
+    const Enclosed_tricubic f = question.function(m_field->cell(c), c);
+    const Level_range range = f.range();
+    functions.push_back({ c, f, range, question.proves(range) });
     return functions.back();
   }
 

@@ -53,6 +53,7 @@ public:
   {
     bool self_intersections = false;
     bool singular_vertices = false;
+    bool orientation = false;          // components that bound no volume together; `faces_outwards()` means nothing then
   };
 
   Input_mesh_3() = default;
@@ -68,7 +69,10 @@ public:
     if(status == Shell_status::SUCCESS) status = check_surface();
     if(status == Shell_status::SUCCESS) status = triangulate();
     if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
-    if(status == Shell_status::SUCCESS) status = tolerated.self_intersections ? check_volume() : check_orientation();
+    if(status == Shell_status::SUCCESS) {
+      if(tolerated.orientation) count_components();
+      else status = tolerated.self_intersections ? check_volume() : check_orientation();
+    }
     if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
     if(status != Shell_status::SUCCESS) m_mesh.clear();
     return status;
@@ -89,6 +93,8 @@ public:
   /// volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
+  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is
+  std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
 
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
   {
@@ -236,13 +242,18 @@ private:
     return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
   }
 
-  // Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.
-  Shell_status check_volume()
+  void count_components()
   {
     Triangle_mesh::Property_map<Face_index, std::size_t> component =
       m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
     m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
     m_mesh.remove_property_map(component);
+  }
+
+  // Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.
+  Shell_status check_volume()
+  {
+    count_components();
     const Kernel::Point_3 o((m_bbox.xmin() + m_bbox.xmax()) / 2, (m_bbox.ymin() + m_bbox.ymax()) / 2,
                             (m_bbox.zmin() + m_bbox.zmax()) / 2);
     double volume = 0, products = 0;

@@ -6,9 +6,14 @@
 #ifndef CGAL_BSPLINE_SHELL_3_VERTEX_CONE_H
 #define CGAL_BSPLINE_SHELL_3_VERTEX_CONE_H
 
+#include <CGAL/Bspline_shell_3/facet_normal.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Min_sphere_of_points_d_traits_3.h>
+#include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -92,6 +97,32 @@ auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
   }
   for(ET& x : g) x /= largest;     // to_double of the components neither overflows nor vanishes
   return Result(unit(Vector_3(CGAL::to_double(g[0]), CGAL::to_double(g[1]), CGAL::to_double(g[2]))));
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief how much room the facets at a vertex leave for a common direction: the largest \f$\min_i n_i \cdot g\f$ over unit vectors
+ * \f$g\f$, for unit normals \f$n_i\f$; one on a plane, zero at a singular vertex.
+ *
+ * It is the distance from the origin to the convex hull of the normals, and so the norm of the centre of the smallest ball around
+ * them. Computed in `double`s, to about 1e-12; whether it is zero, `vertex_cone()` decides exactly.
+ */
+template <typename TriangleMesh>
+double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+{
+  typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) {
+    const auto n = facet_normal(get(vpm, v), get(vpm, target(next(h, mesh), mesh)), get(vpm, source(h, mesh))).direction;
+    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
+  }
+  Min_sphere_of_spheres_d<Traits> ball(normals.begin(), normals.end());
+  double squared = 0;
+  for(auto c = ball.center_cartesian_begin(); c != ball.center_cartesian_end(); ++c) squared += *c * *c;
+  return std::sqrt(squared);
 }
 
 } // namespace Bspline_shells

@@ -1,0 +1,238 @@
+// Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
+// dies: every mesh has a process of its own.
+//
+//   certify_meshes FILE... [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
+//
+// --paper: the paper's dense grid and energy. --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and
+// NAME.certificate.txt, which check_certificate reads. Thicknesses, eps1 and eps2 are in units of the longest box side.
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/IO/write_certificate.h>
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+struct Options
+{
+  double gamma = 50, max_seconds = 0, max_memory_mb = 0;
+  bool paper = false;
+  std::string directory;
+};
+
+std::string quoted(const std::string& text)
+{
+  std::string result = "\"";
+  for(char c : text) {
+    if(c == '"' || c == '\\') result += '\\';
+    if(static_cast<unsigned char>(c) >= 0x20) result += c;
+  }
+  return result + "\"";
+}
+
+std::string stem(const std::string& file)
+{
+  const std::string base = file.substr(file.find_last_of('/') + 1);
+  return base.substr(0, base.find_last_of('.'));
+}
+
+double peak_mb()
+{
+  struct rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024.;
+}
+
+std::string list(const std::vector<std::size_t>& numbers)
+{
+  std::ostringstream out;
+  out << "[";
+  for(std::size_t n = 0; n < (std::min)(numbers.size(), std::size_t(10)); ++n) out << (n > 0 ? "," : "") << numbers[n];
+  out << "]";
+  return out.str();
+}
+
+void print_refused(const std::string& file, const Options& options, const std::string& reason,
+                   const BS::Offending_simplices& offenders, double seconds, double mb)
+{
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << ",\"gamma\":"
+            << options.gamma << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
+            << list(offenders.vertices) << "},\"seconds\":{\"total\":" << seconds << "},\"peak_mb\":" << mb << "}" << std::endl;
+}
+
+// the first places where a claim is not proved
+std::string places(const BS::Shell_certificate_3<>& certificate)
+{
+  static const char* const reasons[] = { "facet", "critical point", "box", "end of domain", "two sheets", "no path", "crossings",
+                                         "containment needed" };
+  std::ostringstream out;
+  out << std::setprecision(8) << "[";
+  std::size_t printed[5] = {};
+  bool first = true;
+  for(const BS::Certificate_witness& w : certificate.witnesses()) {
+    if(++printed[int(w.claim)] > 3) continue;
+    out << (first ? "" : ",") << "{\"claim\":\"" << name(w.claim) << "\",\"verdict\":\"" << name(w.verdict) << "\",\"reason\":\""
+        << reasons[w.reason] << "\"";
+    if(w.facet != w.none) out << ",\"facet\":" << w.facet;
+    if(w.cell != w.none) out << ",\"cell\":" << w.cell;
+    if(w.component != w.none) out << ",\"component\":" << w.component;
+    if(w.reason == w.CROSSINGS) out << ",\"count\":" << w.count;
+    if(w.reason == w.FACET && w.value.min <= w.value.max) out << ",\"value\":[" << w.value.min << "," << w.value.max << "]";
+    out << ",\"point\":[" << w.point[0] << "," << w.point[1] << "," << w.point[2] << "]}";
+    first = false;
+  }
+  out << "]";
+  return out.str();
+}
+
+bool write_files(const std::string& prefix, const CGAL::Bspline_shell_3<>& shell, const BS::Shell_certificate_3<>& certificate)
+{
+  return BS::write_shell(prefix + ".shell", shell) == BS::Shell_file_status::SUCCESS
+      && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
+      && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
+      && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
+           return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
+         });
+}
+
+void certify(const std::string& file, const Options& options)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Mesh mesh;
+  BS::Offending_simplices offenders;
+  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
+  if(read != BS::Shell_status::SUCCESS)
+    return print_refused(file, options, message(read), offenders, timer.time(), peak_mb());
+  const double limit = options.max_memory_mb > 0 ? options.max_memory_mb * 1024 * 1024
+                                                 : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  const auto shell = CGAL::bspline_shell_3(mesh,
+    BS::parameters::resolution(options.gamma)
+                   .dense_grid(options.paper)
+                   .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
+                   .allow_singular_vertices(true)
+                   .allow_open_shell(true)
+                   .memory_limit(limit));
+  if(!shell)
+    return print_refused(file, options, message(shell.status()), shell.report().offending_simplices, timer.time(), peak_mb());
+  BS::Shell_certificate_3<> certificate(shell);
+  certificate.verify(mesh);
+  bool written = true;
+  if(!options.directory.empty()) written = write_files(options.directory + "/" + stem(file), shell, certificate);
+
+  std::set<std::size_t> bad_facets, bad_cells;
+  for(const BS::Certificate_witness& w : certificate.witnesses()) {
+    if(w.facet != w.none) bad_facets.insert(w.facet);
+    if(w.cell != w.none) bad_cells.insert(w.cell);
+  }
+  const BS::Shell_report& r = shell.report();
+  const BS::Certificate_statistics& s = certificate.statistics();
+  std::string reason;
+  if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
+  else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
+  else
+    for(int c = 0; c < 5; ++c)
+      if(certificate.verdict(BS::Claim(c)) != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
+  const auto tier = [](const BS::Predicate_statistics& p) {
+    std::ostringstream out;
+    out << "{\"cell\":" << p.by_cell << ",\"form\":" << p.by_form << ",\"subdivided\":" << p.subdivisions << "}";
+    return out.str();
+  };
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
+            << ",\"status\":\"" << (certificate ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
+            << ",\"gamma\":" << r.gamma << ",\"levels\":1,\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
+            << ",\"eps1\":" << shell.inner_level() / r.unit << ",\"eps2\":" << shell.outer_level() / r.unit
+            << ",\"thickness\":" << shell.relative_thickness() << ",\"min_cone_margin\":" << certificate.least_cone_margin()
+            << ",\"singular_vertices\":" << certificate.singular_vertices().size() << ",\"certificate\":{";
+  for(int c = 0; c < 5; ++c)
+    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdict(BS::Claim(c))) << "\"";
+  std::cout << "},\"violations\":{\"facets\":" << bad_facets.size() << ",\"cells\":" << bad_cells.size() << "},\"places\":"
+            << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient() << ",\"displacement\":";
+  if(std::isfinite(certificate.displacement_bound())) std::cout << certificate.displacement_bound() / r.unit;
+  else std::cout << "null";
+  std::cout << ",\"least_angle\":" << certificate.least_angle() << ",\"tiers\":{\"containment\":" << tier(s.containment)
+            << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
+            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"undecided\":" << s.undecided_boxes
+            << ",\"depth\":" << s.deepest_box << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
+            << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << s.seconds << ",\"total\":"
+            << timer.time() << "},\"peak_mb\":" << peak_mb() << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;
+}
+
+// in a process of its own; reports what the process cannot report any more
+void certify_apart(const std::string& file, const Options& options)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  std::cout.flush();
+  const pid_t child = fork();
+  if(child == 0) {
+    if(options.max_seconds > 0) alarm(static_cast<unsigned int>(std::ceil(options.max_seconds)));
+    try {
+      certify(file, options);
+    } catch(const std::exception& e) {
+      print_refused(file, options, std::string("exception: ") + e.what(), BS::Offending_simplices(), timer.time(), peak_mb());
+    }
+    _exit(0);
+  }
+  int status = 0;
+  struct rusage usage = {};
+  if(child < 0 || wait4(child, &status, 0, &usage) < 0) {
+    print_refused(file, options, "no process could be started", BS::Offending_simplices(), 0, 0);
+    return;
+  }
+  if(WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  print_refused(file, options, late ? "time limit reached" : "the process ended with signal " + std::to_string(WTERMSIG(status)),
+                BS::Offending_simplices(), timer.time(), usage.ru_maxrss / 1024.);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  std::vector<std::string> files;
+  bool usable = true;
+  const auto positive = [&](const char* text) {
+    char* end;
+    const double x = std::strtod(text, &end);
+    usable = usable && end != text && *end == '\0' && std::isfinite(x) && x > 0;
+    return x;
+  };
+  for(int i = 1; i < argc; ++i) {
+    const std::string arg = argv[i];
+    const bool has_value = i + 1 < argc;
+    if(arg == "--paper") options.paper = true;
+    else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
+    else if(arg == "--max-seconds" && has_value) options.max_seconds = positive(argv[++i]);
+    else if(arg == "--max-memory-mb" && has_value) options.max_memory_mb = positive(argv[++i]);
+    else if(arg == "--write-shells" && has_value) options.directory = argv[++i];
+    else if(arg.compare(0, 2, "--") == 0) usable = false;
+    else files.push_back(arg);
+  }
+  if(!usable || files.empty()) {
+    std::cerr << "Usage: certify_meshes FILE... [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]\n";
+    return 2;
+  }
+  for(const std::string& file : files) certify_apart(file, options);
+  return EXIT_SUCCESS;
+}

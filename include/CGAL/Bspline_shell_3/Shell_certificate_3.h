@@ -1,0 +1,659 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_CERTIFICATE_3_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_CERTIFICATE_3_H
+
+#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Crossing_counter_3.h>
+#include <CGAL/Bspline_shell_3/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
+#include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/critical_point.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/vertex_cone.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief the five claims that together make the integral curves of the field map a mesh one-to-one.
+ */
+enum class Claim
+{
+  CONTAINMENT,        ///< P1: \f$\epsilon_1 \le f \le \epsilon_2\f$ on every point of every facet
+  TRANSVERSALITY,     ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
+  GRADIENT,           ///< P3: the shell lies in the interior of the domain, and has no critical point
+  ONE_SHEET,          ///< P4: every component of the shell has one component of the mesh
+  DEGREE_ONE          ///< P5: a path through each component, from below to above, crosses the mesh once
+};
+
+inline const char* name(Claim claim)
+{
+  switch(claim) {
+    case Claim::CONTAINMENT:    return "containment";
+    case Claim::TRANSVERSALITY: return "transversality";
+    case Claim::GRADIENT:       return "gradient";
+    case Claim::ONE_SHEET:      return "one_sheet";
+    case Claim::DEGREE_ONE:     return "degree_one";
+  }
+  return "";
+}
+
+inline const char* name(Verdict verdict)
+{
+  switch(verdict) {
+    case Verdict::PROVED:    return "proved";
+    case Verdict::REFUTED:   return "refuted";
+    case Verdict::UNDECIDED: return "undecided";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief where a claim fails or is undecided, and why.
+ */
+struct Certificate_witness
+{
+  enum Reason
+  {
+    FACET,              ///< the claim fails or is undecided on `facet`, at `point`
+    CRITICAL_POINT,     ///< there certainly is one within \f$10^{-1}\f$ cells of `point`, in the shell
+    BOX,                ///< the box around `point` in the leaf `cell` is undecided
+    END_OF_DOMAIN,      ///< the cover of the shell reaches the end of the domain in the leaf `cell`
+    TWO_SHEETS,         ///< `component` and `other_component` of the mesh share a component of the cover; refuted if they
+                        ///< certainly share one of the shell
+    NO_PATH,            ///< no segment through `component` was found that could be counted
+    CROSSINGS,          ///< the path through `component` crosses the mesh `count` times
+    CONTAINMENT_NEEDED  ///< the claim was not examined, as containment is not proved
+  };
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Claim claim;
+  Verdict verdict;
+  Reason reason;
+  std::size_t facet = none;             ///< position in `faces(mesh)`
+  std::size_t cell = none;              ///< leaf cell of the field
+  std::size_t component = none, other_component = none;   ///< of the mesh, in the order of their first facets
+  std::array<double, 3> point = {};
+  Level_range value;                    ///< encloses the field's value (containment) or slope (transversality) at the point
+  int count = 0;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a segment through a component of the shell on which the field increases from below the inner threshold to above the
+ * outer one.
+ */
+struct Crossing_path
+{
+  std::size_t component;                ///< of the mesh
+  std::size_t triangle;                 ///< of the examined mesh, through whose middle it goes
+  std::array<double, 3> source, target;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief what the certificate cost, and which tier decided how much.
+ */
+struct Certificate_statistics
+{
+  Predicate_statistics containment, transversality;
+  std::size_t cover_cells = 0;          ///< leaf cells that the flood looked at
+  std::size_t cover_boxes = 0;          ///< of the cover
+  std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
+  std::size_t deepest_box = 0;          ///< halvings
+  double seconds = 0;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief decides, rigorously, whether the integral curves of a field relate a mesh one-to-one to all others in the same
+ * shell for which it says so.
+ *
+ * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one point,
+ * the mesh does not intersect itself, and it is isotopic in the shell to every level set; two such meshes are mapped onto
+ * each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and boxes, counts are
+ * exact.
+ *
+ * \tparam Field_ a model of `BsplineField_3`
+ * \tparam Threshold a model of `ShellThreshold`
+ */
+template <typename Field_ = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+class Shell_certificate_3
+{
+public:
+  typedef Field_ Field;
+  typedef Shell_cover_3<Field, Threshold> Cover;
+  typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
+
+  /// what was found on a facet
+  struct Facet_verdict
+  {
+    Verdict containment = Verdict::PROVED;
+    Verdict transversality = Verdict::PROVED;
+    double slope = std::numeric_limits<double>::infinity();   ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units
+  };
+
+  /// \pre `field` outlives this object
+  Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
+    : m_field(&field), m_inner(inner), m_outer(outer)
+  {}
+
+  /// of the shell's field, between its levels. \pre there is a shell, and it outlives this object
+  explicit Shell_certificate_3(const Bspline_shell_3<Field>& shell)
+    : Shell_certificate_3(shell.field(), Threshold(shell.inner_level()), Threshold(shell.outer_level()))
+  {}
+
+  /// examines a mesh: the one that the shell was built for, or any other.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+  /// \tparam PolygonMesh a model of `FaceListGraph`
+  /// \param mesh a closed mesh; polygons are triangulated as for the construction of a shell
+  /// \param np `vertex_point_map` as in all of \cgal
+  /// \return whether all claims are proved
+  template <typename ConcurrencyTag = Parallel_if_available_tag,
+            typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  bool verify(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    Real_timer timer;
+    timer.start();
+    *this = Shell_certificate_3(*m_field, m_inner, m_outer);
+    m_arithmetic = arithmetic_self_test();
+    if(m_arithmetic != Arithmetic_status::SOUND) return false;
+    Input_mesh_3& input = m_input;
+    Input_mesh_3::Tolerated_defects tolerated;
+    tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
+    m_status = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);
+    m_offenders = input.offending_simplices();
+    if(m_status != Shell_status::SUCCESS) return false;
+    m_verdicts.fill(Verdict::PROVED);       // until a witness turns up
+    m_facets.resize(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
+
+    find_components(input);
+    examine_vertices<ConcurrencyTag>(input);
+    examine_facets<ConcurrencyTag>(input);
+    if(verdict(Claim::CONTAINMENT) == Verdict::PROVED) {
+      examine_cover<ConcurrencyTag>(input);
+      examine_paths(input);
+    } else {
+      for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
+        conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
+    }
+    m_statistics.seconds = timer.time();
+    return is_certified();
+  }
+
+  /// whether all claims were proved when the mesh was last verified
+  bool is_certified() const
+  {
+    return m_status == Shell_status::SUCCESS && m_arithmetic == Arithmetic_status::SOUND
+        && std::all_of(m_verdicts.begin(), m_verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
+  }
+  explicit operator bool() const { return is_certified(); }
+
+  /// `SUCCESS` if the mesh could be examined, otherwise why not
+  Shell_status status() const { return m_status; }
+  const Offending_simplices& offending_simplices() const { return m_offenders; }
+  Arithmetic_status arithmetic() const { return m_arithmetic; }
+
+  Verdict verdict(Claim claim) const { return m_verdicts[std::size_t(claim)]; }
+  /// all places where a claim is not proved
+  const std::vector<Certificate_witness>& witnesses() const { return m_witnesses; }
+  /// by facet, in the order of `faces(mesh)`
+  const std::vector<Facet_verdict>& facets() const { return m_facets; }
+  /// the cover of the shell by boxes, if containment is proved
+  const std::optional<Cover>& cover() const { return m_cover; }
+  /// the triangles with `double` coordinates that were examined
+  const Triangle_mesh& examined_mesh() const { return m_input.mesh(); }
+  /// for each component of the mesh, the vertex of the examined mesh from which the cover was flooded
+  const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
+  /// number of components of the cover
+  std::size_t number_of_covers() const { return m_covers; }
+  /// the paths that prove the degree
+  const std::vector<Crossing_path>& paths() const { return m_paths; }
+  const Certificate_statistics& statistics() const { return m_statistics; }
+
+  /// \name Quantities
+  /// @{
+  /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
+  double least_gradient() const { return m_least_gradient; }
+  /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
+  /// in the shell is at most this. Infinite if the gradient claim is not proved.
+  double displacement_bound() const { return m_displacement; }
+  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if transversality is not proved
+  double least_angle() const { return m_least_angle; }
+  /// smallest cone margin of a vertex (`vertex_cone_margin()`)
+  double least_cone_margin() const { return m_least_margin; }
+  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact
+  const std::vector<std::size_t>& singular_vertices() const { return m_singular; }
+  /// @}
+
+private:
+  typedef typename Field::Cell_index Cell_index;
+  typedef typename Field::Point_3 Point_3;
+  typedef Triangle_mesh::Face_index Face_index;
+  typedef Triangle_mesh::Vertex_index Vertex_index;
+
+  static Point_3 to_field(const Triangle_mesh::Point& p) { return Point_3(p.x(), p.y(), p.z()); }
+  static std::array<double, 3> to_array(const Triangle_mesh::Point& p) { return { p.x(), p.y(), p.z() }; }
+  static Verdict worse(Verdict a, Verdict b)
+  {
+    if(a == Verdict::REFUTED || b == Verdict::REFUTED) return Verdict::REFUTED;
+    return a == Verdict::UNDECIDED || b == Verdict::UNDECIDED ? Verdict::UNDECIDED : Verdict::PROVED;
+  }
+
+  // notes a witness, and makes the claim's verdict no better than its
+  Certificate_witness& conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
+  {
+    m_verdicts[std::size_t(claim)] = worse(m_verdicts[std::size_t(claim)], verdict);
+    Certificate_witness w;
+    w.claim = claim;
+    w.verdict = verdict;
+    w.reason = reason;
+    m_witnesses.push_back(w);
+    return m_witnesses.back();
+  }
+
+  // numbers the components in the order of their first facets
+  void find_components(const Input_mesh_3& input)
+  {
+    Triangle_mesh mesh = input.mesh();
+    auto map = mesh.add_property_map<Face_index, std::size_t>("f:certificate_component", 0).first;
+    m_number_of_components = Polygon_mesh_processing::connected_components(mesh, map);
+    m_component.resize(mesh.number_of_faces());
+    std::vector<std::size_t> renumbered(m_number_of_components, Certificate_witness::none);
+    std::size_t next = 0;
+    for(Face_index f : mesh.faces()) {
+      std::size_t& number = renumbered[map[f]];
+      if(number == Certificate_witness::none) number = next++;
+      m_component[f] = number;
+    }
+  }
+
+  template <typename ConcurrencyTag>
+  void examine_vertices(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    constexpr std::size_t chunk = 256;
+    const std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    std::vector<double> margins(vertices.size(), 1);
+    internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(!mesh.is_isolated(vertices[n])) margins[n] = vertex_cone_margin(mesh, vertices[n]);
+    });
+    m_least_margin = 1;
+    for(std::size_t n = 0; n < vertices.size(); ++n) {
+      m_least_margin = (std::min)(m_least_margin, margins[n]);
+      // exact, where the margin is small
+      if(margins[n] < 1e-6 && !vertex_cone(mesh, vertices[n])) m_singular.push_back(input.vertex_of_origin(vertices[n]));
+    }
+    std::sort(m_singular.begin(), m_singular.end());
+    if(!m_singular.empty()) m_least_margin = 0;
+  }
+
+  // P1 and P2
+  template <typename ConcurrencyTag>
+  void examine_facets(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    const Field_predicates_3<Field> predicates(*m_field);
+    constexpr std::size_t chunk = 64;
+    const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
+    struct Result
+    {
+      std::vector<Certificate_witness> witnesses;
+      Predicate_statistics containment, transversality;
+      double least_slope = std::numeric_limits<double>::infinity(), steepest = 0;
+    };
+    std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
+    std::vector<Facet_verdict> verdicts(triangles.size());
+    internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      Result& result = results[begin / chunk];
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto t = input.triangle(triangles[n]);
+        const std::array<Point_3, 3> triangle = { to_field(t[0]), to_field(t[1]), to_field(t[2]) };
+        const auto note = [&](Claim claim, Verdict verdict, const Witness& w) {
+          Certificate_witness witness;
+          witness.claim = claim;
+          witness.verdict = verdict;
+          witness.reason = Certificate_witness::FACET;
+          witness.facet = input.facet_of_origin(triangles[n]);
+          witness.point = w.point;
+          witness.value = w.value;
+          result.witnesses.push_back(witness);
+        };
+        Witness w;
+        verdicts[n].containment = predicates.values_within(triangle, m_inner, m_outer, &w, &result.containment);
+        if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
+        verdicts[n].slope = result.least_slope;       // what is above it need not be known better
+        verdicts[n].transversality = predicates.crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
+        if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
+        result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
+        result.steepest = (std::max)(result.steepest, steepest(triangle));
+      }
+    });
+    double least_sine = 1;      // the least of slope over length of the gradient, chunk by chunk
+    for(const Result& result : results) {
+      for(const Certificate_witness& w : result.witnesses) {
+        m_witnesses.push_back(w);
+        m_verdicts[std::size_t(w.claim)] = worse(m_verdicts[std::size_t(w.claim)], w.verdict);
+      }
+      m_statistics.containment += result.containment;
+      m_statistics.transversality += result.transversality;
+      least_sine = (std::min)(least_sine, result.least_slope / result.steepest);
+    }
+    for(std::size_t n = 0; n < triangles.size(); ++n) {
+      Facet_verdict& facet = m_facets[input.facet_of_origin(triangles[n])];
+      facet.containment = worse(facet.containment, verdicts[n].containment);
+      facet.transversality = worse(facet.transversality, verdicts[n].transversality);
+      facet.slope = (std::min)(facet.slope, verdicts[n].slope);
+    }
+    m_least_angle = verdict(Claim::TRANSVERSALITY) == Verdict::PROVED
+                  ? std::asin((std::min)(1., least_sine)) * (1 - 8 * internal::rounding) : 0;
+  }
+
+  // an upper bound of the length of the gradient, per user unit, on the cells that the triangle may meet
+  double steepest(const std::array<Point_3, 3>& t) const
+  {
+    Bbox_3 box;
+    for(const Point_3& p : t) box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+    double steepest = 0;
+    m_field->visit_cells(box, [&](Cell_index c) {
+      const typename Field::Cell cell = m_field->cell(c);
+      const Enclosed_tricubic f = enclosed_value(cell);
+      double squared = 0;
+      for(int a = 0; a < 3; ++a) {
+        std::array<double, 3> axis = {};
+        axis[a] = 1;
+        const Level_range r = enclosed_derivative(f, axis).range();
+        const double largest = (std::max)(std::abs(r.min), std::abs(r.max));
+        squared += largest * largest;
+      }
+      steepest = (std::max)(steepest, std::sqrt(squared) / cell.width());
+    });
+    return steepest * (1 + 16 * internal::rounding);
+  }
+
+  // P3 and P4, given P1: the mesh's components stay in the components of their seeds
+  template <typename ConcurrencyTag>
+  void examine_cover(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    m_cover.emplace(*m_field, m_inner, m_outer);
+    Cover& cover = *m_cover;
+    // the cells at the mesh are needed in any case
+    std::vector<std::uint32_t> cells;
+    std::vector<Vertex_index> seed(m_number_of_components, Triangle_mesh::null_vertex());
+    for(Face_index f : mesh.faces()) {
+      const Vertex_index v = mesh.target(mesh.halfedge(f));
+      cells.push_back(m_field->locate(to_field(mesh.point(v))));
+      if(seed[m_component[f]] == Triangle_mesh::null_vertex()) seed[m_component[f]] = v;
+    }
+    cover.template prepare<ConcurrencyTag>(std::move(cells));
+    std::vector<std::uint32_t> component_of_cover(m_number_of_components);
+    for(std::size_t c = 0; c < m_number_of_components; ++c) {
+      m_seeds.push_back(seed[c]);
+      const std::uint32_t known = cover.template flood<ConcurrencyTag>(to_field(mesh.point(seed[c])), std::uint32_t(c));
+      component_of_cover[c] = known;
+      if(known == c) { ++m_covers; continue; }
+      const std::optional<std::array<double, 3> > joint = joined(mesh, known, c);
+      Certificate_witness& w = conclude(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                        Certificate_witness::TWO_SHEETS);
+      w.component = known;
+      w.other_component = c;
+      w.point = joint ? *joint : to_array(mesh.point(seed[c]));
+    }
+
+    Level_range thresholds;
+    std::size_t examined = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      m_statistics.deepest_box = (std::max)(m_statistics.deepest_box, std::size_t(box.depth));
+      if(box.kind == Box_kind::EXCLUDED) ++m_statistics.excluded_boxes;
+      if(box.component == Cover_box::no_component) continue;
+      ++m_statistics.cover_boxes;
+      thresholds.include(threshold_range(box.cell));
+      if(box.kind == Box_kind::MONOTONE) {
+        ++m_statistics.monotone_boxes;
+        continue;
+      }
+      ++m_statistics.undecided_boxes;
+      const Bbox_3 b = cover.bbox(box);
+      std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+      const bool critical = examined < max_examined && is_critical(mesh, box, center);
+      ++examined;
+      Certificate_witness& w = conclude(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                        critical ? Certificate_witness::CRITICAL_POINT : Certificate_witness::BOX);
+      w.cell = box.cell;
+      w.point = center;
+    }
+    for(typename Cover::Box_index b : cover.border()) {
+      Certificate_witness& w = conclude(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
+      w.cell = cover.boxes()[b].cell;
+      const Bbox_3 box = cover.bbox(cover.boxes()[b]);
+      w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
+    }
+    m_statistics.cover_cells = cover.number_of_cells();
+    if(verdict(Claim::GRADIENT) == Verdict::PROVED) m_least_gradient = least_gradient<ConcurrencyTag>();
+    if(m_least_gradient > 0)
+      m_displacement = (thresholds.max - thresholds.min) / m_least_gradient * (1 + 4 * internal::rounding);
+  }
+
+  // |grad f| is near one: what is above a quarter need not be known better
+  template <typename ConcurrencyTag>
+  double least_gradient() const
+  {
+    constexpr std::size_t chunk = 256;
+    constexpr double wanted = 0.25;
+    const std::vector<Cover_box>& boxes = m_cover->boxes();
+    std::vector<double> least((boxes.size() + chunk - 1) / chunk, std::numeric_limits<double>::infinity());
+    internal::for_each_chunk<ConcurrencyTag>(boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(boxes[n].component != Cover_box::no_component)
+          least[begin / chunk] = (std::min)(least[begin / chunk], m_cover->least_gradient(boxes[n], wanted));
+    });
+    return *std::min_element(least.begin(), least.end());
+  }
+
+  // encloses both thresholds on a cell
+  Level_range threshold_range(std::uint32_t c) const
+  {
+    if constexpr(Threshold::is_constant) {
+      return { m_inner.level(), m_outer.level() };
+    } else {
+      Enclosed_tricubic zero = enclosed_value(m_field->cell(c));
+      zero.coefficients.fill(0);
+      zero.radius = 0;
+      const Level_range inner = m_inner.difference(zero, c).range(), outer = m_outer.difference(zero, c).range();
+      Level_range range = { -inner.max, -inner.min };
+      range.include(Level_range{ -outer.max, -outer.min });
+      return range;
+    }
+  }
+
+  // Whether there certainly is a critical point in an undecided box, and in the shell: between the thresholds, and
+  // joined to a vertex of the mesh by a segment between them.
+  bool is_critical(const Triangle_mesh& mesh, const Cover_box& box, std::array<double, 3>& point) const
+  {
+    const Enclosed_tricubic f = m_cover->function(box);
+    const std::optional<Critical_point> critical = prove_critical_point(f);
+    if(!critical) return false;
+    const Bbox_3 b = m_cover->bbox(box);
+    const double width = b.xmax() - b.xmin();
+    for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
+    // all of the box in the shell, so that the point is where it may be
+    if constexpr(Threshold::is_constant) {
+      if(!(f.range().min >= m_inner.level() && f.range().max <= m_outer.level())) return false;
+    } else {
+      const Enclosed_tricubic g = enclosed_value(m_field->cell(box.cell));
+      if(!(m_inner.difference(g, box.cell).range().min >= 0 && m_outer.difference(g, box.cell).range().max <= 0)) return false;
+    }
+    const Triangle_mesh::Point p(point[0], point[1], point[2]);
+    Triangle_mesh::Point nearest = p;
+    double least = std::numeric_limits<double>::infinity();
+    for(Vertex_index v : mesh.vertices()) {
+      const double d = CGAL::squared_distance(p, mesh.point(v));
+      if(d < least) { least = d; nearest = mesh.point(v); }
+    }
+    return Field_predicates_3<Field>(*m_field).values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) },
+                                                             m_inner, m_outer) == Verdict::PROVED;
+  }
+
+  // a point on a segment in the shell from one component of the mesh to another, if one is found
+  std::optional<std::array<double, 3> > joined(const Triangle_mesh& mesh, std::size_t first, std::size_t second) const
+  {
+    typedef std::pair<double, std::pair<Vertex_index, Vertex_index> > Candidate;
+    constexpr std::size_t samples = 256, tries = 16;
+    std::array<std::vector<Vertex_index>, 2> vertices;
+    for(Face_index f : mesh.faces())
+      for(int side = 0; side < 2; ++side)
+        if(m_component[f] == (side == 0 ? first : second)) vertices[side].push_back(mesh.target(mesh.halfedge(f)));
+    std::vector<Candidate> candidates;
+    const std::size_t stride = vertices[1].size() / samples + 1;
+    for(std::size_t n = 0; n < vertices[1].size(); n += stride) {
+      Candidate best(std::numeric_limits<double>::infinity(), {});
+      for(Vertex_index v : vertices[0]) {
+        const double d = CGAL::squared_distance(mesh.point(v), mesh.point(vertices[1][n]));
+        if(d < best.first) best = Candidate(d, { v, vertices[1][n] });
+      }
+      candidates.push_back(best);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    const Field_predicates_3<Field> predicates(*m_field);
+    for(std::size_t n = 0; n < (std::min)(tries, candidates.size()); ++n) {
+      const auto &p = mesh.point(candidates[n].second.first), &q = mesh.point(candidates[n].second.second);
+      if(predicates.values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer) == Verdict::PROVED)
+        return to_array(CGAL::midpoint(p, q));
+    }
+    return std::nullopt;
+  }
+
+  // P5
+  void examine_paths(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    const Crossing_counter_3 counter(mesh);
+    std::vector<std::vector<std::pair<double, Face_index> > > facets(m_number_of_components);
+    for(Face_index f : mesh.faces()) {
+      const auto t = input.triangle(f);
+      facets[m_component[f]].emplace_back(-CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), f);
+    }
+    for(std::size_t c = 0; c < m_number_of_components; ++c) {
+      // large facets first: their middles are far from edges
+      const std::size_t tries = (std::min)(max_paths, facets[c].size());
+      std::partial_sort(facets[c].begin(), facets[c].begin() + tries, facets[c].end());
+      Verdict verdict = Verdict::UNDECIDED;
+      Crossing_path path;
+      int count = 0;
+      for(std::size_t n = 0; n < tries && verdict == Verdict::UNDECIDED; ++n)
+        verdict = try_path(input, counter, facets[c][n].second, path, count);
+      path.component = c;
+      if(verdict == Verdict::PROVED) { m_paths.push_back(path); continue; }
+      Certificate_witness& w = conclude(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
+                                                                                                : Certificate_witness::NO_PATH);
+      w.component = c;
+      w.count = count;
+      const auto t = input.triangle(facets[c].front().second);
+      w.point = verdict == Verdict::REFUTED ? path.source : to_array(CGAL::centroid(t[0], t[1], t[2]));
+      w.facet = input.facet_of_origin(facets[c].front().second);
+    }
+  }
+
+  // A segment through the middle of a facet, along the gradient there. Proved or refuted by the count; undecided if the
+  // segment is of no use.
+  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, Crossing_path& path, int& count) const
+  {
+    const Field_predicates_3<Field> predicates(*m_field);
+    const auto t = input.triangle(f);
+    const Triangle_mesh::Point middle = CGAL::centroid(t[0], t[1], t[2]);
+    const Cell_index c = m_field->locate(to_field(middle));
+    if(c == Field::npos) return Verdict::UNDECIDED;
+    const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
+    const double squared = jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1] + jet.gradient[2] * jet.gradient[2];
+    if(!(squared > 0)) return Verdict::UNDECIDED;
+    const auto along = [&](double s) {
+      return Triangle_mesh::Point(middle.x() + s * jet.gradient[0], middle.y() + s * jet.gradient[1], middle.z() + s * jet.gradient[2]);
+    };
+    const double down = jet.value - m_inner.value(to_field(middle)), up = m_outer.value(to_field(middle)) - jet.value;
+    for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
+      const Triangle_mesh::Point p = along(-stretch * (down + (up + down) / 64) / squared),
+                                 q = along(stretch * (up + (up + down) / 64) / squared);
+      if(!predicates.is_beyond(to_field(p), m_inner, NEGATIVE) || !predicates.is_beyond(to_field(q), m_outer, POSITIVE)) continue;
+      const std::array<Point_3, 2> segment = { to_field(p), to_field(q) };
+      if(predicates.increases(segment) != Verdict::PROVED) return Verdict::UNDECIDED;
+      if constexpr(!Threshold::is_constant) {
+        if(predicates.increases_above(segment, m_inner) != Verdict::PROVED ||
+           predicates.increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
+      }
+      const auto crossings = counter.crossings(p, q);
+      if(!crossings) return Verdict::UNDECIDED;
+      count = 0;
+      for(const auto& crossing : *crossings) count += crossing.second;
+      path.triangle = std::size_t(f);
+      path.source = to_array(p);
+      path.target = to_array(q);
+      const bool through = std::any_of(crossings->begin(), crossings->end(), [&](const auto& x) { return x.first == f; });
+      if(!through) return Verdict::UNDECIDED;
+      return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
+    }
+    return Verdict::UNDECIDED;
+  }
+
+  static constexpr std::size_t max_paths = 64;        // tried for a component
+  static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
+
+  const Field* m_field;
+  Threshold m_inner, m_outer;
+  Input_mesh_3 m_input;
+  Shell_status m_status = Shell_status::NOT_BUILT;
+  Offending_simplices m_offenders;
+  Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
+  std::array<Verdict, 5> m_verdicts = {{ Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED,
+                                         Verdict::UNDECIDED }};
+  std::vector<Certificate_witness> m_witnesses;
+  std::vector<Facet_verdict> m_facets;
+  std::vector<std::size_t> m_component;               // of each triangle
+  std::size_t m_number_of_components = 0, m_covers = 0;
+  std::optional<Cover> m_cover;
+  std::vector<Vertex_index> m_seeds;
+  std::vector<Crossing_path> m_paths;
+  Certificate_statistics m_statistics;
+  double m_least_gradient = 0, m_displacement = std::numeric_limits<double>::infinity(), m_least_angle = 0, m_least_margin = 0;
+  std::vector<std::size_t> m_singular;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_CERTIFICATE_3_H

@@ -1,0 +1,382 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_COVER_3_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_COVER_3_H
+
+#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief what is known of a box.
+ */
+enum class Box_kind : std::uint8_t
+{
+  EXCLUDED,     ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
+  MONOTONE,     ///< the field increases along a fixed direction on all of the closed box: no critical point
+  UNDECIDED     ///< neither was shown
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a closed dyadic part of a leaf cell.
+ */
+struct Cover_box
+{
+  static constexpr std::uint32_t no_component = std::uint32_t(-1);
+
+  std::uint32_t cell;                     ///< leaf cell of the field
+  std::uint16_t position[3];              ///< of the least corner, in units of the cell's width / 2^depth
+  std::uint8_t depth;                     ///< number of halvings
+  Box_kind kind;
+  std::uint32_t component = no_component; ///< of the cover, or none: not part of it
+  std::array<double, 3> direction = {};   ///< of a monotone box; its largest component is one in size
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a cover, by closed boxes, of those components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
+ * points.
+ *
+ * Leaf cells are subdivided until each box is excluded or monotone, or the depth is used up. From each point, the boxes that
+ * touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so that the
+ * component of the point cannot leave its boxes: where all of them are monotone, the component has no critical point,
+ * and where none touches the end of the domain, it lies in the interior.
+ *
+ * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings
+ * \tparam Threshold a model of `ShellThreshold`
+ */
+template <typename Field_, typename Threshold = Constant_threshold>
+class Shell_cover_3
+{
+public:
+  typedef Field_ Field;
+  typedef typename Field::Point_3 Point_3;
+  typedef typename Field::Cell Cell;
+  typedef std::uint32_t Box_index;
+  static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
+  static constexpr std::size_t max_boxes_of_a_cell = 4096; ///< a cell with more is not subdivided further
+
+  /// \pre `field` outlives this object
+  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_first(field.number_of_cells(), unseen)
+  {}
+
+  const Field& field() const { return *m_field; }
+
+  /// subdivides cells that are known to be needed, several at a time
+  template <typename ConcurrencyTag>
+  void prepare(std::vector<std::uint32_t> cells)
+  {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
+    constexpr std::size_t chunk = 64;
+    std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
+    internal::for_each_chunk<ConcurrencyTag>(cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], boxes[begin / chunk]);
+    });
+    for(const std::vector<Cover_box>& part : boxes)
+      for(const Cover_box& box : part) {
+        if(m_first[box.cell] == unseen) {
+          m_first[box.cell] = m_cells.size();
+          m_cells.push_back({ box.cell, m_boxes.size(), m_boxes.size() });
+        }
+        m_boxes.push_back(box);
+        m_cells.back().end = m_boxes.size();
+      }
+  }
+
+  /// floods from a point. Returns the number of the component of the cover that holds it: the given one, or that of an
+  /// earlier point if the boxes are the same.
+  template <typename ConcurrencyTag>
+  std::uint32_t flood(const Point_3& p, std::uint32_t component)
+  {
+    const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+    std::vector<Box_index> stack, waiting;
+    std::vector<std::uint32_t> wanted;
+    m_field->visit_cells(at, [&](typename Field::Cell_index c) { wanted.push_back(c); });
+    prepare<ConcurrencyTag>(wanted);
+    std::uint32_t known = Cover_box::no_component;
+    for(std::uint32_t c : wanted)
+      for_each_touching(c, at, [&](Box_index b) {
+        Cover_box& box = m_boxes[b];
+        if(box.kind == Box_kind::EXCLUDED) return;
+        if(box.component != Cover_box::no_component) { known = box.component; return; }
+        box.component = component;
+        stack.push_back(b);
+      });
+    // All boxes at a point touch each other: if one was flooded before, all were.
+    if(known != Cover_box::no_component) return known;
+    while(!stack.empty()) {
+      while(!stack.empty()) {
+        const Box_index b = stack.back();
+        stack.pop_back();
+        bool complete = true;
+        const Bbox_3 box = bbox(m_boxes[b]);
+        const bool inside = m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+          if(m_first[c] == unseen) { wanted.push_back(c); complete = false; }
+        });
+        if(!complete) { waiting.push_back(b); continue; }
+        if(!inside) m_border.push_back(b);
+        m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+          for_each_touching(c, box, [&](Box_index n) {
+            Cover_box& other = m_boxes[n];
+            if(other.kind == Box_kind::EXCLUDED || other.component != Cover_box::no_component) return;
+            other.component = component;
+            stack.push_back(n);
+          });
+        });
+      }
+      prepare<ConcurrencyTag>(wanted);
+      wanted.clear();
+      stack.swap(waiting);
+    }
+    return component;
+  }
+
+  /// all boxes: those of one leaf cell are consecutive
+  const std::vector<Cover_box>& boxes() const { return m_boxes; }
+  /// boxes of the cover that touch the boundary of the field's domain
+  const std::vector<Box_index>& border() const { return m_border; }
+  /// number of leaf cells that were looked at
+  std::size_t number_of_cells() const { return m_cells.size(); }
+
+  /// the closed box; its corners are exact
+  Bbox_3 bbox(const Cover_box& box) const
+  {
+    const Cell cell = m_field->cell(box.cell);
+    const double width = std::ldexp(cell.width(), -int(box.depth));
+    std::array<double, 3> least;
+    for(int a = 0; a < 3; ++a) least[a] = cell.corner()[a] + box.position[a] * width;
+    return Bbox_3(least[0], least[1], least[2], least[0] + width, least[1] + width, least[2] + width);
+  }
+
+  /// the field on a box, as an enclosed polynomial over the box
+  Enclosed_tricubic function(const Cover_box& box) const
+  {
+    Enclosed_tricubic f = enclosed_value(m_field->cell(box.cell));
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit) f = restrict_to_octant(f, octant(box, bit));
+    return f;
+  }
+
+  /// a lower bound, per user unit, of the length of the gradient on the part of a monotone box that is not excluded.
+  /// Where it is below `wanted`, the box is subdivided for a better one, three times at most.
+  double least_gradient(const Cover_box& box, double wanted) const
+  {
+    constexpr int refinements = 3;
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Part> stack(1);
+    stack[0].box = box;
+    stack[0].functions = functions(box.cell);
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit)
+      for(Enclosed_tricubic& f : stack[0].functions) f = restrict_to_octant(f, octant(box, bit));
+    while(!stack.empty()) {
+      Part part = stack.back();
+      stack.pop_back();
+      std::array<double, 3> direction;
+      const Box_kind k = kind(part.functions, direction);
+      if(k == Box_kind::EXCLUDED) continue;
+      if(k == Box_kind::MONOTONE) part.box.direction = direction;      // otherwise that of the box it is a part of
+      const double slope = enclosed_derivative(part.functions[0], part.box.direction).range().min;
+      double squared = 0;
+      for(double d : part.box.direction) squared += d * d;
+      const double width = std::ldexp(m_field->cell(box.cell).width(), -int(part.box.depth));
+      // a square root, five sums and products, two quotients
+      const double gradient = (std::max)(0., slope / (std::sqrt(squared) * width) * (1 - 16 * internal::rounding));
+      if(gradient >= wanted || part.box.depth == box.depth + refinements) {
+        least = (std::min)(least, gradient);
+        continue;
+      }
+      push_octants(part, stack);
+    }
+    return least;
+  }
+
+private:
+  static constexpr std::size_t unseen = std::size_t(-1);
+
+  // the field and, unless the thresholds are constant, its differences to both
+  typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
+
+  struct Part { Cover_box box; Functions functions; };
+  struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
+
+  static int octant(const Cover_box& box, int bit)
+  {
+    return ((box.position[0] >> bit) & 1) | ((box.position[1] >> bit) & 1) << 1 | ((box.position[2] >> bit) & 1) << 2;
+  }
+
+  static Bbox_3 grown(const Bbox_3& b)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return Bbox_3(std::nextafter(b.xmin(), -infinity), std::nextafter(b.ymin(), -infinity), std::nextafter(b.zmin(), -infinity),
+                  std::nextafter(b.xmax(), infinity), std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
+  }
+
+  // Appends the boxes of a cell in the order of a depth-first walk: those in an octant are consecutive.
+  void subdivide(std::uint32_t c, std::vector<Cover_box>& boxes) const
+  {
+    std::vector<Part> stack(1);
+    stack[0].box.cell = c;
+    stack[0].box.depth = 0;
+    for(int a = 0; a < 3; ++a) stack[0].box.position[a] = 0;
+    stack[0].functions = functions(c);
+    std::size_t made = 0;
+    while(!stack.empty()) {
+      Part part = stack.back();
+      stack.pop_back();
+      part.box.kind = kind(part.functions, part.box.direction);
+      if(part.box.kind != Box_kind::UNDECIDED || part.box.depth == max_depth || made + stack.size() >= max_boxes_of_a_cell) {
+        boxes.push_back(part.box);
+        ++made;
+        continue;
+      }
+      push_octants(part, stack);
+    }
+  }
+
+  Functions functions(std::uint32_t c) const
+  {
+    Functions functions;
+    functions[0] = enclosed_value(m_field->cell(c));
+    if constexpr(!Threshold::is_constant) {
+      functions[1] = m_inner.difference(functions[0], c);
+      functions[2] = m_outer.difference(functions[0], c);
+    }
+    return functions;
+  }
+
+  // the first octant comes on top
+  static void push_octants(const Part& part, std::vector<Part>& stack)
+  {
+    for(int o = 7; o >= 0; --o) {
+      stack.emplace_back();
+      Part& child = stack.back();
+      child.box = part.box;
+      child.box.depth = std::uint8_t(part.box.depth + 1);
+      for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
+      for(std::size_t n = 0; n < part.functions.size(); ++n)
+        child.functions[n] = restrict_to_octant(part.functions[n], o);
+    }
+  }
+
+  Box_kind kind(const Functions& functions, std::array<double, 3>& direction) const
+  {
+    const Enclosed_tricubic& f = functions[0];
+    bool meets_inner = false, meets_outer = false;
+    if constexpr(Threshold::is_constant) {
+      const Level_range r = f.range();
+      if(r.max < m_inner.level() || r.min > m_outer.level()) return Box_kind::EXCLUDED;
+    } else {
+      const Level_range inner = functions[1].range(), outer = functions[2].range();
+      if(inner.max < 0 || outer.min > 0) return Box_kind::EXCLUDED;
+      meets_inner = inner.min <= 0;
+      meets_outer = outer.max >= 0;
+    }
+    // the mean gradient: any direction would do
+    direction = {};
+    for(int n = 0; n < 64; ++n)
+      for(int a = 0, stride = 1; a < 3; ++a, stride *= 4)
+        direction[a] += f.coefficients[n] * ((n / stride) % 4 == 3 ? 1 : (n / stride) % 4 == 0 ? -1 : 0);
+    const double largest = (std::max)({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+    if(!(largest > 0)) return Box_kind::UNDECIDED;
+    for(double& d : direction) d /= largest;
+    const double slope = enclosed_derivative(f, direction).range().min;
+    if(!(slope > 0)) return Box_kind::UNDECIDED;
+    // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
+    if constexpr(!Threshold::is_constant) {
+      const double steepness = slope / 2;      // of the field at least, as the direction is at most sqrt(3) long
+      if((meets_inner && steepest_threshold(f, functions[1]) >= steepness) ||
+         (meets_outer && steepest_threshold(f, functions[2]) >= steepness)) return Box_kind::UNDECIDED;
+    }
+    return Box_kind::MONOTONE;
+  }
+
+  // an upper bound of the length of the gradient of the threshold f - (f - threshold)
+  static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
+  {
+    Enclosed_tricubic threshold;
+    double largest = 0;
+    for(int n = 0; n < 64; ++n) {
+      threshold.coefficients[n] = f.coefficients[n] - above.coefficients[n];
+      largest = (std::max)(largest, std::abs(threshold.coefficients[n]));
+    }
+    threshold.radius = (1 + 4 * internal::rounding) * (f.radius + above.radius + internal::rounding * largest);
+    double sum = 0;
+    for(int a = 0; a < 3; ++a) {
+      std::array<double, 3> axis = {};
+      axis[a] = 1;
+      const Level_range r = enclosed_derivative(threshold, axis).range();
+      const double s = (std::max)(std::abs(r.min), std::abs(r.max));
+      sum += s * s;
+    }
+    return std::sqrt(sum) * (1 + 8 * internal::rounding);
+  }
+
+  // calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box
+  template <typename Visitor>
+  void for_each_touching(std::uint32_t c, const Bbox_3& target, const Visitor& visit) const
+  {
+    const Cell_boxes& range = m_cells[m_first[c]];
+    if(range.end - range.begin <= 8) {
+      for(std::size_t b = range.begin; b < range.end; ++b)
+        if(do_overlap(bbox(m_boxes[b]), target)) visit(Box_index(b));
+      return;
+    }
+    descend(range.begin, range.end, 0, target, visit);
+  }
+
+  // the boxes [begin, end) are those of one part of a cell, at the given depth
+  template <typename Visitor>
+  void descend(std::size_t begin, std::size_t end, int depth, const Bbox_3& target, const Visitor& visit) const
+  {
+    Cover_box part = m_boxes[begin];
+    const int below = int(part.depth) - depth;
+    for(int a = 0; a < 3; ++a) part.position[a] = std::uint16_t(part.position[a] >> below);
+    part.depth = std::uint8_t(depth);
+    if(!do_overlap(bbox(part), target)) return;
+    if(end - begin == 1) { visit(Box_index(begin)); return; }
+    for(std::size_t b = begin; b < end; ) {
+      const int o = octant(m_boxes[b], int(m_boxes[b].depth) - depth - 1);
+      const std::size_t next = std::size_t(std::partition_point(m_boxes.begin() + b, m_boxes.begin() + end, [&](const Cover_box& x) {
+        return octant(x, int(x.depth) - depth - 1) <= o;
+      }) - m_boxes.begin());
+      descend(b, next, depth + 1, target, visit);
+      b = next;
+    }
+  }
+
+  const Field* m_field;
+  Threshold m_inner, m_outer;
+  std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
+  std::vector<Cell_boxes> m_cells;
+  std::vector<Cover_box> m_boxes;
+  std::vector<Box_index> m_border;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_COVER_3_H

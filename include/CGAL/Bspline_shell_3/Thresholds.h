@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_THRESHOLDS_H
+#define CGAL_BSPLINE_SHELL_3_THRESHOLDS_H
+
+#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a threshold that is the same everywhere, as in the paper.
+ *
+ * \cgalModels `ShellThreshold`
+ */
+class Constant_threshold
+{
+public:
+  static constexpr bool is_constant = true;
+
+  explicit Constant_threshold(double level) : m_level(level) {}
+  double level() const { return m_level; }      ///< in units of the field
+
+  template <typename Point_3>
+  double value(const Point_3&) const { return m_level; }
+
+  /// a function minus the threshold, on a leaf cell
+  Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
+  {
+    Enclosed_tricubic d = f;
+    double largest = 0;
+    for(double& x : d.coefficients) {
+      x -= m_level;
+      largest = (std::max)(largest, std::abs(x));
+    }
+    d.radius = (1 + 4 * internal::rounding) * (f.radius + internal::rounding * largest);
+    return d;
+  }
+
+private:
+  double m_level;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a threshold that varies in space: a field on the same leaf cells.
+ *
+ * \cgalModels `ShellThreshold`
+ *
+ * \tparam Field a model of `BsplineField_3`
+ */
+template <typename Field>
+class Spline_threshold
+{
+public:
+  static constexpr bool is_constant = false;
+
+  /// \pre `field` outlives the threshold, and has the cells, under the same numbers, of the field that it is a threshold of
+  explicit Spline_threshold(const Field& field) : m_field(&field) {}
+
+  double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
+
+  Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
+  {
+    const Enclosed_tricubic g = enclosed_value(m_field->cell(cell));
+    Enclosed_tricubic d;
+    double largest = 0;
+    for(int n = 0; n < 64; ++n) {
+      d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
+      largest = (std::max)(largest, std::abs(d.coefficients[n]));
+    }
+    d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest);
+    return d;
+  }
+
+private:
+  const Field* m_field;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_THRESHOLDS_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_ARITHMETIC_SELF_TEST_H
+#define CGAL_BSPLINE_SHELL_3_ARITHMETIC_SELF_TEST_H
+
+#include <CGAL/FPU.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief whether the arithmetic is what all proofs rest on.
+ */
+enum class Arithmetic_status
+{
+  SOUND,
+  NOT_IEEE,              ///< `double` is not that of IEEE 754, or results are kept in a wider format
+  FLUSHES_TO_ZERO,       ///< subnormal numbers are lost
+  REORDERED,             ///< the compiler takes floating point operations for those of real numbers (`-ffast-math`)
+  NO_DIRECTED_ROUNDING   ///< the rounding mode has no effect (a program compiled without `-frounding-math`): exact predicates fail
+};
+
+inline const char* message(Arithmetic_status status)
+{
+  switch(status) {
+    case Arithmetic_status::SOUND: return "The arithmetic is sound.";
+    case Arithmetic_status::NOT_IEEE: return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
+    case Arithmetic_status::FLUSHES_TO_ZERO: return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
+    case Arithmetic_status::REORDERED: return "Floating point operations are reordered: compile without -ffast-math.";
+    case Arithmetic_status::NO_DIRECTED_ROUNDING: return "The rounding mode has no effect: compile with -frounding-math, which the target CGAL::CGAL brings.";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief tests, in any build, what no assertion could: single operations with known results. Takes less than a
+ * microsecond; leaves the rounding mode as it was.
+ */
+inline Arithmetic_status arithmetic_self_test()
+{
+  typedef std::numeric_limits<double> Limits;
+  if(!Limits::is_iec559 || Limits::digits != 53) return Arithmetic_status::NOT_IEEE;
+  // volatile: the operations are to be carried out, now and one by one
+  volatile double one = 1, tiny = Limits::epsilon() / 4, least = Limits::min(), large = 1e16;
+  volatile double sum = one + tiny;
+  volatile double difference = sum - one;
+  if(difference != 0) return Arithmetic_status::NOT_IEEE;
+  volatile double half = least / 2;
+  if(!(half > 0)) return Arithmetic_status::FLUSHES_TO_ZERO;
+  // reassociated, these would be one and true
+  const double x = one, y = large, z = -large;
+  const double reordered = (x + y) + z;
+  volatile double zero = 0;
+  const double not_a_number = zero / zero;
+  volatile bool equals_itself = not_a_number == not_a_number;
+  if(reordered == 1 || equals_itself) return Arithmetic_status::REORDERED;
+  double down, up;
+  {
+    Protect_FPU_rounding<true> guard(CGAL_FE_UPWARD);
+    const double third = CGAL_IA_FORCE_TO_DOUBLE(one / CGAL_IA_FORCE_TO_DOUBLE(3.));
+    up = third;
+    down = -CGAL_IA_FORCE_TO_DOUBLE(-one / CGAL_IA_FORCE_TO_DOUBLE(3.));
+  }
+  return down < up ? Arithmetic_status::SOUND : Arithmetic_status::NO_DIRECTED_ROUNDING;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_ARITHMETIC_SELF_TEST_H
