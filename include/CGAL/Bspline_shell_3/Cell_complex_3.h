@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -48,7 +50,7 @@ public:
     const double mantissa = std::frexp(spacing, &exponent);            // in [1/2, 1)
     const double cells = (largest + 4 * spacing) / spacing;
     std::frexp(cells, &magnitude);
-    const int bits = (std::min)(20, 51 - finest_level - magnitude);
+    const int bits = (std::min)(max_bits, 51 - finest_level - magnitude);
     m_exact = std::isfinite(cells) && bits >= 4 && std::ldexp(1., exponent - bits - finest_level) > 0;
     if(!m_exact) return;
     const double last_bit = std::ldexp(1., exponent - bits);
@@ -70,6 +72,32 @@ public:
       const double end = ((box.max)(a) / 2 - (box.min)(a) / 2) / lattice.m_spacing;
       // not at a quarter, which boxes with simple ratios of sides have, and where rounding would decide
       if(std::abs(end - std::nearbyint(end)) < 0.2) lattice.m_origin[a] -= lattice.m_spacing / 2;
+    }
+    return lattice;
+  }
+
+  /// the lattice of this very origin and spacing, as that of a file. `is_exact()` is for the corners of the cells with
+  /// lattice points from `first` to `last`, also halved up to twelve times.
+  /// \pre coordinates of `first` and `last` are at most `Lattice_key::max_coordinate` in size
+  static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first, const Point& last)
+  {
+    Lattice_3 lattice;
+    lattice.m_origin = origin;
+    lattice.m_spacing = spacing;
+    if(!(std::isfinite(spacing) && spacing > 0)) return lattice;
+    constexpr int digits = std::numeric_limits<double>::digits;
+    // corners are multiples of 2^unit, and doubles if they are less than 2^(unit + digits)
+    int unit = last_bit(spacing) - finest_level;
+    for(double x : origin) {
+      if(!std::isfinite(x)) return lattice;
+      if(x != 0) unit = (std::min)(unit, last_bit(x));
+    }
+    lattice.m_exact = std::ilogb(spacing) - last_bit(spacing) < max_bits
+                   && unit >= std::numeric_limits<double>::min_exponent - digits;
+    const double bound = std::ldexp(1., unit + digits);
+    for(int a = 0; a < 3; ++a) {
+      const double furthest = (std::max)({ std::abs(double(first[a])), std::abs(double(last[a])), std::abs(last[a] + 1.) });
+      lattice.m_exact = lattice.m_exact && std::abs(origin[a]) + furthest * spacing < bound;
     }
     return lattice;
   }
@@ -99,6 +127,19 @@ public:
 
 private:
   static constexpr int finest_level = 12;
+  static constexpr int max_bits = 20;       // significant ones of a spacing
+
+  // the exponent of the last bit that is set in `x`, which is neither zero nor infinite
+  static int last_bit(double x)
+  {
+    int exponent;
+    double rest = std::frexp(x, &exponent);
+    while(rest != std::trunc(rest)) {
+      rest *= 2;
+      --exponent;
+    }
+    return exponent;
+  }
 
   std::array<double, 3> m_origin = {};
   double m_spacing = 0;

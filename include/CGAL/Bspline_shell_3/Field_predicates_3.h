@@ -315,6 +315,7 @@ private:
     // products with exact weights that sum to one, and two sums
     const double position_error = 4 * internal::rounding * reach;
 
+    const Plane<size> plane(simplex, extent, reach);
     Predicate_statistics local_statistics;
     Predicate_statistics& count = statistics ? *statistics : local_statistics;
     Verdict verdict = Verdict::PROVED;
@@ -347,7 +348,7 @@ private:
       }
       cells.clear();
       const bool covered = m_field->visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
-                                                [&](Cell_index c) { cells.push_back(c); });
+                                                [&](Cell_index c) { if(plane.meets(m_field->cell(c))) cells.push_back(c); });
       bool proved = covered && !cells.empty();
       double least_on_part = std::numeric_limits<double>::infinity();
       for(Cell_index c : cells) {
@@ -383,6 +384,44 @@ private:
     }
     return verdict;
   }
+
+  // Tells cells that a triangle does not meet from those that its box meets, by its plane.
+  template <std::size_t size>
+  struct Plane
+  {
+    std::array<double, 3> normal = {}, point = {};
+    double error = 0;
+
+    Plane(const std::array<Point_3, size>& simplex, double extent, double reach)
+    {
+      if constexpr(size == 3) {
+        double sum = 0;
+        for(int a = 0; a < 3; ++a) {
+          const int b = (a + 1) % 3, c = (a + 2) % 3;
+          normal[a] = (simplex[1][b] - simplex[0][b]) * (simplex[2][c] - simplex[0][c])
+                    - (simplex[1][c] - simplex[0][c]) * (simplex[2][b] - simplex[0][b]);
+          point[a] = simplex[0][a];
+          sum += std::abs(normal[a]);
+        }
+        // What rounding of the normal (see facet_normal()) makes of points of the triangle, and the roundings of meets(),
+        // where cells are at most two extents and a cell away and coordinates are differences of such within the reach.
+        error = 32 * internal::rounding * (extent * extent * extent + sum * (reach + extent));
+      }
+    }
+
+    bool meets(const typename Field::Cell& cell) const
+    {
+      if constexpr(size != 3) return true;
+      double distance = 0, half = 0, size_of_terms = 0;
+      for(int a = 0; a < 3; ++a) {
+        const double center = cell.corner()[a] + cell.width() / 2 - point[a];
+        distance += normal[a] * center;
+        size_of_terms += std::abs(normal[a]) * (std::abs(center) + cell.width());
+        half += std::abs(normal[a]) * cell.width() / 2;
+      }
+      return !(std::abs(distance) > half + error + 16 * internal::rounding * size_of_terms);
+    }
+  };
 
   template <typename Question>
   const Cell_function& cell_function(std::vector<Cell_function>& functions, Cell_index c, const Question& question) const

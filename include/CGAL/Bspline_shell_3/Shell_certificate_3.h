@@ -252,7 +252,8 @@ public:
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
   /// in the shell is at most this. Infinite if the gradient claim is not proved.
   double displacement_bound() const { return m_displacement; }
-  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if transversality is not proved
+  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
+  /// is not proved
   double least_angle() const { return m_least_angle; }
   /// smallest cone margin of a vertex (`vertex_cone_margin()`)
   double least_cone_margin() const { return m_least_margin; }
@@ -335,7 +336,7 @@ private:
     {
       std::vector<Certificate_witness> witnesses;
       Predicate_statistics containment, transversality;
-      double least_slope = std::numeric_limits<double>::infinity(), steepest = 0;
+      double least_slope = std::numeric_limits<double>::infinity();
     };
     std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
     std::vector<Facet_verdict> verdicts(triangles.size());
@@ -357,14 +358,13 @@ private:
         Witness w;
         verdicts[n].containment = predicates.values_within(triangle, m_inner, m_outer, &w, &result.containment);
         if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
-        verdicts[n].slope = result.least_slope;       // what is above it need not be known better
+        verdicts[n].slope = (std::min)(result.least_slope, 0.25);       // what is above need not be known better
         verdicts[n].transversality = predicates.crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
         if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
         result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
-        result.steepest = (std::max)(result.steepest, steepest(triangle));
       }
     });
-    double least_sine = 1;      // the least of slope over length of the gradient, chunk by chunk
+    m_least_slope = std::numeric_limits<double>::infinity();
     for(const Result& result : results) {
       for(const Certificate_witness& w : result.witnesses) {
         m_witnesses.push_back(w);
@@ -372,7 +372,7 @@ private:
       }
       m_statistics.containment += result.containment;
       m_statistics.transversality += result.transversality;
-      least_sine = (std::min)(least_sine, result.least_slope / result.steepest);
+      m_least_slope = (std::min)(m_least_slope, result.least_slope);
     }
     for(std::size_t n = 0; n < triangles.size(); ++n) {
       Facet_verdict& facet = m_facets[input.facet_of_origin(triangles[n])];
@@ -380,30 +380,22 @@ private:
       facet.transversality = worse(facet.transversality, verdicts[n].transversality);
       facet.slope = (std::min)(facet.slope, verdicts[n].slope);
     }
-    m_least_angle = verdict(Claim::TRANSVERSALITY) == Verdict::PROVED
-                  ? std::asin((std::min)(1., least_sine)) * (1 - 8 * internal::rounding) : 0;
   }
 
-  // an upper bound of the length of the gradient, per user unit, on the cells that the triangle may meet
-  double steepest(const std::array<Point_3, 3>& t) const
+  // an upper bound of the length of the gradient, per user unit, on a leaf cell: from differences of its coefficients
+  double steepest(std::uint32_t c) const
   {
-    Bbox_3 box;
-    for(const Point_3& p : t) box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-    double steepest = 0;
-    m_field->visit_cells(box, [&](Cell_index c) {
-      const typename Field::Cell cell = m_field->cell(c);
-      const Enclosed_tricubic f = enclosed_value(cell);
-      double squared = 0;
-      for(int a = 0; a < 3; ++a) {
-        std::array<double, 3> axis = {};
-        axis[a] = 1;
-        const Level_range r = enclosed_derivative(f, axis).range();
-        const double largest = (std::max)(std::abs(r.min), std::abs(r.max));
-        squared += largest * largest;
-      }
-      steepest = (std::max)(steepest, std::sqrt(squared) / cell.width());
-    });
-    return steepest * (1 + 16 * internal::rounding);
+    const typename Field::Cell cell = m_field->cell(c);
+    const double* b = cell.coefficients();
+    double squared = 0;
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
+      double largest = 0;
+      for(int n = 0; n < 64; ++n)
+        if((n / stride) % 4 != 3) largest = (std::max)(largest, std::abs(b[n + stride] - b[n]));
+      largest = 3 * (largest + 2 * cell.error_radius());
+      squared += largest * largest;
+    }
+    return std::sqrt(squared) / cell.width() * (1 + 16 * internal::rounding);
   }
 
   // P3 and P4, given P1: the mesh's components stay in the components of their seeds
@@ -437,13 +429,19 @@ private:
     }
 
     Level_range thresholds;
+    double steepest_in_cover = 0;
+    std::uint32_t last_cell = std::uint32_t(-1);
     std::size_t examined = 0;
     for(const Cover_box& box : cover.boxes()) {
       m_statistics.deepest_box = (std::max)(m_statistics.deepest_box, std::size_t(box.depth));
       if(box.kind == Box_kind::EXCLUDED) ++m_statistics.excluded_boxes;
       if(box.component == Cover_box::no_component) continue;
       ++m_statistics.cover_boxes;
-      thresholds.include(threshold_range(box.cell));
+      if(box.cell != last_cell) {
+        last_cell = box.cell;
+        thresholds.include(threshold_range(box.cell));
+        steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
+      }
       if(box.kind == Box_kind::MONOTONE) {
         ++m_statistics.monotone_boxes;
         continue;
@@ -465,6 +463,8 @@ private:
       w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
     }
     m_statistics.cover_cells = cover.number_of_cells();
+    if(verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
+      m_least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
     if(verdict(Claim::GRADIENT) == Verdict::PROVED) m_least_gradient = least_gradient<ConcurrencyTag>();
     if(m_least_gradient > 0)
       m_displacement = (thresholds.max - thresholds.min) / m_least_gradient * (1 + 4 * internal::rounding);
@@ -649,7 +649,7 @@ private:
   std::vector<Vertex_index> m_seeds;
   std::vector<Crossing_path> m_paths;
   Certificate_statistics m_statistics;
-  double m_least_gradient = 0, m_displacement = std::numeric_limits<double>::infinity(), m_least_angle = 0, m_least_margin = 0;
+  double m_least_slope = 0, m_least_gradient = 0, m_displacement = std::numeric_limits<double>::infinity(), m_least_angle = 0, m_least_margin = 0;
   std::vector<std::size_t> m_singular;
 };
 

@@ -67,9 +67,8 @@ public:
   /// \tparam TriangleMesh a model of `FaceListGraph` with points of type `Point_3`
   /// \param mesh the mesh
   /// \param np `vertex_point_map` as in all of \cgal
-  template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS,
-            typename = typename boost::graph_traits<TriangleMesh>::face_descriptor>
-  bool operator()(const TriangleMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) const
+  template <typename TriangleMesh, typename T, typename Tag, typename Base>
+  bool operator()(const TriangleMesh& mesh, const CGAL::Named_function_parameters<T, Tag, Base>& np) const
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
@@ -80,6 +79,8 @@ public:
     }
     return true;
   }
+  template <typename TriangleMesh>
+  bool operator()(const TriangleMesh& mesh) const { return (*this)(mesh, CGAL::parameters::default_values()); }
 
   /// all triangles of a soup.
   /// \tparam PointRange a random access range of points

@@ -76,7 +76,7 @@ public:
   typedef typename Field::Cell Cell;
   typedef std::uint32_t Box_index;
   static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
-  static constexpr std::size_t max_boxes_of_a_cell = 4096; ///< a cell with more is not subdivided further
+  static constexpr std::size_t max_boxes_of_a_cell = 512;  ///< a cell with more is not subdivided further
 
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
@@ -115,7 +115,7 @@ public:
   {
     const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
     std::vector<Box_index> stack, waiting;
-    std::vector<std::uint32_t> wanted;
+    std::vector<std::uint32_t> wanted, touched;
     m_field->visit_cells(at, [&](typename Field::Cell_index c) { wanted.push_back(c); });
     prepare<ConcurrencyTag>(wanted);
     std::uint32_t known = Cover_box::no_component;
@@ -133,21 +133,23 @@ public:
       while(!stack.empty()) {
         const Box_index b = stack.back();
         stack.pop_back();
-        bool complete = true;
         const Bbox_3 box = bbox(m_boxes[b]);
-        const bool inside = m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+        touched.clear();
+        bool inside = true, complete = true;
+        if(is_inside_cell(m_boxes[b])) touched.push_back(m_boxes[b].cell);
+        else inside = m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+          touched.push_back(c);
           if(m_first[c] == unseen) { wanted.push_back(c); complete = false; }
         });
         if(!complete) { waiting.push_back(b); continue; }
         if(!inside) m_border.push_back(b);
-        m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+        for(std::uint32_t c : touched)
           for_each_touching(c, box, [&](Box_index n) {
             Cover_box& other = m_boxes[n];
             if(other.kind == Box_kind::EXCLUDED || other.component != Cover_box::no_component) return;
             other.component = component;
             stack.push_back(n);
           });
-        });
       }
       prepare<ConcurrencyTag>(wanted);
       wanted.clear();
@@ -187,14 +189,13 @@ public:
   {
     constexpr int refinements = 3;
     double least = std::numeric_limits<double>::infinity();
-    std::vector<Part> stack(1);
-    stack[0].box = box;
-    stack[0].functions = functions(box.cell);
+    std::vector<Part> queue(1);
+    queue[0].box = box;
+    queue[0].functions = functions(box.cell);
     for(int bit = int(box.depth) - 1; bit >= 0; --bit)
-      for(Enclosed_tricubic& f : stack[0].functions) f = restrict_to_octant(f, octant(box, bit));
-    while(!stack.empty()) {
-      Part part = stack.back();
-      stack.pop_back();
+      for(Enclosed_tricubic& f : queue[0].functions) f = restrict_to_octant(f, octant(box, bit));
+    for(std::size_t n = 0; n < queue.size(); ++n) {
+      Part& part = queue[n];
       std::array<double, 3> direction;
       const Box_kind k = kind(part.functions, direction);
       if(k == Box_kind::EXCLUDED) continue;
@@ -209,13 +210,14 @@ public:
         least = (std::min)(least, gradient);
         continue;
       }
-      push_octants(part, stack);
+      push_octants(n, queue);
     }
     return least;
   }
 
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
+  static constexpr int max_border_depth = 4;
 
   // the field and, unless the thresholds are constant, its differences to both
   typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
@@ -228,6 +230,15 @@ private:
     return ((box.position[0] >> bit) & 1) | ((box.position[1] >> bit) & 1) << 1 | ((box.position[2] >> bit) & 1) << 2;
   }
 
+  // whether the box has no point in common with the boundary of its cell
+  static bool is_inside_cell(const Cover_box& box)
+  {
+    const int last = (1 << box.depth) - 1;
+    bool inside = true;
+    for(int i : box.position) inside = inside && i > 0 && i < last;
+    return inside;
+  }
+
   static Bbox_3 grown(const Bbox_3& b)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -235,26 +246,40 @@ private:
                   std::nextafter(b.xmax(), infinity), std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
   }
 
-  // Appends the boxes of a cell in the order of a depth-first walk: those in an octant are consecutive.
+  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive.
   void subdivide(std::uint32_t c, std::vector<Cover_box>& boxes) const
   {
-    std::vector<Part> stack(1);
-    stack[0].box.cell = c;
-    stack[0].box.depth = 0;
-    for(int a = 0; a < 3; ++a) stack[0].box.position[a] = 0;
-    stack[0].functions = functions(c);
-    std::size_t made = 0;
-    while(!stack.empty()) {
-      Part part = stack.back();
-      stack.pop_back();
-      part.box.kind = kind(part.functions, part.box.direction);
-      if(part.box.kind != Box_kind::UNDECIDED || part.box.depth == max_depth || made + stack.size() >= max_boxes_of_a_cell) {
-        boxes.push_back(part.box);
-        ++made;
-        continue;
-      }
-      push_octants(part, stack);
+    // breadth first, so that where boxes run out, they are of equal size
+    std::vector<Part> queue(1);
+    queue[0].box.cell = c;
+    queue[0].box.depth = 0;
+    for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
+    queue[0].functions = functions(c);
+    const std::size_t begin = boxes.size();
+    const bool at_border = touches_border(m_field->cell(c).bbox());
+    for(std::size_t n = 0; n < queue.size(); ++n) {
+      Cover_box box = queue[n].box;
+      box.kind = kind(queue[n].functions, box.direction);
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
+                        // what is inside must be told from what is not
+                        : box.kind == Box_kind::MONOTONE && at_border && box.depth < max_border_depth && touches_border(bbox(box));
+      if(splits && queue.size() < max_boxes_of_a_cell) push_octants(n, queue);
+      else boxes.push_back(box);
     }
+    std::sort(boxes.begin() + begin, boxes.end(), [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
+  }
+
+  // interleaved bits of the least corner
+  static std::uint32_t order(const Cover_box& box)
+  {
+    std::uint32_t key = 0;
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit) key = key << 3 | std::uint32_t(octant(box, bit));
+    return key << (3 * (max_depth - int(box.depth)));
+  }
+
+  bool touches_border(const Bbox_3& box) const
+  {
+    return !m_field->visit_cells(grown(box), [](typename Field::Cell_index) {});
   }
 
   Functions functions(std::uint32_t c) const
@@ -268,17 +293,17 @@ private:
     return functions;
   }
 
-  // the first octant comes on top
-  static void push_octants(const Part& part, std::vector<Part>& stack)
+  // appends the octants of a part
+  static void push_octants(std::size_t n, std::vector<Part>& parts)
   {
-    for(int o = 7; o >= 0; --o) {
-      stack.emplace_back();
-      Part& child = stack.back();
+    for(int o = 0; o < 8; ++o) {
+      parts.emplace_back();
+      const Part& part = parts[n];
+      Part& child = parts.back();
       child.box = part.box;
       child.box.depth = std::uint8_t(part.box.depth + 1);
       for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
-      for(std::size_t n = 0; n < part.functions.size(); ++n)
-        child.functions[n] = restrict_to_octant(part.functions[n], o);
+      for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
     }
   }
 

@@ -50,6 +50,7 @@ inline Arithmetic_status arithmetic_self_test()
 {
   typedef std::numeric_limits<double> Limits;
   if(!Limits::is_iec559 || Limits::digits != 53) return Arithmetic_status::NOT_IEEE;
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   // volatile: the operations are to be carried out, now and one by one
   volatile double one = 1, tiny = Limits::epsilon() / 4, least = Limits::min(), large = 1e16;
   volatile double sum = one + tiny;

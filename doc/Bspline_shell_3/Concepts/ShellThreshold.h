@@ -1,0 +1,30 @@
+/*!
+\ingroup PkgBsplineShell3Concepts
+\cgalConcept
+
+The concept `ShellThreshold` describes a bound of a shell: a number, or a function that is tricubic on the leaf cells of
+the field that it bounds. Predicates and certificate know it by its difference to the field only.
+
+\cgalHasModel `CGAL::Bspline_shells::Constant_threshold`
+\cgalHasModel `CGAL::Bspline_shells::Spline_threshold`
+
+\sa `CGAL::Bspline_shells::Shell_certificate_3`
+*/
+class ShellThreshold
+{
+public:
+
+  /// whether the threshold is the same everywhere; if so, `level()` is there, and comparisons with it are exact
+  static constexpr bool is_constant;
+
+  /// the value of a constant threshold, in units of the field
+  double level() const;
+
+  /// the value at a point, rounded: a hint
+  template <typename Point_3>
+  double value(const Point_3& p) const;
+
+  /// encloses a function on a leaf cell minus the threshold, as a polynomial over the cell with a radius that covers all
+  /// rounding
+  CGAL::Bspline_shells::Enclosed_tricubic difference(const CGAL::Bspline_shells::Enclosed_tricubic& f, std::uint32_t cell) const;
+};

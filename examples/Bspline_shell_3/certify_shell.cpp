@@ -1,0 +1,55 @@
+// Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the same
+// shell is certified by the same object, and single facets are tested before a mesh is changed.
+#include <CGAL/Bspline_shell_3/IO/write_certificate.h>
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Shell_containment_3.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 3 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: certify_shell MESH RESOLUTION\n";
+    return EXIT_FAILURE;
+  }
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(std::atof(argv[2])));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  BS::Shell_certificate_3<> certificate(shell);
+  certificate.verify(mesh);
+  for(BS::Claim claim : { BS::Claim::CONTAINMENT, BS::Claim::TRANSVERSALITY, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET,
+                          BS::Claim::DEGREE_ONE })
+    std::cout << name(claim) << ": " << name(certificate.verdict(claim)) << "\n";
+  for(const BS::Certificate_witness& w : certificate.witnesses())
+    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
+  if(certificate)
+    std::cout << "No point is farther than " << certificate.displacement_bound() << " from its image on another certified mesh.\n";
+
+  // would a facet still be in the shell if one of its vertices moved?
+  const BS::Shell_containment_3<> is_in_shell(shell);
+  const auto h = mesh.halfedge(*mesh.faces().begin());
+  const Kernel::Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+  std::cout << "moved by a hundredth of the shell's thickness: "
+            << (is_in_shell(p + Kernel::Vector_3(0, 0, shell.thickness() / 100), q, r) ? "in the shell" : "not in the shell") << std::endl;
+
+  // for programs that check the proof
+  if(BS::write_shell("certified.shell.txt", shell) != BS::Shell_file_status::SUCCESS ||
+     !BS::write_certificate("certified.certificate.txt", shell, certificate)) return EXIT_FAILURE;
+  return certificate ? EXIT_SUCCESS : 2;
+}

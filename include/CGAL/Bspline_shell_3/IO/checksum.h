@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_IO_CHECKSUM_H
+#define CGAL_BSPLINE_SHELL_3_IO_CHECKSUM_H
+
+#include <boost/crc.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <streambuf>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+// the unsigned integer of the size of T, which has 1, 4 or 8 bytes
+template <typename T>
+using Bits_of = std::conditional_t<sizeof(T) == 8, std::uint64_t,
+                                   std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t> >;
+
+// a number as bytes, the least significant first, whatever the machine's order
+template <typename T>
+std::array<char, sizeof(T)> to_little_endian(T x)
+{
+  static_assert(sizeof(Bits_of<T>) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  Bits_of<T> bits;
+  std::memcpy(&bits, &x, sizeof(T));
+  std::array<char, sizeof(T)> bytes;
+  for(std::size_t n = 0; n < sizeof(T); ++n) bytes[n] = char((bits >> (8 * n)) & 0xff);
+  return bytes;
+}
+
+template <typename T>
+T from_little_endian(const char* bytes)
+{
+  typedef Bits_of<T> Bits;
+  static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  Bits bits = 0;
+  for(std::size_t n = 0; n < sizeof(T); ++n) bits = Bits(bits | (Bits(static_cast<unsigned char>(bytes[n])) << (8 * n)));
+  T x;
+  std::memcpy(&x, &bits, sizeof(T));
+  return x;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief the CRC-64/XZ of a sequence of bytes, which the files of this package end with.
+ */
+class Checksum
+{
+public:
+  void add(const char* bytes, std::size_t size) { m_crc.process_bytes(bytes, size); }
+  void add(const std::string& text) { add(text.data(), text.size()); }
+  /// the little-endian bytes of a number
+  template <typename T, typename = std::enable_if_t<std::is_arithmetic<T>::value> >
+  void add(T x) { add(internal::to_little_endian(x).data(), sizeof(T)); }
+
+  /// of all bytes that were added so far
+  std::uint64_t value() const { return m_crc.checksum(); }
+
+  /// a value as the files have it: 16 lower-case hexadecimal digits
+  static std::string text(std::uint64_t value)
+  {
+    std::string digits(16, '0');
+    for(int n = 15; n >= 0; --n, value >>= 4) digits[std::size_t(n)] = "0123456789abcdef"[value & 15];
+    return digits;
+  }
+
+private:
+  boost::crc_optimal<64, 0x42F0E1EBA9EA3693ull, 0xFFFFFFFFFFFFFFFFull, 0xFFFFFFFFFFFFFFFFull, true, true> m_crc;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief passes what is written to it on to another buffer, and keeps the checksum of it.
+ *
+ * \code
+ * CGAL::Bspline_shells::Checksum_streambuf buffer(out.rdbuf());
+ * std::ostream summed(&buffer);
+ * summed << ...;
+ * summed << "checksum " << CGAL::Bspline_shells::Checksum::text(buffer.checksum()) << '\n';
+ * \endcode
+ */
+class Checksum_streambuf : public std::streambuf
+{
+public:
+  /// \param target is written to; if it is null, only the checksum is kept
+  explicit Checksum_streambuf(std::streambuf* target = nullptr) : m_target(target) {}
+
+  /// of all characters that were written so far
+  std::uint64_t checksum() const { return m_checksum.value(); }
+
+protected:
+  int_type overflow(int_type c) override
+  {
+    if(traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    const char character = traits_type::to_char_type(c);
+    return xsputn(&character, 1) == 1 ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override
+  {
+    const std::streamsize written = m_target == nullptr ? size : m_target->sputn(text, size);
+    m_checksum.add(text, std::size_t(written));
+    return written;
+  }
+  int sync() override { return m_target == nullptr ? 0 : m_target->pubsync(); }
+
+private:
+  std::streambuf* m_target;
+  Checksum m_checksum;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_IO_CHECKSUM_H

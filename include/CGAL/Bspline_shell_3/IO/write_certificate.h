@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_IO_WRITE_CERTIFICATE_H
+#define CGAL_BSPLINE_SHELL_3_IO_WRITE_CERTIFICATE_H
+
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief the checksum by which a certificate names a mesh: of the coordinates of all vertices, and of the vertex numbers of all
+ * triangles.
+ *
+ * \param mesh without removed elements
+ */
+template <typename Point_3>
+std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
+{
+  Checksum sum;
+  for(auto v : mesh.vertices())
+    for(int a = 0; a < 3; ++a) sum.add(double(mesh.point(v)[a]));
+  for(auto f : mesh.faces())
+    for(auto v : mesh.vertices_around_face(mesh.prev(mesh.halfedge(f)))) sum.add(std::uint32_t(v));
+  return sum.value();
+}
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief writes what proves the claims of a certificate, for an independent program to check: the boxes of the cover with their
+ * directions, and the paths that are counted. See \ref BsplineShell3FileFormats.
+ *
+ * It speaks of the shell's text file (`write_shell()`) and of the certificate's examined mesh, which the caller writes
+ * (with 17 digits).
+ *
+ * \param out a stream, opened with `std::ios::binary`
+ * \param shell the shell
+ * \param certificate of the shell's field and levels, verified for some mesh
+ * \return whether all was written
+ */
+template <typename GeomTraits>
+bool write_certificate(std::ostream& out, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
+                       const Shell_certificate_3<Uniform_bspline_field_3<GeomTraits> >& certificate)
+{
+  internal::File_output output(out);
+  const auto word = [&](auto x) {
+    output.text(" ");
+    output.decimal(x);
+  };
+  const auto& mesh = certificate.examined_mesh();
+  output.text("cubic_bspline_shell_certificate 1\nshell " + Checksum::text(shell_checksum(shell)) + "\nmesh");
+  word(std::size_t(mesh.number_of_vertices()));
+  word(std::size_t(mesh.number_of_faces()));
+  output.text(" " + Checksum::text(mesh_checksum(mesh)) + "\nverdicts");
+  for(int c = 0; c < 5; ++c) output.text(std::string(" ") + name(certificate.verdict(Claim(c))));
+
+  const std::vector<Cover_box> no_boxes;
+  const std::vector<Cover_box>& boxes = certificate.cover() ? certificate.cover()->boxes() : no_boxes;
+  std::vector<std::size_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].cell < boxes[b].cell; });
+  output.text("\nboxes");
+  word(boxes.size());
+  output.text("\n");
+  for(std::size_t n : order) {
+    const Cover_box& box = boxes[n];
+    output.decimal(std::size_t(box.cell));
+    word(std::size_t(box.depth));
+    for(std::uint16_t i : box.position) word(std::size_t(i));
+    if(box.kind == Box_kind::EXCLUDED) output.text(" x");
+    else if(box.component == Cover_box::no_component) output.text(" o");
+    else if(box.kind == Box_kind::UNDECIDED) output.text(" u");
+    else {
+      output.text(" g");
+      for(double d : box.direction) word(d);
+    }
+    output.text("\n");
+  }
+  output.text("seeds");
+  word(certificate.seeds().size());
+  output.text("\n");
+  for(std::size_t c = 0; c < certificate.seeds().size(); ++c) {
+    output.decimal(c);
+    word(std::size_t(certificate.seeds()[c]));
+    output.text("\n");
+  }
+  output.text("covers");
+  word(certificate.number_of_covers());
+  output.text("\npaths");
+  word(certificate.paths().size());
+  output.text("\n");
+  for(const Crossing_path& path : certificate.paths()) {
+    output.decimal(path.component);
+    word(path.triangle);
+    for(double x : path.source) word(x);
+    for(double x : path.target) word(x);
+    output.text("\n");
+  }
+  output.text("checksum " + Checksum::text(output.checksum()) + "\n");
+  return output.flush();
+}
+
+/// \ingroup PkgBsplineShell3IO
+/// The same to a file, which is there and complete, or as it was before (`write_file()`).
+template <typename GeomTraits>
+bool write_certificate(const std::string& file, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
+                       const Shell_certificate_3<Uniform_bspline_field_3<GeomTraits> >& certificate)
+{
+  return write_file(file, [&](std::ostream& out) { return write_certificate(out, shell, certificate); });
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_IO_WRITE_CERTIFICATE_H

@@ -1,0 +1,432 @@
+// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are found
+// and named, and nothing is claimed that does not hold.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Shell_certificate_3<Field> Certificate;
+typedef BS::Constant_threshold Constant;
+typedef BS::Certificate_witness Place;
+using BS::Claim;
+using BS::Verdict;
+
+// all cells of a cube of the given half side about the origin
+Field cube_field(int half_cells, double spacing)
+{
+  const double h = half_cells * spacing;
+  std::vector<std::uint64_t> keys;
+  for(int k = -half_cells; k < half_cells; ++k)
+    for(int j = -half_cells; j < half_cells; ++j)
+      for(int i = -half_cells; i < half_cells; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  return Field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing), keys));
+}
+
+// sets the coefficients from a function of the point that each is centred at
+template <typename Function>
+void set(Field& field, const Function& f)
+{
+  const double w = field.cells().width();
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto& p = field.functions().point(Field::Cell_index(n));
+    x[Eigen::Index(n)] = f(p[0] * w, p[1] * w, p[2] * w);
+  }
+  field.set_coefficients(x);
+}
+
+// about |x|, with its only critical point at the origin
+Field radial_field(double scale = 1)
+{
+  Field field = cube_field(12, scale / 8);
+  set(field, [](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z); });
+  return field;
+}
+
+// a x^2 + b y^2 + c z^2 exactly, with spacing one: the coefficients of x^2 are x^2 - 1/3
+Field quadratic_field(double a, double b, double c)
+{
+  Field field = cube_field(4, 1);
+  set(field, [=](double x, double y, double z) { return a*x*x + b*y*y + c*z*z - (a + b + c) / 3; });
+  return field;
+}
+
+// A star pentagon as equator of a double pyramid: a surface that covers each direction twice.
+Mesh pentagram_bipyramid()
+{
+  Mesh mesh;
+  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
+  std::vector<Mesh::Vertex_index> link;
+  for(int n : { 0, 2, 4, 1, 3 }) {
+    const double angle = 2 * CGAL_PI * n / 5;
+    link.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
+  }
+  for(int n = 0; n < 5; ++n) {
+    mesh.add_face(link[n], link[(n + 1) % 5], north);
+    mesh.add_face(link[(n + 1) % 5], link[n], south);
+  }
+  return mesh;
+}
+
+Certificate certify(const Field& field, double inner, double outer, const Mesh& mesh)
+{
+  Certificate certificate(field, Constant(inner), Constant(outer));
+  certificate.verify<CGAL::Sequential_tag>(mesh);
+  return certificate;
+}
+
+std::vector<Verdict> verdicts(const Certificate& certificate)
+{
+  std::vector<Verdict> v;
+  for(int c = 0; c < 5; ++c) v.push_back(certificate.verdict(Claim(c)));
+  return v;
+}
+
+const std::vector<Verdict> all_proved(5, Verdict::PROVED);
+
+std::set<std::size_t> facets_named(const Certificate& certificate, Claim claim)
+{
+  std::set<std::size_t> facets;
+  for(const Place& w : certificate.witnesses())
+    if(w.claim == claim && w.facet != Place::none) facets.insert(w.facet);
+  return facets;
+}
+
+std::set<std::size_t> facets_at(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  std::set<std::size_t> facets;
+  for(auto f : mesh.faces_around_target(mesh.halfedge(v))) facets.insert(std::size_t(f));
+  return facets;
+}
+
+} // namespace
+
+TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that hold")
+{
+  const Mesh mesh = sphere(2);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK_FALSE(certificate);                 // nothing was verified yet
+  for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+  REQUIRE(certificate.verify(mesh));
+  CHECK(certificate);
+  CHECK(verdicts(certificate) == all_proved);
+  CHECK(certificate.witnesses().empty());
+  CHECK(certificate.number_of_covers() == 1);
+  REQUIRE(certificate.paths().size() == 1);
+  CHECK(certificate.singular_vertices().empty());
+
+  // bounds, against samples
+  double least = 1e9, least_angle = 1e9;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 n = CGAL::cross_product(q - p, r - p);
+    for(const Point_3& s : { p, q, r, CGAL::centroid(p, q, r) }) {
+      const Vector_3 g = shell.field().gradient(s).value();
+      const double length = std::sqrt(g.squared_length());
+      least = (std::min)(least, length);
+      least_angle = (std::min)(least_angle, std::asin(n * g / length / std::sqrt(n.squared_length())));
+      CHECK(certificate.facets()[std::size_t(f)].slope <= n * g / std::sqrt(n.squared_length()) + 1e-12);
+    }
+  }
+  CHECK(certificate.least_gradient() > 0.5 * least);
+  CHECK(certificate.least_gradient() <= least);
+  CHECK(certificate.least_angle() > 0.5 * least_angle);
+  CHECK(certificate.least_angle() <= least_angle);
+  CHECK(certificate.displacement_bound() >= shell.thickness() / least);
+  CHECK(certificate.displacement_bound() <= 2 * shell.thickness() / least);
+
+  // any other mesh in the shell: the same sphere, turned
+  Mesh turned = mesh;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  for(auto v : turned.vertices()) {
+    const Point_3 p = turned.point(v);
+    turned.point(v) = Point_3(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+  }
+  Certificate other(shell.field(), Constant(shell.inner_level() - 0.02), Constant(shell.outer_level() + 0.02));
+  CHECK(other.verify(turned));
+  CHECK(other.verify(mesh));
+}
+
+TEST_CASE("Certificate: components side by side and nested have shells of their own")
+{
+  Mesh mesh = sphere(2);
+  Mesh hole = sphere(2, 0.4);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
+  CGAL::copy_face_graph(hole, mesh);
+  CGAL::copy_face_graph(sphere(2, 0.5, Point_3(2, 0, 0)), mesh);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(24));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+  CHECK(certificate.number_of_covers() == 3);
+  CHECK(certificate.paths().size() == 3);
+}
+
+TEST_CASE("Certificate: a fan that winds twice is a double cover, although all facets face the field")
+{
+  const Mesh mesh = pentagram_bipyramid();
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.28, 1.1, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED,
+                                                       Verdict::REFUTED });
+  REQUIRE(certificate.witnesses().size() == 1);
+  CHECK(certificate.witnesses()[0].reason == Place::CROSSINGS);
+  CHECK(certificate.witnesses()[0].count == 2);
+  CHECK_FALSE(certificate);
+}
+
+TEST_CASE("Certificate: a facet that is turned over is refuted and named")
+{
+  Mesh mesh = sphere(2);
+  const auto v = *mesh.vertices().begin();
+  // across the opposite edge of one of its facets, along the sphere
+  const auto h = mesh.halfedge(v);
+  const Point_3 &q = mesh.point(mesh.source(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Vector_3 over = CGAL::midpoint(q, r) + 0.5 * (CGAL::midpoint(q, r) - mesh.point(v)) - CGAL::ORIGIN;
+  mesh.point(v) = CGAL::ORIGIN + over / std::sqrt(over.squared_length());
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::REFUTED);
+  CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED);
+  const std::set<std::size_t> named = facets_named(certificate, Claim::TRANSVERSALITY), at_v = facets_at(mesh, v);
+  CHECK(named.count(std::size_t(mesh.face(h))) == 1);
+  CHECK(std::includes(at_v.begin(), at_v.end(), named.begin(), named.end()));
+  for(const Place& w : certificate.witnesses())
+    if(w.verdict == Verdict::REFUTED && w.claim == Claim::TRANSVERSALITY) CHECK(w.value.max <= 0);
+  CHECK(certificate.facets()[std::size_t(mesh.face(h))].transversality == Verdict::REFUTED);
+  CHECK(certificate.least_angle() == 0);
+}
+
+TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their degree")
+{
+  Mesh mesh = sphere(2, 0.9);
+  CGAL::copy_face_graph(sphere(2, 1.1), mesh);
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED,
+                                                       Verdict::REFUTED });
+  for(const Place& w : certificate.witnesses()) {
+    if(w.claim == Claim::ONE_SHEET) {
+      CHECK(w.reason == Place::TWO_SHEETS);
+      CHECK(w.component == 0);
+      CHECK(w.other_component == 1);
+    } else CHECK(w.count == 2);
+  }
+}
+
+TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond does no harm")
+{
+  // |x - c|^2, exactly; c is no corner of any box
+  const Point_3 c(0.31, -0.13, 0.17);
+  Field field = cube_field(4, 1);
+  set(field, [&](double x, double y, double z) {
+    return (x - c.x()) * (x - c.x()) + (y - c.y()) * (y - c.y()) + (z - c.z()) * (z - c.z()) - 1;
+  });
+  const Mesh mesh = sphere(2, 2, c);
+  const double highest = 4.001, lowest = 3;
+  REQUIRE(certify(field, lowest, highest, mesh));
+  CHECK(certify(field, 0.01, highest, mesh).verdict(Claim::GRADIENT) == Verdict::PROVED);
+  const double lowest_value = field.value(c).value();       // zero but for rounding
+  REQUIRE(std::abs(lowest_value) < 1e-14);
+  for(double inner : { -0.5, lowest_value }) {
+    CAPTURE(inner);
+    const Certificate certificate = certify(field, inner, highest, mesh);
+    CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    CHECK(certificate.verdict(Claim::GRADIENT) == (inner < -0.1 ? Verdict::REFUTED : Verdict::UNDECIDED));
+    CHECK(certificate.least_gradient() == 0);
+    CHECK(certificate.displacement_bound() == std::numeric_limits<double>::infinity());
+    bool named = false;
+    for(const Place& w : certificate.witnesses())
+      if(w.claim == Claim::GRADIENT && w.verdict == certificate.verdict(Claim::GRADIENT))
+        named = named || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
+    CHECK(named);
+  }
+  // at a corner of cells no polynomial is that of a whole neighbourhood: it is found, but not proved
+  CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
+{
+  // x^2 + y^2 - z^2 + linear terms, whose saddle is where no box has its corner
+  Field field = cube_field(4, 1);
+  set(field, [](double x, double y, double z) { return x*x + y*y - z*z - 1. / 3 - 0.62 * x + 0.26 * y + 0.34 * z; });
+  BS::Shell_cover_3<Field> cover(field, Constant(-0.3), Constant(0.3));
+  CHECK(cover.flood<CGAL::Sequential_tag>(Point_3(0.31, -0.13, 0.17), 0) == 0);
+  std::size_t proved = 0;
+  for(const BS::Cover_box& box : cover.boxes()) {
+    if(box.component != 0 || box.kind != BS::Box_kind::UNDECIDED) continue;
+    const auto critical = BS::prove_critical_point(cover.function(box));
+    if(!critical) continue;
+    ++proved;
+    const CGAL::Bbox_3 b = cover.bbox(box);
+    const double w = b.xmax() - b.xmin();
+    CHECK(b.xmin() + critical->center[0] * w == Approx(0.31).epsilon(1e-9));
+    CHECK(b.ymin() + critical->center[1] * w == Approx(-0.13).epsilon(1e-9));
+    CHECK(b.zmin() + critical->center[2] * w == Approx(0.17).epsilon(1e-9));
+  }
+  CHECK(proved == 1);
+  CHECK_FALSE(BS::prove_critical_point(BS::enclosed_value(field.cell(field.locate(Point_3(3.5, 3.5, 3.5))))));
+}
+
+TEST_CASE("Certificate: what reaches the end of the domain is not in its interior")
+{
+  const Field field = radial_field();      // up to 1.5 along the axes
+  const Mesh mesh = sphere(2);
+  CHECK(certify(field, 0.9, 1.45, mesh));
+  const Certificate certificate = certify(field, 0.9, 1.55, mesh);
+  CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+  REQUIRE_FALSE(certificate.witnesses().empty());
+  for(const Place& w : certificate.witnesses()) {
+    CHECK(w.reason == Place::END_OF_DOMAIN);
+    CHECK((std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) }) > 1.3);
+  }
+}
+
+TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a mesh elsewhere")
+{
+  const Field field = radial_field();
+  Mesh mesh = sphere(2);
+  const auto v = *(mesh.vertices().begin() + 20);
+  mesh.point(v) = CGAL::ORIGIN + 1.05 * (mesh.point(v) - CGAL::ORIGIN);
+  const double highest = field.value(mesh.point(v)).value();
+  CHECK(certify(field, 0.8, highest + 1e-12, mesh).verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  const Certificate certificate = certify(field, 0.8, highest - 1e-12, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::REFUTED, Verdict::PROVED, Verdict::UNDECIDED,
+                                                       Verdict::UNDECIDED, Verdict::UNDECIDED });
+  CHECK(facets_named(certificate, Claim::CONTAINMENT) == facets_at(mesh, v));
+  for(const Place& w : certificate.witnesses())
+    if(w.claim != Claim::CONTAINMENT) CHECK(w.reason == Place::CONTAINMENT_NEEDED);
+
+  for(const Point_3& center : { Point_3(0, 0, 20), Point_3(1, 0, 0) }) {
+    const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
+    CHECK(elsewhere.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+    CHECK_FALSE(elsewhere);
+  }
+}
+
+TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
+{
+  // a cube whose sides lie in lattice planes, in a field that is exactly |x|^2 far from any critical point
+  const Field field = quadratic_field(1, 1, 1);
+  CHECK(certify(field, 0.9, 3.1, box(Point_3(-1, -1, -1), Point_3(1, 1, 1))));
+
+  Mesh mesh = sphere(2);
+  for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(1e6, -1e6, 1e6);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+}
+
+TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
+{
+  Mesh mesh = sphere(2);
+  // split a facet at a point 1e-12 inside one of its edges, then lift nothing: two facets and a needle
+  const auto f = *mesh.faces().begin();
+  const auto h = mesh.halfedge(f);
+  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Point_3 inside = CGAL::midpoint(p, q) + 1e-12 * (r - CGAL::midpoint(p, q));
+  const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+  mesh.point(center) = inside;
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  // Rounding has moved the point by 1e-16: the needle's normal may be anything. Whatever it is, the verdict follows the exact one.
+  for(auto face : mesh.faces()) {
+    const auto g = mesh.halfedge(face);
+    const Point_3 &a = mesh.point(mesh.source(g)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(mesh.next(g)));
+    const bool faces_out = CGAL::orientation(a, b, c, Point_3(0, 0, 0)) == CGAL::NEGATIVE;
+    if(!faces_out) CHECK(certificate.facets()[std::size_t(face)].transversality != Verdict::PROVED);
+  }
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+}
+
+TEST_CASE("Certificate: the same after scaling by a power of two, with any number of threads, in any rounding mode")
+{
+  const Mesh mesh = pentagram_bipyramid();
+  const Certificate reference = certify(radial_field(), 0.28, 1.1, mesh);
+  for(double scale : { std::ldexp(1., 30), std::ldexp(1., -40) }) {
+    Mesh scaled = mesh;
+    for(auto v : scaled.vertices()) scaled.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    const Field field = radial_field(scale);
+    const Certificate certificate = certify(field, scale * 0.28, scale * 1.1, scaled);
+    CHECK(verdicts(certificate) == verdicts(reference));
+    CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
+    CHECK(certificate.least_angle() == reference.least_angle());
+    CHECK(certificate.least_gradient() == reference.least_gradient());
+  }
+  const Field field = radial_field();
+  Certificate parallel(field, Constant(0.28), Constant(1.1));
+  parallel.verify<CGAL::Parallel_if_available_tag>(mesh);
+  CHECK(verdicts(parallel) == verdicts(reference));
+  CHECK(parallel.statistics().cover_boxes == reference.statistics().cover_boxes);
+  CHECK(parallel.least_gradient() == reference.least_gradient());
+  for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    REQUIRE(std::fesetround(mode) == 0);
+    Certificate rounded(field, Constant(0.28), Constant(1.1));
+    rounded.verify<CGAL::Sequential_tag>(mesh);
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    CHECK(after == mode);
+    CHECK(verdicts(rounded) == verdicts(reference));
+  }
+}
+
+TEST_CASE("Certificate: what is no closed mesh has a status, and no claim is proved")
+{
+  Mesh open = sphere(1);
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, open);
+  CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
+  CHECK(certificate.offending_simplices().facets.size() == 3);
+  for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+  CHECK(certify(field, 0.8, 1.2, Mesh()).status() == BS::Shell_status::EMPTY_MESH);
+}
+
+TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothing")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  const Mesh mesh = sphere(2);
+  Field inner = radial_field(), outer = radial_field();
+  const auto constant = [](double c) { return [c](double, double, double) { return c; }; };
+  set(inner, constant(0.85));
+  set(outer, constant(1.15));
+  BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  CHECK(certificate.displacement_bound() == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
+
+  // narrow above, wide below, never as steep as the field
+  set(inner, [](double, double, double z) { return 0.8 + 0.1 * z; });
+  set(outer, [](double, double, double z) { return 1.2 - 0.1 * z; });
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  // a mesh that the narrow part does not hold
+  CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(sphere(2, 1.15)));
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+
+  // As steep as the field: curves do not leave through it. Below the mesh there is room for such a threshold.
+  set(outer, constant(1.2));
+  set(inner, [](double x, double y, double z) { return 0.9 - 1.5 * (1 - std::sqrt(x*x + y*y + z*z)) ; });
+  CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+}
