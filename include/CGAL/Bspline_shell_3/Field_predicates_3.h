@@ -277,6 +277,7 @@ private:
   {
     std::array<std::array<std::int64_t, size>, size> corner;
     int depth;
+    int refinements;      // subdivisions below the size of a cell
   };
 
   // A function on a cell, worked out when it is first asked for; questions about neighbouring parts ask again.
@@ -288,7 +289,8 @@ private:
     bool proved;               // on the whole cell
   };
 
-  static constexpr int extra_depth = 14;              // below the size of a cell
+  static constexpr int max_bisections = 40;           // 2^20 cells along an edge; 62 bits hold all depths
+  static constexpr int max_refinements = 14;          // below the size of a cell
   static constexpr std::size_t most_parts = 20000;    // of one simplex smaller than a cell: bounded time
 
   static double local_error(const Point_3& p, const typename Field::Cell& cell)
@@ -310,8 +312,6 @@ private:
       extent = (std::max)(extent, highest - lowest);
       reach = (std::max)({ reach, std::abs(lowest), std::abs(highest) });
     }
-    const int coarse_depth = extent > width ? int(std::ceil(std::log2(extent / width))) : 0;
-    const int max_depth = coarse_depth + extra_depth;
     // products with exact weights that sum to one, and two sums
     const double position_error = 4 * internal::rounding * reach;
 
@@ -322,7 +322,7 @@ private:
     std::vector<Cell_function> functions;
     std::vector<Cell_index> cells;
     std::vector<Part<size> > stack(1);
-    stack[0].depth = 0;
+    stack[0].depth = stack[0].refinements = 0;
     for(std::size_t v = 0; v < size; ++v) {
       stack[0].corner[v].fill(0);
       stack[0].corner[v][v] = 1;
@@ -331,15 +331,17 @@ private:
     while(!stack.empty()) {
       const Part<size> part = stack.back();
       stack.pop_back();
-      if(part.depth < coarse_depth) {
-        subdivide(part, stack);
-        continue;
-      }
       // the part's corners, its box, and the cells that it may meet
       std::array<std::array<double, 3>, size> corner;
       std::array<double, 3> least, most;
       for(std::size_t v = 0; v < size; ++v)
         for(int a = 0; a < 3; ++a) corner[v][a] = coordinate(simplex, part.corner[v], part.depth, a);
+      // first, parts of the size of a cell: bisected, as facets may be long and thin
+      const std::array<std::size_t, 2> edge = longest_edge(corner);
+      if(part.depth < max_bisections && edge_length(corner[edge[0]], corner[edge[1]]) > width) {
+        bisect(part, edge, stack);
+        continue;
+      }
       for(int a = 0; a < 3; ++a) {
         least[a] = most[a] = corner[0][a];
         for(const auto& p : corner) { least[a] = (std::min)(least[a], p[a]); most[a] = (std::max)(most[a], p[a]); }
@@ -373,7 +375,7 @@ private:
       // a corner where it certainly fails?
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
-      if(part.depth < max_depth && ++parts <= most_parts) {
+      if(part.refinements < max_refinements && ++parts <= most_parts) {
         ++count.subdivisions;
         subdivide(part, stack);
         continue;
@@ -511,16 +513,42 @@ private:
     for(int a = 0; a < 3; ++a) witness.point[a] = coordinate(simplex, numerator, depth, a);
   }
 
+  static double edge_length(const std::array<double, 3>& p, const std::array<double, 3>& q)
+  {
+    return (std::max)({ std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2]) });
+  }
+
+  template <std::size_t size>
+  static std::array<std::size_t, 2> longest_edge(const std::array<std::array<double, 3>, size>& corner)
+  {
+    std::array<std::size_t, 2> longest = { 0, 1 };
+    for(std::size_t v = 1; v + 1 < size; ++v)
+      for(std::size_t u = 0; u <= v; ++u)
+        if(edge_length(corner[u], corner[v + 1]) > edge_length(corner[longest[0]], corner[longest[1]])) longest = { u, v + 1 };
+    return longest;
+  }
+
+  // halves an edge; all numerators double
+  template <std::size_t size>
+  static void bisect(const Part<size>& part, const std::array<std::size_t, 2>& edge, std::vector<Part<size> >& stack)
+  {
+    Part<size> half = part;
+    ++half.depth;
+    for(auto& corner : half.corner)
+      for(std::int64_t& numerator : corner) numerator *= 2;
+    std::array<std::int64_t, size> middle;
+    for(std::size_t n = 0; n < size; ++n) middle[n] = part.corner[edge[0]][n] + part.corner[edge[1]][n];
+    for(std::size_t end : { edge[1], edge[0] }) {
+      stack.push_back(half);
+      stack.back().corner[end] = middle;
+    }
+  }
+
   static void subdivide(const Part<2>& part, std::vector<Part<2> >& stack)
   {
-    std::array<std::array<std::int64_t, 2>, 3> p;      // first, middle, last
-    for(int v = 0; v < 2; ++v) {
-      p[0][v] = 2 * part.corner[0][v];
-      p[1][v] = part.corner[0][v] + part.corner[1][v];
-      p[2][v] = 2 * part.corner[1][v];
-    }
-    stack.push_back({ { p[1], p[2] }, part.depth + 1 });
-    stack.push_back({ { p[0], p[1] }, part.depth + 1 });
+    const std::size_t first = stack.size();
+    bisect(part, { 0, 1 }, stack);
+    for(std::size_t n = first; n < stack.size(); ++n) ++stack[n].refinements;
   }
 
   static void subdivide(const Part<3>& part, std::vector<Part<3> >& stack)
@@ -531,11 +559,11 @@ private:
         c[v][u] = 2 * part.corner[v][u];
         m[v][u] = part.corner[(v+1) % 3][u] + part.corner[(v+2) % 3][u];
       }
-    const int depth = part.depth + 1;
-    stack.push_back({ { m[0], m[1], m[2] }, depth });
-    stack.push_back({ { c[2], m[1], m[0] }, depth });
-    stack.push_back({ { c[1], m[0], m[2] }, depth });
-    stack.push_back({ { c[0], m[2], m[1] }, depth });
+    const int depth = part.depth + 1, refinements = part.refinements + 1;
+    stack.push_back({ { m[0], m[1], m[2] }, depth, refinements });
+    stack.push_back({ { c[2], m[1], m[0] }, depth, refinements });
+    stack.push_back({ { c[1], m[0], m[2] }, depth, refinements });
+    stack.push_back({ { c[0], m[2], m[1] }, depth, refinements });
   }
 
   const Field* m_field;

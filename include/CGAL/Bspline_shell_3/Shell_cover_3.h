@@ -76,7 +76,8 @@ public:
   typedef typename Field::Cell Cell;
   typedef std::uint32_t Box_index;
   static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
-  static constexpr std::size_t max_boxes_of_a_cell = 512;  ///< a cell with more is not subdivided further
+  /// a cell with more boxes is not subdivided further; the smaller number holds once `many_undecided_boxes` are undecided
+  static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
 
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
@@ -93,9 +94,10 @@ public:
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
     constexpr std::size_t chunk = 64;
+    const std::size_t most_boxes = m_undecided < many_undecided_boxes ? max_boxes_of_a_cell : max_boxes_of_a_hopeless_cell;
     std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
     internal::for_each_chunk<ConcurrencyTag>(cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], boxes[begin / chunk]);
+      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], most_boxes, boxes[begin / chunk]);
     });
     for(const std::vector<Cover_box>& part : boxes)
       for(const Cover_box& box : part) {
@@ -105,6 +107,7 @@ public:
         }
         m_boxes.push_back(box);
         m_cells.back().end = m_boxes.size();
+        m_undecided += box.kind == Box_kind::UNDECIDED;
       }
   }
 
@@ -247,7 +250,7 @@ private:
   }
 
   // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive.
-  void subdivide(std::uint32_t c, std::vector<Cover_box>& boxes) const
+  void subdivide(std::uint32_t c, std::size_t most_boxes, std::vector<Cover_box>& boxes) const
   {
     // breadth first, so that where boxes run out, they are of equal size
     std::vector<Part> queue(1);
@@ -263,7 +266,7 @@ private:
       const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
                         // what is inside must be told from what is not
                         : box.kind == Box_kind::MONOTONE && at_border && box.depth < max_border_depth && touches_border(bbox(box));
-      if(splits && queue.size() < max_boxes_of_a_cell) push_octants(n, queue);
+      if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
     std::sort(boxes.begin() + begin, boxes.end(), [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
@@ -399,6 +402,7 @@ private:
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
   std::vector<Box_index> m_border;
+  std::size_t m_undecided = 0;            // boxes, of the cover or not
 };
 
 } // namespace Bspline_shells
