@@ -1,14 +1,25 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12), builds all tests, examples and benchmarks, and runs the tests.
+#   bash test/run.sh [--sanitize]
+# --sanitize: the unit tests alone, compiled with address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev python3-vtk9 xvfb xauth
+install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev python3 python3-vtk9 xvfb xauth
 
-build=${BUILD_DIR:-build/test}
-launcher=()
-command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" \
-      -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON -DBSPLINE_SHELL_3_EXAMPLES=ON -DBSPLINE_SHELL_3_BENCHMARKS=ON
-cmake --build "$build" --parallel "$(nproc)"
+options=(-DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON)
+command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+if [ "${1-}" = --sanitize ]; then
+  build=${BUILD_DIR:-build/sanitize}
+  options+=(-DBSPLINE_SHELL_3_SANITIZE=ON -DBSPLINE_SHELL_3_EXAMPLES=OFF)
+  target=(--target shell_tests)
+  # what is allocated once by libraries is no leak of ours
+  export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
+else
+  build=${BUILD_DIR:-build/test}
+  options+=(-DBSPLINE_SHELL_3_EXAMPLES=ON -DBSPLINE_SHELL_3_BENCHMARKS=ON)
+  target=()
+fi
+cmake -S . -B "$build" -G Ninja -Wno-dev "${options[@]}"
+cmake --build "$build" --parallel "$(nproc)" "${target[@]}"
 ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"

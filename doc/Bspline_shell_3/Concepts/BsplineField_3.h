@@ -67,7 +67,13 @@ public:
   template <typename Visitor>
   bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const;
 
-  /// the cells as cells of a lattice, under the same numbers
+  /// the 64 Bernstein coefficients of the function on a cell, exact if `NT` is an exact number type: for signs that
+  /// rounded coefficients leave open
+  template <typename NT>
+  std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
+
+  /// the cells as cells of a lattice, under the same numbers. Only `facet_ranges()`, `edge_range()` and `extract_level_set()`,
+  /// which work on a mesh clipped by a lattice, ask for it; predicates, certificate and containment do not.
   const CGAL::Bspline_shells::Cell_complex_3& cells() const;
 
 /// @}

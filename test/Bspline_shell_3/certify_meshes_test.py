@@ -1,0 +1,48 @@
+"""certify_meshes says one JSON object a line for every file, whatever is wrong with it, and goes on to the next.
+
+Usage: certify_meshes_test.py CERTIFY_MESHES MESHES     (MESHES: the folder of CGAL's meshes)
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+program, meshes = sys.argv[1:]
+keys = {"mesh", "facets", "components", "status", "reason", "gamma", "levels", "cells", "unknowns", "eps1", "eps2", "thickness",
+        "min_cone_margin", "singular_vertices", "certificate", "violations", "tiers", "seconds", "peak_mb"}
+
+
+def run(*arguments):
+    done = subprocess.run([program, *arguments], capture_output=True, text=True)
+    assert done.returncode == 0, done
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+with tempfile.TemporaryDirectory() as folder:
+    broken = os.path.join(folder, 'bro"ken.off')
+    with open(broken, "w") as file:
+        file.write("OFF\n3 1 0\n0 0 0\n1 0 0\n")
+    eight, opened = os.path.join(meshes, "eight.off"), os.path.join(meshes, "mannequin-devil.off")
+    lines = run(eight, os.path.join(folder, "missing.off"), broken, opened, os.path.join(meshes, "cube.off"),
+                "--gamma", "14", "--write-shells", folder)
+    assert [line["mesh"] for line in lines[:4]] == [eight, os.path.join(folder, "missing.off"), broken, opened], lines
+    assert len(lines) == 5
+    assert [line["status"] for line in lines[1:4]] == ["refused"] * 3, lines
+    assert all(line["reason"] for line in lines[1:4])
+    for line in (lines[0], lines[4]):
+        assert keys <= set(line), keys - set(line)
+        assert line["certificate"]["containment"] == "proved"
+        proved = all(value == "proved" for value in line["certificate"].values())
+        assert (line["status"] == "certified") == proved
+        assert proved or line["places"]                 # what is not proved names its place
+    assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
+
+    # limits end one mesh, not the run
+    late, after = run(os.path.join(meshes, "elephant.off"), opened, "--gamma", "400", "--max-seconds", "1")
+    assert late["status"] == "refused" and "time" in late["reason"], late
+    assert after["status"] == "refused"
+    large, = run(eight, "--gamma", "100", "--max-memory-mb", "20")
+    assert large["status"] == "refused" and "memory" in large["reason"], large
+    assert subprocess.run([program, "--gamma", "much", eight], capture_output=True).returncode == 2
+print("ok")
