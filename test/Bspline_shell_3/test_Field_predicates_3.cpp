@@ -228,6 +228,25 @@ TEST_CASE("Predicates: what lies outside the domain is not within any levels")
         == Verdict::REFUTED);
   CHECK(predicates.values_within(Triangle{ Point_3(4, 0, 0), Point_3(4, 1, 0), Point_3(4, 0, 1) }, { 3, 5 })
         != Verdict::REFUTED);      // on the boundary, which belongs to the domain
+  // in no time, whatever the size
+  for(double far : { 1e9, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
+    CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(far, 0, 0), Point_3(0, far, 0) }, { -100, 100 })
+          == Verdict::REFUTED);
+    CHECK(predicates.increases({ Point_3(0, 0, 0), Point_3(far, 0, 0) }) != Verdict::PROVED);
+  }
+  const Field nowhere;
+  CHECK(Predicates(nowhere).values_within(Triangle{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) }, { -100, 100 })
+        == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: a long needle costs its length, not its length squared")
+{
+  const Field field = linear_field(0, 0, 1);
+  const Predicates predicates(field);
+  BS::Predicate_statistics statistics;
+  const Triangle needle = { Point_3(-3.9, -3.7, 1), Point_3(3.9, 3.8, 1.5), Point_3(3.9, 3.8 + 1e-9, 1.5) };
+  CHECK(predicates.values_within(needle, { 0.9, 1.6 }, nullptr, &statistics) == Verdict::PROVED);
+  CHECK(statistics.by_cell + statistics.by_form < 200); 
 }
 
 TEST_CASE("Predicates: segments along which the field increases")

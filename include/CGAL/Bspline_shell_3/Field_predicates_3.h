@@ -291,7 +291,9 @@ private:
 
   static constexpr int max_bisections = 40;           // 2^20 cells along an edge; 62 bits hold all depths
   static constexpr int max_refinements = 14;          // below the size of a cell
-  static constexpr std::size_t most_parts = 20000;    // of one simplex smaller than a cell: bounded time
+  static constexpr double large_extent = 64;          // cells
+  // subdivisions of one simplex, and of a part of it of the size of a cell: bounded time
+  static constexpr std::size_t most_parts = 20000, most_parts_of_a_cell = 2000;
 
   static double local_error(const Point_3& p, const typename Field::Cell& cell)
   {
@@ -304,7 +306,7 @@ private:
   Verdict decide(const std::array<Point_3, size>& simplex, const Question& question,
                  Witness* witness, Predicate_statistics* statistics, Least_value* bound_below) const
   {
-    const double width = m_field->cell(0).width();
+    const double width = m_field->number_of_cells() > 0 ? m_field->cell(0).width() : 0;
     double extent = 0, reach = 0;
     for(int a = 0; a < 3; ++a) {
       double lowest = simplex[0][a], highest = lowest;
@@ -327,7 +329,11 @@ private:
       stack[0].corner[v].fill(0);
       stack[0].corner[v][v] = 1;
     }
-    std::size_t parts = 0;
+    // What is large may be larger than the domain by any factor, but then its corners are outside.
+    if(!(extent <= large_extent * width))
+      for(std::size_t v = 0; v < size; ++v)
+        if(fails_at(simplex, stack[0].corner[v], 0, position_error, question, functions, witness)) return Verdict::REFUTED;
+    std::size_t parts = 0, parts_here = 0;
     while(!stack.empty()) {
       const Part<size> part = stack.back();
       stack.pop_back();
@@ -375,14 +381,14 @@ private:
       // a corner where it certainly fails?
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
-      if(part.refinements < max_refinements && ++parts <= most_parts) {
+      if(part.refinements == 0) parts_here = 0;
+      if(part.refinements < max_refinements && ++parts <= most_parts && ++parts_here <= most_parts_of_a_cell) {
         ++count.subdivisions;
         subdivide(part, stack);
         continue;
       }
       if(verdict == Verdict::PROVED && witness) describe(simplex, part.corner[0], part.depth, *witness);
-      verdict = Verdict::UNDECIDED;
-      if(parts > most_parts) return verdict;
+      verdict = Verdict::UNDECIDED;      // another part may still refute the claim
     }
     return verdict;
   }
