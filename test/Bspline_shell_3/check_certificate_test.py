@@ -70,9 +70,10 @@ class Files:
         self.certificate_sum = "checksum " + crc64(text(self.certificate).encode())
 
     def section(self, lines, name):
-        """number of the line that begins with the name, and of those that it counts"""
+        """number of the line that begins with the name, and of those that it counts, if it does"""
         line = next(i for i, l in enumerate(lines) if l.startswith(name + " "))
-        return line, int(lines[line].split()[1])
+        count = lines[line].split()[1]
+        return line, int(count) if count.isdigit() else 0
 
     def words(self, lines, line, change):
         words = lines[line].split(" ")
@@ -274,7 +275,7 @@ add("two blanks", lambda f: f.certificate.__setitem__(3, f.certificate[3].replac
 add("lines that end with \\r", lambda f: f.certificate.__setitem__(3, f.certificate[3] + "\r"), 2, "line 4")
 add("verdict that does not exist", lambda f: f.certificate.__setitem__(3, "verdicts proved proved proved proved true"), 2, "verdict")
 add("line too many", lambda f: f.certificate.append("0"), 2, "more than")
-add("line too few", lambda f: f.certificate.pop(), 2, "missing")
+add("line too few", lambda f: f.certificate.pop(), 2, "a number is expected")
 add("empty certificate", lambda f: f.certificate.clear(), 2, "missing", "e")
 add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum " + f.certificate_sum[9:].upper()), 2, "checksum", "")
 

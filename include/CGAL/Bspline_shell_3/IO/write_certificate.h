@@ -35,7 +35,7 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
   for(auto v : mesh.vertices())
     for(int a = 0; a < 3; ++a) sum.add(double(mesh.point(v)[a]));
   for(auto f : mesh.faces())
-    for(auto v : mesh.vertices_around_face(mesh.prev(mesh.halfedge(f)))) sum.add(std::uint32_t(v));
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) sum.add(std::uint32_t(v));
   return sum.value();
 }
 
