@@ -310,15 +310,18 @@ private:
     constexpr std::size_t chunk = 256;
     const std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
     std::vector<double> margins(vertices.size(), 1);
+    std::vector<char> singular(vertices.size(), 0);
     internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n)
-        if(!mesh.is_isolated(vertices[n])) margins[n] = vertex_cone_margin(mesh, vertices[n]);
+        if(!mesh.is_isolated(vertices[n])) {
+          margins[n] = vertex_cone_margin(mesh, vertices[n]);
+          singular[n] = !vertex_cone(mesh, vertices[n]);      // exact, unlike the margin
+        }
     });
     m_least_margin = 1;
     for(std::size_t n = 0; n < vertices.size(); ++n) {
       m_least_margin = (std::min)(m_least_margin, margins[n]);
-      // exact, where the margin is small
-      if(margins[n] < 1e-6 && !vertex_cone(mesh, vertices[n])) m_singular.push_back(input.vertex_of_origin(vertices[n]));
+      if(singular[n]) m_singular.push_back(input.vertex_of_origin(vertices[n]));
     }
     std::sort(m_singular.begin(), m_singular.end());
     if(!m_singular.empty()) m_least_margin = 0;
@@ -414,11 +417,9 @@ private:
       if(seed[m_component[f]] == Triangle_mesh::null_vertex()) seed[m_component[f]] = v;
     }
     cover.template prepare<ConcurrencyTag>(std::move(cells));
-    std::vector<std::uint32_t> component_of_cover(m_number_of_components);
     for(std::size_t c = 0; c < m_number_of_components; ++c) {
       m_seeds.push_back(seed[c]);
       const std::uint32_t known = cover.template flood<ConcurrencyTag>(to_field(mesh.point(seed[c])), std::uint32_t(c));
-      component_of_cover[c] = known;
       if(known == c) { ++m_covers; continue; }
       const std::optional<std::array<double, 3> > joint = joined(mesh, known, c);
       Certificate_witness& w = conclude(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED,
