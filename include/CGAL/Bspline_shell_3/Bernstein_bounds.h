@@ -158,6 +158,20 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
   return f;
 }
 
+/// \ingroup PkgBsplineShell3Bounds
+/// the difference of two functions on the same cell
+inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
+{
+  Enclosed_tricubic d;
+  double largest = 0;
+  for(int n = 0; n < 64; ++n) {
+    d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
+    largest = (std::max)(largest, std::abs(d.coefficients[n]));
+  }
+  d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest);
+  return d;
+}
+
 /*!
  * \ingroup PkgBsplineShell3Bounds
  *

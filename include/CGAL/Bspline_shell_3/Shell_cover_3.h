@@ -345,13 +345,7 @@ private:
   // an upper bound of the length of the gradient of the threshold f - (f - threshold)
   static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
   {
-    Enclosed_tricubic threshold;
-    double largest = 0;
-    for(int n = 0; n < 64; ++n) {
-      threshold.coefficients[n] = f.coefficients[n] - above.coefficients[n];
-      largest = (std::max)(largest, std::abs(threshold.coefficients[n]));
-    }
-    threshold.radius = (1 + 4 * internal::rounding) * (f.radius + above.radius + internal::rounding * largest);
+    const Enclosed_tricubic threshold = difference(f, above);
     double sum = 0;
     for(int a = 0; a < 3; ++a) {
       std::array<double, 3> axis = {};

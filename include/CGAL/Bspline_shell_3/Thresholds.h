@@ -37,14 +37,9 @@ public:
   /// a function minus the threshold, on a leaf cell
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
   {
-    Enclosed_tricubic d = f;
-    double largest = 0;
-    for(double& x : d.coefficients) {
-      x -= m_level;
-      largest = (std::max)(largest, std::abs(x));
-    }
-    d.radius = (1 + 4 * internal::rounding) * (f.radius + internal::rounding * largest);
-    return d;
+    Enclosed_tricubic constant;
+    constant.coefficients.fill(m_level);
+    return Bspline_shells::difference(f, constant);
   }
 
 private:
@@ -73,15 +68,7 @@ public:
 
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
   {
-    const Enclosed_tricubic g = enclosed_value(m_field->cell(cell));
-    Enclosed_tricubic d;
-    double largest = 0;
-    for(int n = 0; n < 64; ++n) {
-      d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
-      largest = (std::max)(largest, std::abs(d.coefficients[n]));
-    }
-    d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest);
-    return d;
+    return Bspline_shells::difference(f, enclosed_value(m_field->cell(cell)));
   }
 
 private:
