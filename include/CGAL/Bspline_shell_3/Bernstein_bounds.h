@@ -26,8 +26,8 @@ namespace Bspline_shells {
  *
  * Every bound in this header is rigorous for every function within the radius. It is computed in `double`s, and what
  * rounding can do is added by an error analysis. Single operations are taken to err by at most `eps`
- * = \f$2^{-52}\f$ relatively, which holds in every rounding mode. Results below about 1e-300 (underflow) are outside of the
- * analysis.
+ * = \f$2^{-52}\f$ relatively, which holds in every rounding mode, or by the least normal number, of which every radius gets
+ * more than enough. An infinite radius stands for a function of which nothing is known.
  */
 struct Enclosed_tricubic
 {
@@ -45,13 +45,17 @@ struct Enclosed_tricubic
 namespace internal {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double underflow = 1024 * (std::numeric_limits<double>::min)();
 
 // What rounding can do to a coefficient of a form of degree nine.
 //
 // With |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a, the absolute weights of a polar form
-// sum to at most S = (s_x s_y s_z)^3 (one, in the cell). Roundings on the way of one term: six for the weights of each
-// axis, four for each of three contractions, at most 21 for sums of up to ten terms, twice, and the division: 51, each
-// eps of at most S times the largest coefficient. Corners displaced by `shift` cell units change the polynomial's polar
+// sum to at most S = (s_x s_y s_z)^3 (one, in the cell). Roundings on the way of one term:
+//   weights: two differences, two products, two sums, the multiplicity, for each of three axes   21
+//   contractions: a product and three sums each                                                   12
+//   sums over the permutations of arguments: of up to ten terms, then of up to seven              15
+//   the division                                                                                   1
+// are 49, each eps of at most S times the largest coefficient. Corners displaced by `shift` cell units change the polynomial's polar
 // form, which is of degree three per axis, by at most 9 S (max - min) shift.
 struct Form_error
 {
@@ -78,7 +82,7 @@ struct Form_error
     const double largest = (std::max)(std::abs(*mm.first), std::abs(*mm.second));
     // the factor covers the roundings of this very expression
     return (1 + 16 * rounding) * amplification *
-           (f.radius + 52 * rounding * largest + 9 * (*mm.second - *mm.first) * shift);
+           (f.radius + 52 * rounding * largest + 9 * (*mm.second - *mm.first) * shift + underflow);
   }
 };
 
@@ -143,7 +147,7 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
       else { b[0] = b0; b[stride] = m01; b[2*stride] = l; b[3*stride] = middle; }
     }
   // averages: three additions per axis, halving is exact
-  r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest);
+  r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest + internal::underflow);
   return r;
 }
 
@@ -168,7 +172,7 @@ inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_t
     d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
     largest = (std::max)(largest, std::abs(d.coefficients[n]));
   }
-  d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest);
+  d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest + internal::underflow);
   return d;
 }
 
@@ -203,7 +207,7 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
     g.radius += std::abs(d) * (6 * f.radius + 18 * internal::rounding * steepest)
               + direction_radius * (6 * f.radius + 3 * (1 + 4 * internal::rounding) * steepest);
   }
-  g.radius *= 1 + 16 * internal::rounding;
+  g.radius = (1 + 16 * internal::rounding) * (g.radius + internal::underflow);
   return g;
 }
 

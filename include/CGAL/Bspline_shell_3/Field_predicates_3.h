@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_FIELD_PREDICATES_3_H
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/facet_normal.h>
 
 #include <CGAL/Bbox_3.h>
@@ -25,15 +26,6 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Certificate
-/// the honest answer to a question that is decided in bounded time
-enum class Verdict
-{
-  PROVED,       ///< it holds, rigorously
-  REFUTED,      ///< it does not hold: there is a witness
-  UNDECIDED     ///< the bounds were not tight enough; there is a place
-};
-
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
@@ -49,26 +41,6 @@ struct Witness
   Level_range value;
   /// the point lies outside the field's domain
   bool outside = false;
-};
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief how often each tier of a predicate decided.
- */
-struct Predicate_statistics
-{
-  std::size_t by_cell = 0;          ///< coefficients of a whole cell
-  std::size_t by_form = 0;          ///< coefficients on a part of the triangle
-  std::size_t subdivisions = 0;
-
-  Predicate_statistics& operator+=(const Predicate_statistics& o)
-  {
-    by_cell += o.by_cell;
-    by_form += o.by_form;
-    subdivisions += o.subdivisions;
-    return *this;
-  }
 };
 
 /*!
@@ -96,16 +68,20 @@ public:
   typedef typename Field::Cell_index Cell_index;
 
   /// \pre `field` outlives this object
-  explicit Field_predicates_3(const Field& field) : m_field(&field) {}
+  explicit Field_predicates_3(const Field& field) : m_field(&field)
+  {
+    for(Cell_index c = 0; c < field.number_of_cells(); ++c) m_largest_width = (std::max)(m_largest_width, field.cell(c).width());
+  }
 
   const Field& field() const { return *m_field; }
 
-  /// compares the field at `p` with `level`: exact. Nothing outside the domain.
+  /// compares the field at `p` with `level`: exact. Nothing outside the domain, nor where the field has no value.
   std::optional<Comparison_result> compare(const Point_3& p, double level) const
   {
     const Cell_index c = m_field->locate(p);
     if(c == Field::npos) return std::nullopt;
     const typename Field::Cell cell = m_field->cell(c);
+    if(!std::isfinite(cell.error_radius()) || std::isnan(level)) return std::nullopt;
     const Level_range range = enclose_at_point(enclosed_value(cell), cell.local_coordinates(p), local_error(p, cell));
     if(range.min > level) return LARGER;
     if(range.max < level) return SMALLER;
@@ -192,16 +168,6 @@ public:
       return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w, nullptr,
                     nullptr) == Verdict::REFUTED && !w.outside;
     }
-  }
-
-  /// whether the derivative along `direction` is positive on a closed box in one leaf cell: the part of the cell at
-  /// `position` in units of its width / 2^depth. Without subdivision: no answer is final but yes.
-  bool increases_on_box(Cell_index c, int depth, const std::array<int, 3>& position, const std::array<double, 3>& direction) const
-  {
-    Enclosed_tricubic f = enclosed_value(m_field->cell(c));
-    for(int bit = depth - 1; bit >= 0; --bit)
-      f = restrict_to_octant(f, ((position[0] >> bit) & 1) | ((position[1] >> bit) & 1) << 1 | ((position[2] >> bit) & 1) << 2);
-    return enclosed_derivative(f, direction).range().min > 0;
   }
 
 private:
@@ -292,21 +258,22 @@ private:
   static constexpr int max_bisections = 40;           // 2^20 cells along an edge; 62 bits hold all depths
   static constexpr int max_refinements = 14;          // below the size of a cell
   static constexpr double large_extent = 64;          // cells
-  // subdivisions of one simplex, and of a part of it of the size of a cell: bounded time
-  static constexpr std::size_t most_parts = 20000, most_parts_of_a_cell = 2000;
+  // subdivisions of a part of the size of a cell, and of all of them together, beyond a few for each: bounded time
+  static constexpr std::size_t most_parts_of_a_cell = 2000, most_parts = 20000, parts_for_each = 8;
 
-  static double local_error(const Point_3& p, const typename Field::Cell& cell)
+  // of the local coordinates of a point
+  template <typename Point>
+  static double local_error(const Point& p, const typename Field::Cell& cell)
   {
     double largest = 0;
     for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(p[a] - cell.corner()[a]) / cell.width());
-    return 4 * internal::rounding * largest;    // a difference and a quotient
+    return 4 * internal::rounding * largest;    // a difference, relative to its own size, and a quotient
   }
 
   template <std::size_t size, typename Question>
   Verdict decide(const std::array<Point_3, size>& simplex, const Question& question,
                  Witness* witness, Predicate_statistics* statistics, Least_value* bound_below) const
   {
-    const double width = m_field->number_of_cells() > 0 ? m_field->cell(0).width() : 0;
     double extent = 0, reach = 0;
     for(int a = 0; a < 3; ++a) {
       double lowest = simplex[0][a], highest = lowest;
@@ -330,10 +297,10 @@ private:
       stack[0].corner[v][v] = 1;
     }
     // What is large may be larger than the domain by any factor, but then its corners are outside.
-    if(!(extent <= large_extent * width))
+    if(!(extent <= large_extent * m_largest_width))
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, stack[0].corner[v], 0, position_error, question, functions, witness)) return Verdict::REFUTED;
-    std::size_t parts = 0, parts_here = 0;
+    std::size_t parts = 0, parts_here = 0, parts_of_cell_size = 0;
     while(!stack.empty()) {
       const Part<size> part = stack.back();
       stack.pop_back();
@@ -344,7 +311,8 @@ private:
         for(int a = 0; a < 3; ++a) corner[v][a] = coordinate(simplex, part.corner[v], part.depth, a);
       // first, parts of the size of a cell: bisected, as facets may be long and thin
       const std::array<std::size_t, 2> edge = longest_edge(corner);
-      if(part.depth < max_bisections && edge_length(corner[edge[0]], corner[edge[1]]) > width) {
+      const double length = edge_length(corner[edge[0]], corner[edge[1]]);
+      if(part.depth < max_bisections && length > m_largest_width) {
         bisect(part, edge, stack);
         continue;
       }
@@ -357,7 +325,7 @@ private:
       cells.clear();
       const bool covered = m_field->visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
                                                 [&](Cell_index c) { if(plane.meets(m_field->cell(c))) cells.push_back(c); });
-      bool proved = covered && !cells.empty();
+      bool proved = covered && !cells.empty(), spans_cells = false;
       double least_on_part = std::numeric_limits<double>::infinity();
       for(Cell_index c : cells) {
         if(!proved) break;
@@ -369,10 +337,17 @@ private:
           least_on_part = (std::min)(least_on_part, f.range.min / unit);
           continue;
         }
+        // of the size of this cell: far beyond it, its polynomial says nothing
+        spans_cells = part.depth < max_bisections && length > cell.width();
+        if(spans_cells) break;
         const Level_range range = bound(simplex, part, f.function, cell);
         proved = question.proves(range);
         count.by_form += proved;
         least_on_part = (std::min)(least_on_part, range.min / unit);
+      }
+      if(spans_cells) {
+        bisect(part, edge, stack);
+        continue;
       }
       if(proved) {
         if(bound_below) bound_below->value = (std::min)(bound_below->value, least_on_part);
@@ -381,8 +356,12 @@ private:
       // a corner where it certainly fails?
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
-      if(part.refinements == 0) parts_here = 0;
-      if(part.refinements < max_refinements && ++parts <= most_parts && ++parts_here <= most_parts_of_a_cell) {
+      if(part.refinements == 0) {
+        parts_here = 0;
+        ++parts_of_cell_size;
+      }
+      if(part.refinements < max_refinements && ++parts <= most_parts + parts_for_each * parts_of_cell_size
+         && ++parts_here <= most_parts_of_a_cell) {
         ++count.subdivisions;
         subdivide(part, stack);
         continue;
@@ -495,7 +474,7 @@ private:
       const typename Field::Cell cell = m_field->cell(c);
       const Cell_function& f = cell_function(functions, c, question);
       std::array<double, 3> t = cell.local_coordinates(p);
-      const double shift = (e + 4 * internal::rounding * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]))) / cell.width();
+      const double shift = e / cell.width() + local_error(p, cell);
       const Level_range r = enclose_at_point(f.function, t, shift);
       fails = question.refutes(r);
       const double unit = question.unit(cell);
@@ -573,6 +552,7 @@ private:
   }
 
   const Field* m_field;
+  double m_largest_width = 0;       // of a cell
 };
 
 } // namespace Bspline_shells

@@ -81,6 +81,7 @@ public:
   const Triangle_mesh& mesh() const { return m_mesh; }
   /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
+  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< of the user's mesh
   /// smallest box around the facets
   Bbox_3 bbox() const { return m_bbox; }
   /// length of the longest side of the box: the paper's unit
@@ -154,7 +155,8 @@ private:
       m_mesh.point(pair.second) = Kernel::Point_3(rounded(p[0]), rounded(p[1]), rounded(p[2]));
     }
     // faces are copied in the order of their range, vertices in the order in which edges lead to them
-    m_origin.assign(m_mesh.number_of_faces(), 0);
+    m_number_of_facets = face_pairs.size();
+    m_origin.assign(m_number_of_facets, 0);
     for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
     const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
     position = 0;
@@ -303,7 +305,7 @@ private:
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin;
   Bbox_3 m_bbox;
-  std::size_t m_components = 0;
+  std::size_t m_number_of_facets = 0, m_components = 0;
   bool m_outwards = true;
   Offending_simplices m_offenders;
 };

@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/vertex_cone.h>
 
+#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
@@ -28,110 +29,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief the five claims that together make the integral curves of the field map a mesh one-to-one.
- */
-enum class Claim
-{
-  CONTAINMENT,        ///< P1: \f$\epsilon_1 \le f \le \epsilon_2\f$ on every point of every facet
-  TRANSVERSALITY,     ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
-  GRADIENT,           ///< P3: the shell lies in the interior of the domain, and has no critical point
-  ONE_SHEET,          ///< P4: every component of the shell has one component of the mesh
-  DEGREE_ONE          ///< P5: a path through each component, from below to above, crosses the mesh once
-};
-
-inline const char* name(Claim claim)
-{
-  switch(claim) {
-    case Claim::CONTAINMENT:    return "containment";
-    case Claim::TRANSVERSALITY: return "transversality";
-    case Claim::GRADIENT:       return "gradient";
-    case Claim::ONE_SHEET:      return "one_sheet";
-    case Claim::DEGREE_ONE:     return "degree_one";
-  }
-  return "";
-}
-
-inline const char* name(Verdict verdict)
-{
-  switch(verdict) {
-    case Verdict::PROVED:    return "proved";
-    case Verdict::REFUTED:   return "refuted";
-    case Verdict::UNDECIDED: return "undecided";
-  }
-  return "";
-}
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief where a claim fails or is undecided, and why.
- */
-struct Certificate_witness
-{
-  enum Reason
-  {
-    FACET,              ///< the claim fails or is undecided on `facet`, at `point`
-    CRITICAL_POINT,     ///< there certainly is one within \f$10^{-1}\f$ cells of `point`, in the shell
-    BOX,                ///< the box around `point` in the leaf `cell` is undecided
-    END_OF_DOMAIN,      ///< the cover of the shell reaches the end of the domain in the leaf `cell`
-    TWO_SHEETS,         ///< `component` and `other_component` of the mesh share a component of the cover; refuted if they
-                        ///< certainly share one of the shell
-    NO_PATH,            ///< no segment through `component` was found that could be counted
-    CROSSINGS,          ///< the path through `component` crosses the mesh `count` times
-    CONTAINMENT_NEEDED  ///< the claim was not examined, as containment is not proved
-  };
-  static constexpr std::size_t none = std::size_t(-1);
-
-  Claim claim;
-  Verdict verdict;
-  Reason reason;
-  std::size_t facet = none;             ///< position in `faces(mesh)`
-  std::size_t cell = none;              ///< leaf cell of the field
-  std::size_t component = none, other_component = none;   ///< of the mesh, in the order of their first facets
-  std::array<double, 3> point = {};
-  Level_range value;                    ///< encloses the field's value (containment) or slope (transversality) at the point
-  int count = 0;
-};
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief a segment through a component of the shell on which the field increases from below the inner threshold to above the
- * outer one.
- */
-struct Crossing_path
-{
-  std::size_t component;                ///< of the mesh
-  std::size_t triangle;                 ///< of the examined mesh, through whose middle it goes
-  std::array<double, 3> source, target;
-};
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief what the certificate cost, and which tier decided how much.
- */
-struct Certificate_statistics
-{
-  Predicate_statistics containment, transversality;
-  std::size_t cover_cells = 0;          ///< leaf cells that the flood looked at
-  std::size_t cover_boxes = 0;          ///< of the cover
-  std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
-  std::size_t deepest_box = 0;          ///< halvings
-  double seconds = 0;
-};
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
@@ -168,9 +73,9 @@ public:
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
 
-  /// of the shell's field, between its levels. \pre there is a shell, and it outlives this object
-  explicit Shell_certificate_3(const Bspline_shell_3<Field>& shell)
-    : Shell_certificate_3(shell.field(), Threshold(shell.inner_level()), Threshold(shell.outer_level()))
+  /// of the shell's field, between its thresholds. \pre there is a shell, and it outlives this object
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell)
+    : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {}
 
   /// examines a mesh: the one that the shell was built for, or any other.
@@ -187,31 +92,47 @@ public:
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    Input_mesh_3::Tolerated_defects tolerated;
+    tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
+    auto input = std::make_shared<Input_mesh_3>();
+    const Shell_status status = input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
+    return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)), status);
+  }
+
+  /// examines a mesh that is known as the package works on it; facets and vertices are those of the user's mesh.
+  /// \param input the mesh
+  /// \param status of `input`
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
+  bool verify(std::shared_ptr<const Input_mesh_3> input, Shell_status status = Shell_status::SUCCESS)
+  {
     Real_timer timer;
     timer.start();
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     *this = Shell_certificate_3(*m_field, m_inner, m_outer);
     m_arithmetic = arithmetic_self_test();
     if(m_arithmetic != Arithmetic_status::SOUND) return false;
-    Input_mesh_3& input = m_input;
-    Input_mesh_3::Tolerated_defects tolerated;
-    tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
-    m_status = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);
-    m_offenders = input.offending_simplices();
+    if(!m_field->has_exact_cells()) {
+      m_status = Shell_status::GRID_TOO_FINE;
+      return false;
+    }
+    m_input = std::move(input);
+    m_status = status;
+    m_offenders = m_input->offending_simplices();
     if(m_status != Shell_status::SUCCESS) return false;
-    m_verdicts.fill(Verdict::PROVED);       // until a witness turns up
-    m_facets.resize(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
+    m_report.verdicts.fill(Verdict::PROVED);       // until a witness turns up
+    m_facets.resize(m_input->number_of_facets_of_origin());
 
-    find_components(input);
-    examine_vertices<ConcurrencyTag>(input);
-    examine_facets<ConcurrencyTag>(input);
+    find_components(*m_input);
+    examine_vertices<ConcurrencyTag>(*m_input);
+    examine_facets<ConcurrencyTag>(*m_input);
     if(verdict(Claim::CONTAINMENT) == Verdict::PROVED) {
-      examine_cover<ConcurrencyTag>(input);
-      examine_paths(input);
+      examine_cover<ConcurrencyTag>(*m_input);
+      examine_paths(*m_input);
     } else {
       for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
         conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
     }
-    m_statistics.seconds = timer.time();
+    m_report.statistics.seconds = timer.time();
     return is_certified();
   }
 
@@ -219,7 +140,7 @@ public:
   bool is_certified() const
   {
     return m_status == Shell_status::SUCCESS && m_arithmetic == Arithmetic_status::SOUND
-        && std::all_of(m_verdicts.begin(), m_verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
+        && std::all_of(m_report.verdicts.begin(), m_report.verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
   }
   explicit operator bool() const { return is_certified(); }
 
@@ -228,37 +149,39 @@ public:
   const Offending_simplices& offending_simplices() const { return m_offenders; }
   Arithmetic_status arithmetic() const { return m_arithmetic; }
 
-  Verdict verdict(Claim claim) const { return m_verdicts[std::size_t(claim)]; }
+  /// all that was found, without what it refers to
+  const Certificate_report& report() const { return m_report; }
+  Verdict verdict(Claim claim) const { return m_report.verdict(claim); }
   /// all places where a claim is not proved
-  const std::vector<Certificate_witness>& witnesses() const { return m_witnesses; }
+  const std::vector<Certificate_witness>& witnesses() const { return m_report.witnesses; }
   /// by facet, in the order of `faces(mesh)`
   const std::vector<Facet_verdict>& facets() const { return m_facets; }
   /// the cover of the shell by boxes, if containment is proved
   const std::optional<Cover>& cover() const { return m_cover; }
   /// the triangles with `double` coordinates that were examined
-  const Triangle_mesh& examined_mesh() const { return m_input.mesh(); }
+  const Triangle_mesh& examined_mesh() const { return m_input->mesh(); }
   /// for each component of the mesh, the vertex of the examined mesh from which the cover was flooded
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
   /// number of components of the cover
-  std::size_t number_of_covers() const { return m_covers; }
+  std::size_t number_of_covers() const { return m_report.covers; }
   /// the paths that prove the degree
   const std::vector<Crossing_path>& paths() const { return m_paths; }
-  const Certificate_statistics& statistics() const { return m_statistics; }
+  const Certificate_statistics& statistics() const { return m_report.statistics; }
 
   /// \name Quantities
   /// @{
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
-  double least_gradient() const { return m_least_gradient; }
+  double least_gradient() const { return m_report.least_gradient; }
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
   /// in the shell is at most this. Infinite if the gradient claim is not proved.
-  double displacement_bound() const { return m_displacement; }
+  double displacement_bound() const { return m_report.displacement_bound; }
   /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
   /// is not proved
-  double least_angle() const { return m_least_angle; }
+  double least_angle() const { return m_report.least_angle; }
   /// smallest cone margin of a vertex (`vertex_cone_margin()`)
-  double least_cone_margin() const { return m_least_margin; }
+  double least_cone_margin() const { return m_report.least_cone_margin; }
   /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact
-  const std::vector<std::size_t>& singular_vertices() const { return m_singular; }
+  const std::vector<std::size_t>& singular_vertices() const { return m_report.singular_vertices; }
   /// @}
 
 private:
@@ -278,13 +201,13 @@ private:
   // notes a witness, and makes the claim's verdict no better than its
   Certificate_witness& conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
   {
-    m_verdicts[std::size_t(claim)] = worse(m_verdicts[std::size_t(claim)], verdict);
+    m_report.verdicts[std::size_t(claim)] = worse(m_report.verdicts[std::size_t(claim)], verdict);
     Certificate_witness w;
     w.claim = claim;
     w.verdict = verdict;
     w.reason = reason;
-    m_witnesses.push_back(w);
-    return m_witnesses.back();
+    m_report.witnesses.push_back(w);
+    return m_report.witnesses.back();
   }
 
   // numbers the components in the order of their first facets
@@ -318,13 +241,13 @@ private:
           singular[n] = !vertex_cone(mesh, vertices[n]);      // exact, unlike the margin
         }
     });
-    m_least_margin = 1;
+    m_report.least_cone_margin = 1;
     for(std::size_t n = 0; n < vertices.size(); ++n) {
-      m_least_margin = (std::min)(m_least_margin, margins[n]);
-      if(singular[n]) m_singular.push_back(input.vertex_of_origin(vertices[n]));
+      m_report.least_cone_margin = (std::min)(m_report.least_cone_margin, margins[n]);
+      if(singular[n]) m_report.singular_vertices.push_back(input.vertex_of_origin(vertices[n]));
     }
-    std::sort(m_singular.begin(), m_singular.end());
-    if(!m_singular.empty()) m_least_margin = 0;
+    std::sort(m_report.singular_vertices.begin(), m_report.singular_vertices.end());
+    if(!m_report.singular_vertices.empty()) m_report.least_cone_margin = 0;
   }
 
   // P1 and P2
@@ -352,8 +275,9 @@ private:
           Certificate_witness witness;
           witness.claim = claim;
           witness.verdict = verdict;
-          witness.reason = Certificate_witness::FACET;
+          witness.reason = w.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET;
           witness.facet = input.facet_of_origin(triangles[n]);
+          witness.triangle = std::size_t(triangles[n]);
           witness.point = w.point;
           witness.value = w.value;
           result.witnesses.push_back(witness);
@@ -370,11 +294,11 @@ private:
     m_least_slope = std::numeric_limits<double>::infinity();
     for(const Result& result : results) {
       for(const Certificate_witness& w : result.witnesses) {
-        m_witnesses.push_back(w);
-        m_verdicts[std::size_t(w.claim)] = worse(m_verdicts[std::size_t(w.claim)], w.verdict);
+        m_report.witnesses.push_back(w);
+        m_report.verdicts[std::size_t(w.claim)] = worse(m_report.verdicts[std::size_t(w.claim)], w.verdict);
       }
-      m_statistics.containment += result.containment;
-      m_statistics.transversality += result.transversality;
+      m_report.statistics.containment += result.containment;
+      m_report.statistics.transversality += result.transversality;
       m_least_slope = (std::min)(m_least_slope, result.least_slope);
     }
     for(std::size_t n = 0; n < triangles.size(); ++n) {
@@ -406,27 +330,36 @@ private:
   void examine_cover(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
-    m_cover.emplace(*m_field, m_inner, m_outer);
-    Cover& cover = *m_cover;
     // the cells at the mesh are needed in any case
     std::vector<std::uint32_t> cells;
-    std::vector<Vertex_index> seed(m_number_of_components, Triangle_mesh::null_vertex());
+    m_seeds.assign(m_number_of_components, Triangle_mesh::null_vertex());
     for(Face_index f : mesh.faces()) {
       const Vertex_index v = mesh.target(mesh.halfedge(f));
       cells.push_back(m_field->locate(to_field(mesh.point(v))));
-      if(seed[m_component[f]] == Triangle_mesh::null_vertex()) seed[m_component[f]] = v;
+      if(m_seeds[m_component[f]] == Triangle_mesh::null_vertex()) m_seeds[m_component[f]] = v;
     }
-    cover.template prepare<ConcurrencyTag>(std::move(cells));
-    for(std::size_t c = 0; c < m_number_of_components; ++c) {
-      m_seeds.push_back(seed[c]);
-      const std::uint32_t known = cover.template flood<ConcurrencyTag>(to_field(mesh.point(seed[c])), std::uint32_t(c));
-      if(known == c) { ++m_covers; continue; }
-      const std::optional<std::array<double, 3> > joint = joined(mesh, known, c);
+    // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no
+    // critical point between them, and a closer cover separates them.
+    std::vector<std::array<std::size_t, 2> > shared;
+    for(int depth = 0;
+        depth == 0 || (!shared.empty() && m_cover->number_of_undecided_boxes() == 0 && depth <= max_least_depth); ++depth) {
+      m_cover.emplace(*m_field, m_inner, m_outer, depth);
+      m_cover->template prepare<ConcurrencyTag>(cells);
+      shared.clear();
+      for(std::size_t c = 0; c < m_number_of_components; ++c) {
+        const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(mesh.point(m_seeds[c])), std::uint32_t(c));
+        if(known != c) shared.push_back({ known, c });
+      }
+    }
+    const Cover& cover = *m_cover;
+    m_report.covers = m_number_of_components - shared.size();
+    for(const std::array<std::size_t, 2>& pair : shared) {
+      const std::optional<std::array<double, 3> > joint = joined(mesh, pair[0], pair[1]);
       Certificate_witness& w = conclude(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED,
                                         Certificate_witness::TWO_SHEETS);
-      w.component = known;
-      w.other_component = c;
-      w.point = joint ? *joint : to_array(mesh.point(seed[c]));
+      w.component = pair[0];
+      w.other_component = pair[1];
+      w.point = joint ? *joint : to_array(mesh.point(m_seeds[pair[1]]));
     }
 
     Level_range thresholds;
@@ -434,20 +367,20 @@ private:
     std::uint32_t last_cell = std::uint32_t(-1);
     std::size_t examined = 0;
     for(const Cover_box& box : cover.boxes()) {
-      m_statistics.deepest_box = (std::max)(m_statistics.deepest_box, std::size_t(box.depth));
-      if(box.kind == Box_kind::EXCLUDED) ++m_statistics.excluded_boxes;
+      m_report.statistics.deepest_box = (std::max)(m_report.statistics.deepest_box, std::size_t(box.depth));
+      if(box.kind == Box_kind::EXCLUDED) ++m_report.statistics.excluded_boxes;
       if(box.component == Cover_box::no_component) continue;
-      ++m_statistics.cover_boxes;
+      ++m_report.statistics.cover_boxes;
       if(box.cell != last_cell) {
         last_cell = box.cell;
         thresholds.include(threshold_range(box.cell));
         steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
       }
       if(box.kind == Box_kind::MONOTONE) {
-        ++m_statistics.monotone_boxes;
+        ++m_report.statistics.monotone_boxes;
         continue;
       }
-      ++m_statistics.undecided_boxes;
+      ++m_report.statistics.undecided_boxes;
       const Bbox_3 b = cover.bbox(box);
       std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
       const bool critical = examined < max_examined && is_critical(mesh, box, center);
@@ -463,28 +396,12 @@ private:
       const Bbox_3 box = cover.bbox(cover.boxes()[b]);
       w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
     }
-    m_statistics.cover_cells = cover.number_of_cells();
+    m_report.statistics.cover_cells = cover.number_of_cells();
     if(verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
-      m_least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
-    if(verdict(Claim::GRADIENT) == Verdict::PROVED) m_least_gradient = least_gradient<ConcurrencyTag>();
-    if(m_least_gradient > 0)
-      m_displacement = (thresholds.max - thresholds.min) / m_least_gradient * (1 + 4 * internal::rounding);
-  }
-
-  // |grad f| is near one: what is above a quarter need not be known better
-  template <typename ConcurrencyTag>
-  double least_gradient() const
-  {
-    constexpr std::size_t chunk = 256;
-    constexpr double wanted = 0.25;
-    const std::vector<Cover_box>& boxes = m_cover->boxes();
-    std::vector<double> least((boxes.size() + chunk - 1) / chunk, std::numeric_limits<double>::infinity());
-    internal::for_each_chunk<ConcurrencyTag>(boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n)
-        if(boxes[n].component != Cover_box::no_component)
-          least[begin / chunk] = (std::min)(least[begin / chunk], m_cover->least_gradient(boxes[n], wanted));
-    });
-    return *std::min_element(least.begin(), least.end());
+      m_report.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
+    if(verdict(Claim::GRADIENT) == Verdict::PROVED) m_report.least_gradient = cover.template least_gradient<ConcurrencyTag>();
+    if(m_report.least_gradient > 0)
+      m_report.displacement_bound = (thresholds.max - thresholds.min) / m_report.least_gradient * (1 + 4 * internal::rounding);
   }
 
   // encloses both thresholds on a cell
@@ -514,12 +431,7 @@ private:
     const double width = b.xmax() - b.xmin();
     for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
     // all of the box in the shell, so that the point is where it may be
-    if constexpr(Threshold::is_constant) {
-      if(!(f.range().min >= m_inner.level() && f.range().max <= m_outer.level())) return false;
-    } else {
-      const Enclosed_tricubic g = enclosed_value(m_field->cell(box.cell));
-      if(!(m_inner.difference(g, box.cell).range().min >= 0 && m_outer.difference(g, box.cell).range().max <= 0)) return false;
-    }
+    if(!m_cover->is_between_thresholds(box)) return false;
     const Triangle_mesh::Point p(point[0], point[1], point[2]);
     Triangle_mesh::Point nearest = p;
     double least = std::numeric_limits<double>::infinity();
@@ -577,17 +489,23 @@ private:
       Verdict verdict = Verdict::UNDECIDED;
       Crossing_path path;
       int count = 0;
-      for(std::size_t n = 0; n < tries && verdict == Verdict::UNDECIDED; ++n)
+      Face_index facet = facets[c].front().second;
+      for(std::size_t n = 0; n < tries && verdict == Verdict::UNDECIDED; ++n) {
         verdict = try_path(input, counter, facets[c][n].second, path, count);
+        if(verdict == Verdict::REFUTED) facet = facets[c][n].second;
+      }
       path.component = c;
       if(verdict == Verdict::PROVED) { m_paths.push_back(path); continue; }
+      // only without critical points is the count the same for all paths
+      if(this->verdict(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
       Certificate_witness& w = conclude(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
                                                                                                 : Certificate_witness::NO_PATH);
       w.component = c;
-      w.count = count;
-      const auto t = input.triangle(facets[c].front().second);
-      w.point = verdict == Verdict::REFUTED ? path.source : to_array(CGAL::centroid(t[0], t[1], t[2]));
-      w.facet = input.facet_of_origin(facets[c].front().second);
+      if(verdict == Verdict::REFUTED) w.count = count;
+      const auto t = input.triangle(facet);
+      w.point = to_array(CGAL::centroid(t[0], t[1], t[2]));
+      w.facet = input.facet_of_origin(facet);
+      w.triangle = std::size_t(facet);
     }
   }
 
@@ -631,27 +549,24 @@ private:
     return Verdict::UNDECIDED;
   }
 
+  static constexpr int max_least_depth = 3;           // of a cover that is to separate components
   static constexpr std::size_t max_paths = 64;        // tried for a component
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;
   Threshold m_inner, m_outer;
-  Input_mesh_3 m_input;
+  std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
   Shell_status m_status = Shell_status::NOT_BUILT;
   Offending_simplices m_offenders;
   Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
-  std::array<Verdict, 5> m_verdicts = {{ Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED,
-                                         Verdict::UNDECIDED }};
-  std::vector<Certificate_witness> m_witnesses;
+  Certificate_report m_report;
   std::vector<Facet_verdict> m_facets;
   std::vector<std::size_t> m_component;               // of each triangle
-  std::size_t m_number_of_components = 0, m_covers = 0;
+  std::size_t m_number_of_components = 0;
   std::optional<Cover> m_cover;
   std::vector<Vertex_index> m_seeds;
   std::vector<Crossing_path> m_paths;
-  Certificate_statistics m_statistics;
-  double m_least_slope = 0, m_least_gradient = 0, m_displacement = std::numeric_limits<double>::infinity(), m_least_angle = 0, m_least_margin = 0;
-  std::vector<std::size_t> m_singular;
+  double m_least_slope = 0;
 };
 
 } // namespace Bspline_shells

@@ -31,24 +31,28 @@ namespace Bspline_shells {
  * Const member functions may be called from several threads at once.
  *
  * \tparam Field a model of `BsplineField_3`
+ * \tparam Threshold a model of `ShellThreshold`
  */
-template <typename Field = Uniform_bspline_field_3<> >
+template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
 class Shell_containment_3
 {
 public:
   typedef typename Field::Point_3 Point_3;
 
   /// \pre there is a shell, and it outlives this object
-  explicit Shell_containment_3(const Bspline_shell_3<Field>& shell)
-    : m_shell(&shell), m_predicates(shell.field()), m_levels{ shell.inner_level(), shell.outer_level() }
+  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>& shell)
+    : m_shell(&shell), m_predicates(shell.field())
   {}
 
-  /// a point; exact
+  /// a point; exact for constant thresholds
   bool operator()(const Point_3& p) const
   {
     if(!in_shell_cell(p)) return false;
-    const auto inner = m_predicates.compare(p, m_levels.min), outer = m_predicates.compare(p, m_levels.max);
-    return *inner != SMALLER && *outer != LARGER;
+    if constexpr(Threshold::is_constant) {
+      const auto inner = m_predicates.compare(p, m_shell->inner_level()), outer = m_predicates.compare(p, m_shell->outer_level());
+      return *inner != SMALLER && *outer != LARGER;
+    } else
+      return contains(std::array<Point_3, 2>{ p, p });
   }
 
   /// a segment
@@ -107,12 +111,12 @@ private:
   template <std::size_t size>
   bool contains(const std::array<Point_3, size>& simplex) const
   {
-    return in_shell_cell(simplex[0]) && m_predicates.values_within(simplex, m_levels) == Verdict::PROVED;
+    return in_shell_cell(simplex[0])
+        && m_predicates.values_within(simplex, m_shell->inner_threshold(), m_shell->outer_threshold()) == Verdict::PROVED;
   }
 
-  const Bspline_shell_3<Field>* m_shell;
+  const Bspline_shell_3<Field, Threshold>* m_shell;
   Field_predicates_3<Field> m_predicates;
-  Level_range m_levels;
 };
 
 } // namespace Bspline_shells

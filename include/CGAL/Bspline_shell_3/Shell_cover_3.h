@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -79,9 +80,10 @@ public:
   /// a cell with more boxes is not subdivided further; the smaller number holds once `many_undecided_boxes` are undecided
   static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
 
+  /// \param least_depth monotone boxes that are not entirely in the shell are halved at least so often: the cover is closer
   /// \pre `field` outlives this object
-  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_first(field.number_of_cells(), unseen)
+  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int least_depth = 0)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_least_depth(least_depth), m_first(field.number_of_cells(), unseen)
   {}
 
   const Field& field() const { return *m_field; }
@@ -107,7 +109,6 @@ public:
         }
         m_boxes.push_back(box);
         m_cells.back().end = m_boxes.size();
-        m_undecided += box.kind == Box_kind::UNDECIDED;
       }
   }
 
@@ -127,6 +128,7 @@ public:
         Cover_box& box = m_boxes[b];
         if(box.kind == Box_kind::EXCLUDED) return;
         if(box.component != Cover_box::no_component) { known = box.component; return; }
+        m_undecided += box.kind == Box_kind::UNDECIDED;
         box.component = component;
         stack.push_back(b);
       });
@@ -136,11 +138,11 @@ public:
       while(!stack.empty()) {
         const Box_index b = stack.back();
         stack.pop_back();
-        const Bbox_3 box = bbox(m_boxes[b]);
+        const Bbox_3 box = grown(bbox(m_boxes[b]));
         touched.clear();
         bool inside = true, complete = true;
         if(is_inside_cell(m_boxes[b])) touched.push_back(m_boxes[b].cell);
-        else inside = m_field->visit_cells(grown(box), [&](typename Field::Cell_index c) {
+        else inside = m_field->visit_cells(box, [&](typename Field::Cell_index c) {
           touched.push_back(c);
           if(m_first[c] == unseen) { wanted.push_back(c); complete = false; }
         });
@@ -150,6 +152,7 @@ public:
           for_each_touching(c, box, [&](Box_index n) {
             Cover_box& other = m_boxes[n];
             if(other.kind == Box_kind::EXCLUDED || other.component != Cover_box::no_component) return;
+            m_undecided += other.kind == Box_kind::UNDECIDED;
             other.component = component;
             stack.push_back(n);
           });
@@ -165,6 +168,8 @@ public:
   const std::vector<Cover_box>& boxes() const { return m_boxes; }
   /// boxes of the cover that touch the boundary of the field's domain
   const std::vector<Box_index>& border() const { return m_border; }
+  /// number of boxes of the cover that are undecided
+  std::size_t number_of_undecided_boxes() const { return m_undecided; }
   /// number of leaf cells that were looked at
   std::size_t number_of_cells() const { return m_cells.size(); }
 
@@ -179,43 +184,57 @@ public:
   }
 
   /// the field on a box, as an enclosed polynomial over the box
-  Enclosed_tricubic function(const Cover_box& box) const
-  {
-    Enclosed_tricubic f = enclosed_value(m_field->cell(box.cell));
-    for(int bit = int(box.depth) - 1; bit >= 0; --bit) f = restrict_to_octant(f, octant(box, bit));
-    return f;
-  }
+  Enclosed_tricubic function(const Cover_box& box) const { return functions_on(box)[0]; }
 
-  /// a lower bound, per user unit, of the length of the gradient on the part of a monotone box that is not excluded.
-  /// Where it is below `wanted`, the box is subdivided for a better one, three times at most.
-  double least_gradient(const Cover_box& box, double wanted) const
+  /// whether all of a box is certainly in the shell
+  bool is_between_thresholds(const Cover_box& box) const { return are_between_thresholds(functions_on(box)); }
+
+  /// a lower bound, per user unit, of the length of the gradient on the cover. The boxes with the least bounds are subdivided
+  /// until these are near what the field has in their middles, or a number of subdivisions is used up.
+  /// \pre all boxes of the cover are monotone
+  template <typename ConcurrencyTag>
+  double least_gradient() const
   {
-    constexpr int refinements = 3;
-    double least = std::numeric_limits<double>::infinity();
-    std::vector<Part> queue(1);
-    queue[0].box = box;
-    queue[0].functions = functions(box.cell);
-    for(int bit = int(box.depth) - 1; bit >= 0; --bit)
-      for(Enclosed_tricubic& f : queue[0].functions) f = restrict_to_octant(f, octant(box, bit));
-    for(std::size_t n = 0; n < queue.size(); ++n) {
-      Part& part = queue[n];
-      std::array<double, 3> direction;
-      const Box_kind k = kind(part.functions, direction);
-      if(k == Box_kind::EXCLUDED) continue;
-      if(k == Box_kind::MONOTONE) part.box.direction = direction;      // otherwise that of the box it is a part of
-      const double slope = enclosed_derivative(part.functions[0], part.box.direction).range().min;
-      double squared = 0;
-      for(double d : part.box.direction) squared += d * d;
-      const double width = std::ldexp(m_field->cell(box.cell).width(), -int(part.box.depth));
-      // a square root, five sums and products, two quotients
-      const double gradient = (std::max)(0., slope / (std::sqrt(squared) * width) * (1 - 16 * internal::rounding));
-      if(gradient >= wanted || part.box.depth == box.depth + refinements) {
-        least = (std::min)(least, gradient);
-        continue;
+    constexpr std::size_t chunk = 256, max_subdivisions = 2000;
+    constexpr double near = 0.7;
+    std::vector<double> bounds(m_boxes.size(), std::numeric_limits<double>::infinity());
+    internal::for_each_chunk<ConcurrencyTag>(m_boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(m_boxes[n].component != Cover_box::no_component)
+          bounds[n] = gradient_bound(functions_on(m_boxes[n])[0], m_boxes[n]);
+    });
+    std::vector<std::pair<double, std::size_t> > least;       // a heap of boxes, and then of parts
+    for(std::size_t n = 0; n < bounds.size(); ++n)
+      if(bounds[n] < std::numeric_limits<double>::infinity()) least.emplace_back(bounds[n], n);
+    if(least.empty()) return std::numeric_limits<double>::infinity();
+    std::vector<Part> parts;
+    std::make_heap(least.begin(), least.end(), std::greater<>());
+    double attained = std::numeric_limits<double>::infinity();
+    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions && least.front().first < near * attained; ++subdivisions) {
+      std::pop_heap(least.begin(), least.end(), std::greater<>());
+      const std::pair<double, std::size_t> worst = least.back();
+      least.pop_back();
+      const std::size_t first = parts.size();
+      if(worst.second < m_boxes.size()) {
+        parts.emplace_back();
+        parts[first].box = m_boxes[worst.second];
+        parts[first].functions = functions_on(m_boxes[worst.second]);
+      } else
+        parts.push_back(parts[worst.second - m_boxes.size()]);
+      if(parts[first].box.depth == std::numeric_limits<std::uint16_t>::digits) { least.push_back(worst); break; }
+      push_octants(first, parts);
+      for(std::size_t n = first + 1; n < parts.size(); ++n) {
+        std::array<double, 3> direction;
+        const Box_kind k = kind(parts[n].functions, direction);
+        if(k == Box_kind::EXCLUDED) continue;
+        if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;      // otherwise that of the box it is a part of
+        attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
+        least.emplace_back(gradient_bound(parts[n].functions[0], parts[n].box), m_boxes.size() + n);
+        std::push_heap(least.begin(), least.end(), std::greater<>());
       }
-      push_octants(n, queue);
+      if(least.empty()) return std::numeric_limits<double>::infinity();
     }
-    return least;
+    return least.front().first;
   }
 
 private:
@@ -265,7 +284,9 @@ private:
       box.kind = kind(queue[n].functions, box.direction);
       const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
                         // what is inside must be told from what is not
-                        : box.kind == Box_kind::MONOTONE && at_border && box.depth < max_border_depth && touches_border(bbox(box));
+                        : box.kind == Box_kind::MONOTONE
+                          && ((at_border && box.depth < max_border_depth && touches_border(bbox(box)))
+                              || (box.depth < m_least_depth && !are_between_thresholds(queue[n].functions)));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -296,6 +317,55 @@ private:
     return functions;
   }
 
+  bool are_between_thresholds(const Functions& functions) const
+  {
+    if constexpr(Threshold::is_constant) {
+      const Level_range r = functions[0].range();
+      return r.min >= m_inner.level() && r.max <= m_outer.level();
+    } else
+      return functions[1].range().min >= 0 && functions[2].range().max <= 0;
+  }
+
+  Functions functions_on(const Cover_box& box) const
+  {
+    Functions on_box = functions(box.cell);
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit)
+      for(Enclosed_tricubic& f : on_box) f = restrict_to_octant(f, octant(box, bit));
+    return on_box;
+  }
+
+  // of a function on a box, along the direction of the box
+  double gradient_bound(const Enclosed_tricubic& f, const Cover_box& box) const
+  {
+    double squared = 0;
+    for(double d : box.direction) squared += d * d;
+    const double width = std::ldexp(m_field->cell(box.cell).width(), -int(box.depth));
+    // a square root, five sums and products, two quotients
+    return (std::max)(0., enclosed_derivative(f, box.direction).range().min / (std::sqrt(squared) * width) * (1 - 16 * internal::rounding));
+  }
+
+  // its length, if the middle is in the shell; not rigorous
+  double gradient_in_the_middle(const Part& part) const
+  {
+    const auto middle = [](const Enclosed_tricubic& f) {
+      const internal::Weights<double> half = { 0.125, 0.375, 0.375, 0.125 };
+      return internal::contract(f.coefficients.data(), half, half, half);
+    };
+    if constexpr(Threshold::is_constant) {
+      const double f = middle(part.functions[0]);
+      if(f < m_inner.level() || f > m_outer.level()) return std::numeric_limits<double>::infinity();
+    } else
+      if(middle(part.functions[1]) < 0 || middle(part.functions[2]) > 0) return std::numeric_limits<double>::infinity();
+    double squared = 0;
+    for(int a = 0; a < 3; ++a) {
+      std::array<double, 3> axis = {};
+      axis[a] = 1;
+      const double slope = middle(enclosed_derivative(part.functions[0], axis));
+      squared += slope * slope;
+    }
+    return std::sqrt(squared) / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
+  }
+
   // appends the octants of a part
   static void push_octants(std::size_t n, std::vector<Part>& parts)
   {
@@ -320,8 +390,8 @@ private:
     } else {
       const Level_range inner = functions[1].range(), outer = functions[2].range();
       if(inner.max < 0 || outer.min > 0) return Box_kind::EXCLUDED;
-      meets_inner = inner.min <= 0;
-      meets_outer = outer.max >= 0;
+      meets_inner = !(inner.min > 0);       // so written that what is not a number meets
+      meets_outer = !(outer.max < 0);
     }
     // the mean gradient: any direction would do
     direction = {};
@@ -336,8 +406,8 @@ private:
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
     if constexpr(!Threshold::is_constant) {
       const double steepness = slope / 2;      // of the field at least, as the direction is at most sqrt(3) long
-      if((meets_inner && steepest_threshold(f, functions[1]) >= steepness) ||
-         (meets_outer && steepest_threshold(f, functions[2]) >= steepness)) return Box_kind::UNDECIDED;
+      if((meets_inner && !(steepest_threshold(f, functions[1]) < steepness)) ||
+         (meets_outer && !(steepest_threshold(f, functions[2]) < steepness))) return Box_kind::UNDECIDED;
     }
     return Box_kind::MONOTONE;
   }
@@ -392,11 +462,12 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  int m_least_depth;
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
   std::vector<Box_index> m_border;
-  std::size_t m_undecided = 0;            // boxes, of the cover or not
+  std::size_t m_undecided = 0;            // boxes of the cover
 };
 
 } // namespace Bspline_shells

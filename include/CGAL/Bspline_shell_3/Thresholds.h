@@ -8,10 +8,9 @@
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -28,7 +27,7 @@ class Constant_threshold
 public:
   static constexpr bool is_constant = true;
 
-  explicit Constant_threshold(double level) : m_level(level) {}
+  explicit Constant_threshold(double level = 0) : m_level(level) {}
   double level() const { return m_level; }      ///< in units of the field
 
   template <typename Point_3>
@@ -49,7 +48,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief a threshold that varies in space: a field on the same leaf cells.
+ * \brief a threshold that varies in space: a field on the same leaf cells, shared by copies.
  *
  * \cgalModels `ShellThreshold`
  *
@@ -61,9 +60,11 @@ class Spline_threshold
 public:
   static constexpr bool is_constant = false;
 
-  /// \pre `field` outlives the threshold, and has the cells, under the same numbers, of the field that it is a threshold of
-  explicit Spline_threshold(const Field& field) : m_field(&field) {}
+  Spline_threshold() = default;       ///< none
+  /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of
+  explicit Spline_threshold(Field field) : m_field(std::make_shared<const Field>(std::move(field))) {}
 
+  const Field& field() const { return *m_field; }
   double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
 
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
@@ -72,7 +73,7 @@ public:
   }
 
 private:
-  const Field* m_field;
+  std::shared_ptr<const Field> m_field;
 };
 
 } // namespace Bspline_shells

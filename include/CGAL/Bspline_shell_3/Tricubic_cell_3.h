@@ -23,8 +23,8 @@ namespace Bspline_shells {
  * \brief a leaf cell of a field: a closed axis-parallel cube and the tricubic polynomial that the field is on it.
  *
  * The polynomial is given by 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the
- * field's value. They are copies, rounded from the coefficients of the spline: at every point of the cell they
- * represent the spline to within `error_radius()`, and a bound on the spline must add that radius.
+ * field's value. They are copies, rounded from the coefficients of the spline: each is within `error_radius()` of the exact
+ * one, and a bound on the spline must add that radius.
  *
  * A cell is a view: it is valid as long as the field that it comes from is neither changed nor destroyed.
  * It is the only thing that bounds, certificates, tracing and level sets know of a field.
@@ -54,7 +54,8 @@ public:
   }
   /// the 64 Bernstein coefficients
   const double* coefficients() const { return m_coefficients; }
-  /// how far the polynomial of the coefficients can be from the spline, at any point of the cell
+  /// how far each of the coefficients can be from the exact one, and so the polynomial from the spline on the cell. Infinite if
+  /// the spline has coefficients that are no finite numbers.
   double error_radius() const { return m_error_radius; }
 
   /// the range of the Bernstein coefficients, which encloses the polynomial on the cell

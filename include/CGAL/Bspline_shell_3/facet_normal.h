@@ -61,7 +61,8 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
   }
   // two differences, a product: three roundings of each of two products, and their difference
   const double radius = 8 * eps * size_u * size_v;
-  if(radius < 1e-8 * largest) return normalized(n, radius);
+  constexpr double far_from_underflow = 1e-280;
+  if(radius < 1e-8 * largest && largest > far_from_underflow) return normalized(n, radius);
 
   typedef Exact_rational ET;
   ET eu[3], ev[3], en[3], scale = 0;

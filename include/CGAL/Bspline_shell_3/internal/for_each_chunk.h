@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_INTERNAL_FOR_EACH_CHUNK_H
 #define CGAL_BSPLINE_SHELL_3_INTERNAL_FOR_EACH_CHUNK_H
 
+#include <CGAL/FPU.h>
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
@@ -25,6 +26,7 @@ void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
 {
   const std::size_t chunks = (size + chunk - 1) / chunk;
   CGAL::for_each<ConcurrencyTag>(boost::irange<std::size_t>(0, chunks), [&](const std::size_t& c) {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // the mode belongs to the thread
     f(c * chunk, (std::min)(size, (c + 1) * chunk));
     return true;
   });
