@@ -149,8 +149,8 @@ inline double estimated_bytes(double cells, double unknowns, double pieces, bool
  *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
  *     `std::cref(oracle)` not to copy it
  *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
- *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`.
- *     Inside is then what an odd number of facets separates from infinity.
+ *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`. The
+ *     side of a point is then that of its closest facet.
  *   - `allow_open_shell(bool)`: do not refuse a shell that runs into the end of the cells; default `false`
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
@@ -247,8 +247,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     return !(BS::internal::estimated_bytes(cells, unknowns, pieces, copies_matrix) <= memory_limit);
   };
   if(exceeds_memory(0, 0)) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<ConcurrencyTag>(input, lattice);
-  const std::vector<std::uint64_t> surface_keys = clipped.cells();
+  const std::vector<std::uint64_t> surface_keys = BS::cells_entered_by_mesh<ConcurrencyTag>(input, lattice);
   report.surface_cells = surface_keys.size();
 
   // Before the cells are listed: how many there are at least, each with its unknown.
@@ -265,7 +264,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   const auto sample = [&](const BS::Cell_complex_3& cells) {
     if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) {
       if(!distance) distance.emplace(input);
-      return BS::sample_distance_to_mesh<ConcurrencyTag>(*distance, cells, surface_keys);
+      return BS::sample_signed_distance<ConcurrencyTag>(*distance, cells);
     } else
       return BS::sample_signed_distance<ConcurrencyTag>(get_parameter_reference(np, tags::signed_distance_oracle), cells);
   };
@@ -279,6 +278,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     report.unknowns = field.number_of_coefficients();
     if(report.unknowns > BS::Fit_energy<Field>::max_number_of_unknowns) return stop(Status::TOO_MANY_CELLS);
     if(exceeds_memory(double(report.cells), double(report.unknowns))) return stop(Status::MEMORY_LIMIT_EXCEEDED);
+    const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<ConcurrencyTag>(input, field.cells());
 
     if(!start(Step::DISTANCE)) return stop(Status::CANCELED);
     // after a widening, only where there was no cell before
@@ -304,9 +304,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     report.facets_bound = triangles.mesh;
     constexpr double tau = 1e10;
     const BS::Level_range levels = BS::round_outwards(triangles.mesh, report.unit / tau);
-    std::vector<typename Field::Cell_index> surface_cells;
-    for(std::uint64_t key : surface_keys) surface_cells.push_back(field.cells().cell(BS::internal::Lattice_key::decode(key)));
-    BS::Shell_component component = BS::shell_component(field, surface_cells, levels);
+    BS::Shell_component component = BS::shell_component(field, clipped.cells(), levels);
     const bool is_open = !component.border_cells.empty();
     const bool may_widen = default_rings && report.widenings < max_widenings;
     if(is_open && !may_widen && !allow_open_shell) return stop(Status::SHELL_LEAVES_BAND);

@@ -6,8 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H
 #define CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H
 
+#include <CGAL/Bspline_shell_3/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
+#include <CGAL/Bspline_shell_3/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Status.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/fit_field.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
@@ -34,7 +37,7 @@ struct Shell_report
   std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles
   std::size_t components = 0;                 ///< of the mesh
   double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
-  double gamma = 0;                           ///< cells per unit
+  double gamma = 0;                           ///< cells, or root cells, per unit
   std::size_t surface_cells = 0;              ///< cells that the mesh enters
   std::size_t cells = 0;
   std::size_t unknowns = 0;
@@ -42,7 +45,12 @@ struct Shell_report
   Fit_report fit;
   Level_range edges;                          ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
   Level_range facets_bound;                   ///< bounds on the facets, not rounded
-  std::array<double, 5> seconds = {};         ///< per `Shell_step`
+  Refinement_status refinement = Refinement_status::NOTHING_TO_REFINE;     ///< why it ended
+  std::vector<Refinement_round> rounds;       ///< of refinement
+  Certificate_report certificate;             ///< of the mesh, if cells were refined until it held
+  double thickness = 0;                       ///< largest difference of the thresholds on the mesh, user units
+  double narrowed_area = 0;                   ///< share of the mesh's area where it is less than asked for
+  std::array<double, 6> seconds = {};         ///< per `Shell_step`
 
   double total_seconds() const
   {
@@ -58,17 +66,20 @@ struct Shell_report
  * \ingroup PkgBsplineShell3Ref
  *
  * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
- * levels between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
+ * thresholds between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
  *
- * Shells are made by `bspline_shell_3()`. Const member functions may be called from several threads at once.
+ * Shells are made by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called from several
+ * threads at once.
  *
  * \tparam Field_ a model of `BsplineField_3`
+ * \tparam Threshold_ a model of `ShellThreshold`
  */
-template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<> >
+template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>, typename Threshold_ = Bspline_shells::Constant_threshold>
 class Bspline_shell_3
 {
 public:
   typedef Field_ Field;
+  typedef Threshold_ Threshold;
   typedef typename Field::Geom_traits Geom_traits;
   typedef typename Field::FT FT;
   typedef typename Field::Point_3 Point_3;
@@ -79,10 +90,17 @@ public:
   /// no shell, for a reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
 
+  Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells, std::vector<Level_range> facets,
+                  Shell_report report)
+    : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells))
+    , m_facets(std::move(facets)), m_report(std::move(report))
+  {}
+
+  /// between two levels, for constant thresholds
   Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
                   Shell_report report)
-    : m_field(std::move(field)), m_levels(levels), m_cells(std::move(cells)), m_facets(std::move(facets))
-    , m_report(std::move(report))
+    : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells), std::move(facets),
+                      std::move(report))
   {}
 
   /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
@@ -91,12 +109,22 @@ public:
   const Shell_report& report() const { return m_report; }
 
   const Field& field() const { return m_field; }
-  FT inner_level() const { return m_levels.min; }          ///< \f$\epsilon_1\f$, user units
-  FT outer_level() const { return m_levels.max; }          ///< \f$\epsilon_2\f$, user units
-  /// \f$\epsilon_2 - \epsilon_1\f$ (Eq. 5.1 of the paper), user units
-  FT thickness() const { return outer_level() - inner_level(); }
+  const Threshold& inner_threshold() const { return m_inner; }       ///< \f$\epsilon_1\f$
+  const Threshold& outer_threshold() const { return m_outer; }       ///< \f$\epsilon_2\f$
+  /// a constant threshold's level, user units
+  FT inner_level() const { return m_inner.level(); }
+  FT outer_level() const { return m_outer.level(); }
+  /// the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper), user units
+  FT thickness() const
+  {
+    if constexpr(Threshold::is_constant) return outer_level() - inner_level();
+    else return m_report.thickness;
+  }
   /// the thickness as a fraction of the longest side of the mesh's box
   FT relative_thickness() const { return thickness() / m_report.unit; }
+  /// whether all claims about the mesh were proved when the shell was built; `Bspline_shells::Shell_certificate_3` examines any
+  /// mesh at any time
+  bool is_certified() const { return m_report.refinement == Bspline_shells::Refinement_status::CERTIFIED; }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
   /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
@@ -109,13 +137,14 @@ public:
     const typename Field::Cell_index c = m_field.locate(p);
     if(c == Field::npos || !m_cells[c]) return ON_UNBOUNDED_SIDE;
     const FT f = m_field.cell(c).value(p);
-    if(f < inner_level() || f > outer_level()) return ON_UNBOUNDED_SIDE;
-    return f == inner_level() || f == outer_level() ? ON_BOUNDARY : ON_BOUNDED_SIDE;
+    const FT inner = m_inner.value(p), outer = m_outer.value(p);
+    if(f < inner || f > outer) return ON_UNBOUNDED_SIDE;
+    return f == inner || f == outer ? ON_BOUNDARY : ON_BOUNDED_SIDE;
   }
 
 private:
   Field m_field;
-  Level_range m_levels;
+  Threshold m_inner, m_outer;
   std::vector<char> m_cells;
   std::vector<Level_range> m_facets;
   Shell_report m_report;

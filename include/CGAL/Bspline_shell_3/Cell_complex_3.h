@@ -28,7 +28,7 @@ namespace Bspline_shells {
  * \brief the lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
  *
  * The spacing is rounded to at most 20 significant bits and the origin to a multiple of half the spacing's last bit, so
- * that every corner of a cell, also of a cell halved up to twelve times, is a `double`: what is proved on a cell's box is
+ * that every corner of a cell, also of a cell halved up to `finest_level` times, is a `double`: what is proved on a cell's box is
  * proved for the cell. The lattice is symmetric about the box's centre: a mesh that is mirrored, turned by a right angle or
  * scaled by a power of two gets the mirrored, turned or scaled lattice.
  */
@@ -36,6 +36,7 @@ class Lattice_3
 {
 public:
   typedef internal::Lattice_point Point;   ///< three `int`
+  static constexpr int finest_level = 12;  ///< how often cells may be halved, at least
 
   Lattice_3() = default;
 
@@ -77,7 +78,7 @@ public:
   }
 
   /// the lattice of this very origin and spacing, as that of a file. `is_exact()` is for the corners of the cells with
-  /// lattice points from `first` to `last`, also halved up to twelve times.
+  /// lattice points from `first` to `last`, also halved up to `finest_level` times.
   /// \pre coordinates of `first` and `last` are at most `Lattice_key::max_coordinate` in size
   static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first, const Point& last)
   {
@@ -100,6 +101,22 @@ public:
       lattice.m_exact = lattice.m_exact && std::abs(origin[a]) + furthest * spacing < bound;
     }
     return lattice;
+  }
+
+  /// how often cells with lattice points from `first` to `last` may be halved so that their corners are exact: more than
+  /// `finest_level` times where coordinates are not large
+  int number_of_halvings(const Point& first, const Point& last) const
+  {
+    if(!m_exact) return 0;
+    double furthest = 0;
+    int unit = last_bit(m_spacing);
+    for(int a = 0; a < 3; ++a) {
+      if(m_origin[a] != 0) unit = (std::min)(unit, last_bit(m_origin[a]));
+      furthest = (std::max)({ furthest, std::abs(coordinate(a, first[a])), std::abs(coordinate(a, last[a] + 1)) });
+    }
+    constexpr int digits = std::numeric_limits<double>::digits;
+    // corners are multiples of 2^(unit - halvings), and doubles if they are less than 2^(unit - halvings + digits)
+    return (std::min)(unit + digits - 1 - std::ilogb(furthest), unit - std::numeric_limits<double>::min_exponent + digits);
   }
 
   /// whether the corners are exact; if not, the cells are too small for coordinates of that size
@@ -126,7 +143,6 @@ public:
   }
 
 private:
-  static constexpr int finest_level = 12;
   static constexpr int max_bits = 20;       // significant ones of a spacing
 
   // the exponent of the last bit that is set in `x`, which is neither zero nor infinite
@@ -176,8 +192,18 @@ public:
   }
 
   const Lattice_3& lattice() const { return m_lattice; }
+  /// whether the corners of all cells are exact
+  bool is_exact() const
+  {
+    return number_of_cells() == 0 ||
+           Lattice_3::from_origin(m_lattice.origin(), m_lattice.spacing(), m_first, m_last).is_exact();
+  }
+  /// how often the cells may be halved so that all corners are exact
+  int number_of_halvings() const { return number_of_cells() == 0 ? 0 : m_lattice.number_of_halvings(m_first, m_last); }
   std::size_t number_of_cells() const { return m_cells.size(); }
   double width() const { return m_lattice.spacing(); }
+  double width(Index) const { return width(); }
+  int level(Index) const { return 0; }                     ///< as in `Cell_hierarchy_3`
   const Lattice_3::Point& lattice_point(Index cell) const { return m_cells.point(cell); }
   std::array<double, 3> corner(Index cell) const { return m_lattice.corner(m_cells.point(cell)); }
   Index cell(const Lattice_3::Point& p) const { return m_cells.index(p); }

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/internal/Normal_equations.h>
+#include <CGAL/Bspline_shell_3/internal/condense.h>
 #include <CGAL/Bspline_shell_3/internal/tensor_contraction.h>
 #include <CGAL/Bspline_shell_3/internal/triangle_quadrature.h>
 #include <CGAL/Bspline_shell_3/sample_signed_distance.h>
@@ -28,11 +29,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the four terms of the paper's energy.
+ * \brief the four terms of the paper's energy, and a fifth.
  */
 enum class Energy_term
 {
   DISTANCE,           ///< \f$E_{SDF}\f$ (Eq. 4.2): squared difference to the signed distance, summed over the samples
+  SURFACE,            ///< squared value on the facets; not in the paper
   ANGLE,              ///< \f$E_{angle}\f$ (Eq. 4.3): squared difference of gradient and normal, on the facets
   SINGULAR_HESSIAN,   ///< \f$E_{singularH}\f$ (Eq. 4.4): absolute determinant of the Hessian, in the shell
   NORMAL              ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal part and one
@@ -41,7 +43,8 @@ enum class Energy_term
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief weights of the terms, \f$E = E_{SDF} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$ (Eq. 4.6).
+ * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
+ * (Eq. 4.6, where \f$\beta = 0\f$).
  */
 struct Energy_weights
 {
@@ -50,6 +53,16 @@ struct Energy_weights
   /// \f$\sigma\f$: 1 in the paper. By default the term is left out: it does not exclude critical points, takes most of the
   /// time, and thickens the shell at corners.
   double singular_hessian = 0;
+  /// \f$\beta\f$: the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It thins the shell.
+  double surface = 0;
+
+  /// whether all are finite and not negative
+  bool are_valid() const
+  {
+    for(double w : { mu, zeta, singular_hessian, surface })
+      if(!(std::isfinite(w) && w >= 0)) return false;
+    return true;
+  }
 
   /// all four terms, as in the paper
   static Energy_weights paper()
@@ -65,14 +78,15 @@ struct Energy_weights
  *
  * \brief the paper's energy of a field, as a function of its coefficients.
  *
- * Coefficients are in *cell units*: user units divided by the cells' width. There, with the paper's lengths measured
- * in units of the mesh's longest box side and \f$\gamma\f$ cells per unit, the energy divided by the squared width is
- * \f[ \sum_p (F - D)^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
+ * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
+ * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
+ * per unit, the energy divided by the squared width is
+ * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
  *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
- * All member functions speak of this quotient. Surface integrals use quadrature on the clipped mesh, volume integrals
- * the midpoints of eighths of cells.
+ * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
+ * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
  *
- * \tparam Field a field with uniform B-spline coefficients, `Uniform_bspline_field_3`
+ * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  */
 template <typename Field>
 class Fit_energy
@@ -115,6 +129,7 @@ public:
   {
     switch(term) {
       case Energy_term::DISTANCE: return 1;
+      case Energy_term::SURFACE: return m_weights.surface;
       case Energy_term::ANGLE: return m_weights.mu;
       case Energy_term::NORMAL: return m_weights.mu * m_weights.zeta;
       case Energy_term::SINGULAR_HESSIAN: return m_weights.mu * m_weights.singular_hessian * m_gamma * m_gamma;
@@ -123,32 +138,34 @@ public:
   }
 
   /// where \f$E_{singularH}\f$ is integrated: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
-  /// for the field `x` (cell units). Until it is called, the term is zero.
+  /// for the field `x` (both divided by the width of root cells). Until it is called, the term is zero.
   void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
   {
     m_hessian_domain.assign(m_field.number_of_cells(), 0);
+    const Vector points = m_field.extend(x);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-      const std::array<double, 64> local = gather(x, c);
+      const std::array<double, 64> local = gather(points, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
-        const double f = sample_value(local, s);
+        const double f = sample_value(local, s) / scale(c);
         if(f >= eps1 && f <= eps2) { m_hessian_domain[c] = 1; break; }
       }
     }
   }
 
-  /// least and largest value of the field `x` at the quadrature points of the mesh, cell units
+  /// least and largest value of the field `x` at the quadrature points of the mesh, divided by the width of root cells
   std::pair<double, double> range_on_mesh(const Vector& x) const
   {
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+    const Vector points = m_field.extend(x);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
       if(m_first_point[c] == m_first_point[c+1]) continue;
-      const std::array<double, 64> local = gather(x, c);
+      const std::array<double, 64> local = gather(points, c);
       for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
         const std::array<double, 3>& t = m_points[p].t;
         const double f = internal::contract(local.data(), Cubic_bspline<>::values(t[0]), Cubic_bspline<>::values(t[1]),
                                             Cubic_bspline<>::values(t[2]));
-        range.first = (std::min)(range.first, f);
-        range.second = (std::max)(range.second, f);
+        range.first = (std::min)(range.first, f / scale(c));
+        range.second = (std::max)(range.second, f / scale(c));
       }
     }
     return range;
@@ -158,16 +175,16 @@ public:
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
-    Vector sum = Vector::Zero(m_field.number_of_coefficients()), weight = sum;
+    Vector sum = Vector::Zero(Eigen::Index(m_field.number_of_points())), weight = sum;
     Local_vector w = Local_vector::Zero();
     for(int s = 0; s < Distance_samples::per_cell; ++s) w += sample_row(s);
     m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
       Local_vector s;
       sample_right_hand_side(c, s);
-      scatter(s, c, sum);
-      scatter(w, c, weight);
+      scatter(s / (scale(c) * scale(c)), c, sum);
+      scatter(w / scale(c), c, weight);
     });
-    return sum.cwiseQuotient(weight);
+    return m_field.collect(sum).cwiseQuotient(m_field.collect(weight));
   }
 
   /// the weighted term at `x`
@@ -177,10 +194,11 @@ public:
     constexpr std::size_t chunk = 1024;
     const std::size_t size = m_field.number_of_cells();
     std::vector<double> sums((size + chunk - 1) / chunk, 0.);
+    const Vector points = m_field.extend(x);
     internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
       double& sum = sums[begin / chunk];
       for(std::size_t c = begin; c < end; ++c)
-        visit_residuals(term, x, Cell_index(c), [&](double residual, double w, const auto&) {
+        visit_residuals(term, points, Cell_index(c), [&](double residual, double w, const auto&) {
           sum += w * (term == Energy_term::SINGULAR_HESSIAN ? std::abs(residual) : residual * residual);
         });
     });
@@ -191,44 +209,44 @@ public:
   template <typename ConcurrencyTag = Sequential_tag>
   double value(const Vector& x) const
   {
-    double sum = value<ConcurrencyTag>(Energy_term::DISTANCE, x) + value<ConcurrencyTag>(Energy_term::ANGLE, x)
-               + value<ConcurrencyTag>(Energy_term::NORMAL, x);
-    if(m_weights.singular_hessian > 0) sum += value<ConcurrencyTag>(Energy_term::SINGULAR_HESSIAN, x);
+    double sum = 0;
+    for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
+                             Energy_term::NORMAL })
+      if(weight(term) > 0) sum += value<ConcurrencyTag>(term, x);
     return sum;
   }
 
   /// the derivatives of the weighted term with respect to the coefficients (of \f$|\det H|\f$: a subgradient)
   Vector gradient(Energy_term term, const Vector& x) const
   {
-    Vector g = Vector::Zero(x.size());
+    const Vector points = m_field.extend(x);
+    Vector g = Vector::Zero(points.size());
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
       Local_vector local = Local_vector::Zero();
-      visit_residuals(term, x, c, [&](double residual, double w, const auto& row) {
+      visit_residuals(term, points, c, [&](double residual, double w, const auto& row) {
         const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0 ? 1. : residual < 0 ? -1. : 0.)
                                                                    : 2 * residual;
         local += weight(term) * w * slope * row();
       });
       scatter(local, c, g);
     }
-    return g;
+    return m_field.collect(g);
   }
 
   /// \name Normal Equations
   /// @{
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  /// The three quadratic terms are \f$x^T A x - 2 b^T x + const\f$: writes the lower triangle of \f$A\f$, and \f$b\f$.
+  /// The quadratic terms are \f$x^T A x - 2 b^T x + const\f$: writes the lower triangle of \f$A\f$, and \f$b\f$.
   template <typename ConcurrencyTag>
   void assemble(Matrix& A, Vector& b) const
   {
-    m_equations.set_zero(A, b);
     const Local_matrix mass = sample_matrix();
-    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
-      Local_matrix local = mass;
-      Local_vector rhs;
+    assemble_cells<ConcurrencyTag>(A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
+      local = mass;
       sample_right_hand_side(c, rhs);
       add_surface_terms(c, local, rhs);
-      m_equations.add(c, local, rhs, A, b);
+      return true;
     });
   }
 
@@ -237,11 +255,14 @@ public:
   template <typename ConcurrencyTag>
   void add_singular_hessian(const Vector& x, double eta, Matrix& A, Vector& b) const
   {
-    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
-      if(!in_hessian_domain(c)) return;
+    Matrix more;
+    Vector more_rhs;
+    const Vector points = m_field.extend(x);
+    assemble_cells<ConcurrencyTag>(more, more_rhs, [&](Cell_index c, Local_matrix& matrix, Local_vector& rhs) {
+      if(!in_hessian_domain(c)) return false;
       Eigen::Matrix<double, 64, Distance_samples::per_cell> rows;
-      Local_vector rhs = Local_vector::Zero();
-      const std::array<double, 64> local = gather(x, c);
+      rhs.setZero();
+      const std::array<double, 64> local = gather(points, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
         Local_vector row;
         const double det = hessian_determinant(local, s, &row);
@@ -250,14 +271,37 @@ public:
         rows.col(s) = std::sqrt(w) * row;
         rhs += w * 2 * det * row;
       }
-      Local_matrix matrix = Local_matrix::Zero();
+      matrix.setZero();
       matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows);
-      m_equations.add(c, matrix, rhs, A, b);
+      return true;
     });
+    // of the same pattern
+    Eigen::Map<Vector>(A.valuePtr(), A.nonZeros()) += Eigen::Map<const Vector>(more.valuePtr(), more.nonZeros());
+    b += more_rhs;
   }
   /// @}
 
 private:
+  // the equations of matrices of cells: of local(c, matrix, rhs), where it returns true
+  template <typename ConcurrencyTag, typename Local>
+  void assemble_cells(Matrix& A, Vector& b, const Local& local) const
+  {
+    Matrix all;
+    Vector all_rhs;
+    m_equations.set_zero(all, all_rhs);
+    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+      Local_matrix matrix;
+      Local_vector rhs;
+      if(!local(c, matrix, rhs)) return;
+      const double s = scale(c);
+      m_equations.add(c, s * s * matrix, s * rhs, all, all_rhs);
+    });
+    internal::condense<ConcurrencyTag>(m_field, m_equations, all, all_rhs, A, b);
+  }
+
+  // root cells per cell: what turns coefficients into those of cell units
+  double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
+
   // a quadrature point on a facet
   struct Surface_point
   {
@@ -268,18 +312,12 @@ private:
 
   void group_points()
   {
-    const double width = m_field.cells().width();
     m_first_point.assign(m_field.number_of_cells() + 1, 0);
-    Cell_index c = Field::npos;
-    std::uint64_t key = 0;
     Cell_index filled = 0;      // cells below have their first point set
     for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) {
-      if(c == Field::npos || piece.cell != key) {
-        key = piece.cell;
-        c = m_field.cells().cell(internal::Lattice_key::decode(key));
-        for(; filled <= c; ++filled) m_first_point[filled] = m_points.size();
-      }
-      const std::array<double, 3> corner = m_field.cells().corner(c);
+      for(; filled <= piece.cell; ++filled) m_first_point[filled] = m_points.size();
+      const double width = m_field.cells().width(piece.cell);
+      const std::array<double, 3> corner = m_field.cells().corner(piece.cell);
       const auto local = [&](std::uint32_t v) {
         const Clipped_mesh_3::Point& p = m_clipped.point(piece.first + v);
         return std::array<double, 3>{ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width };
@@ -342,27 +380,31 @@ private:
     return internal::contract(local.data(), b[0], b[1], b[2]);
   }
 
-  std::array<double, 64> gather(const Vector& x, Cell_index c) const
+  // the coefficients that act on a cell, in cell units, from those at all points
+  std::array<double, 64> gather(const Vector& points, Cell_index c) const
   {
     const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
+    const double s = scale(c);
     std::array<double, 64> local;
     for(int r = 0; r < 16; ++r)
-      for(int i = 0; i < 4; ++i) local[4*r + i] = x[rows[r] + i];
+      for(int i = 0; i < 4; ++i) local[4*r + i] = s * points[rows[r] + i];
     return local;
   }
 
-  void scatter(const Local_vector& local, Cell_index c, Vector& x) const
+  // the transposed
+  void scatter(const Local_vector& local, Cell_index c, Vector& points) const
   {
     const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
+    const double s = scale(c);
     for(int r = 0; r < 16; ++r)
-      for(int i = 0; i < 4; ++i) x[rows[r] + i] += local[4*r + i];
+      for(int i = 0; i < 4; ++i) points[rows[r] + i] += s * local[4*r + i];
   }
 
   bool in_hessian_domain(Cell_index c) const { return !m_hessian_domain.empty() && m_hessian_domain[c] != 0; }
 
   double sample(Cell_index c, int s) const
   {
-    return m_samples[std::size_t(c) * Distance_samples::per_cell + s] / m_field.cells().width();
+    return m_samples[std::size_t(c) * Distance_samples::per_cell + s] / m_field.cells().width(c);
   }
 
   // the determinant of the Hessian at a sample and, if asked for, its derivative by the 64 coefficients
@@ -382,23 +424,24 @@ private:
   }
 
   // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the residual's derivative by the
-  // cell's 64 coefficients.
+  // cell's 64 coefficients in cell units.
   template <typename Visitor>
-  void visit_residuals(Energy_term term, const Vector& x, Cell_index c, const Visitor& visit) const
+  void visit_residuals(Energy_term term, const Vector& points, Cell_index c, const Visitor& visit) const
   {
     switch(term) {
       case Energy_term::DISTANCE: {
-        const std::array<double, 64> local = gather(x, c);
+        const std::array<double, 64> local = gather(points, c);
         for(int s = 0; s < Distance_samples::per_cell; ++s) {
           const double f = sample_value(local, s);
           visit(f - sample(c, s), 1., [&]() { return sample_row(s); });
         }
         return;
       }
+      case Energy_term::SURFACE:
       case Energy_term::ANGLE:
       case Energy_term::NORMAL: {
         if(m_first_point[c] == m_first_point[c+1]) return;
-        const std::array<double, 64> local = gather(x, c);
+        const std::array<double, 64> local = gather(points, c);
         for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
           const Surface_point& point = m_points[p];
           internal::Basis_jet<double, 2> basis;
@@ -406,7 +449,12 @@ private:
             basis[0][a] = Cubic_bspline<>::values(point.t[a]);
             basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
           }
-          const std::array<double, 3> g = internal::first_order_jet<double>(local.data(), basis).gradient;
+          const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local.data(), basis);
+          if(term == Energy_term::SURFACE) {
+            visit(jet.value, point.weight, [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
+            continue;
+          }
+          const std::array<double, 3>& g = jet.gradient;
           const std::array<double, 3>& n = m_clipped.normal(point.facet);
           if(term == Energy_term::NORMAL)
             visit(n[0]*g[0] + n[1]*g[1] + n[2]*g[2] - 1, point.weight, [&]() { return directional_row(basis, n); });
@@ -421,7 +469,7 @@ private:
       }
       case Energy_term::SINGULAR_HESSIAN: {
         if(!in_hessian_domain(c)) return;
-        const std::array<double, 64> local = gather(x, c);
+        const std::array<double, 64> local = gather(points, c);
         for(int s = 0; s < Distance_samples::per_cell; ++s)
           visit(hessian_determinant(local, s, nullptr), 1. / Distance_samples::per_cell, [&]() {
             Local_vector row;
@@ -451,17 +499,18 @@ private:
       rhs += sample(c, s) * sample_row(s);
   }
 
-  // E_angle and E_normal: in a frame (n, u, v) of the facet, mu (1 + zeta) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
+  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, mu (1 + zeta) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
   void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
   {
     constexpr int batch = 24;
-    Eigen::Matrix<double, 64, 3 * batch> rows;
+    Eigen::Matrix<double, 64, 4 * batch> rows;
     int used = 0;
     const auto flush = [&]() {
       matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows.leftCols(used));
       used = 0;
     };
     const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
+    const double surface = weight(Energy_term::SURFACE);
     for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
       const Surface_point& point = m_points[p];
       internal::Basis_jet<double, 2> basis;
@@ -476,7 +525,8 @@ private:
       rows.col(used++) = std::sqrt(point.weight * both) * along_normal;
       rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[1]);
       rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[2]);
-      if(used == 3 * batch) flush();
+      if(surface > 0) rows.col(used++) = std::sqrt(point.weight * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
+      if(used > 4 * (batch - 1)) flush();
     }
     if(used > 0) flush();
   }

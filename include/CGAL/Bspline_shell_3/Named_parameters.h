@@ -21,6 +21,11 @@ namespace Bspline_shells {
 namespace parameter_tags {
 
 enum resolution_t { resolution };
+enum relative_thickness_t { relative_thickness };
+enum thickness_t { thickness };
+enum sizing_t { sizing };
+enum constant_thresholds_t { constant_thresholds };
+enum time_limit_t { time_limit };
 enum number_of_rings_t { number_of_rings };
 enum dense_grid_t { dense_grid };
 enum energy_weights_t { energy_weights };
@@ -51,6 +56,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
 #define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                       \
   ADD(parameter_tags::resolution_t, resolution)                                                   \
+  ADD(parameter_tags::relative_thickness_t, relative_thickness)                                   \
+  ADD(parameter_tags::thickness_t, thickness)                                                     \
+  ADD(parameter_tags::sizing_t, sizing)                                                           \
+  ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                 \
+  ADD(parameter_tags::time_limit_t, time_limit)                                                   \
   ADD(parameter_tags::number_of_rings_t, number_of_rings)                                         \
   ADD(parameter_tags::dense_grid_t, dense_grid)                                                   \
   ADD(parameter_tags::energy_weights_t, energy_weights)                                           \

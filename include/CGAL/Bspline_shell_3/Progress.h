@@ -17,7 +17,8 @@ enum class Shell_step
   CELLS,       ///< cut the mesh, choose the cells
   DISTANCE,    ///< sample the signed distance
   FIT,         ///< assemble and solve
-  BOUNDS       ///< extrema on the mesh
+  BOUNDS,      ///< extrema on the mesh
+  CERTIFICATE  ///< thresholds and proofs
 };
 
 /// \ingroup PkgBsplineShell3Ref
@@ -29,6 +30,7 @@ inline const char* name(Shell_step step)
     case Shell_step::DISTANCE: return "distance";
     case Shell_step::FIT:      return "fit";
     case Shell_step::BOUNDS:   return "bounds";
+    case Shell_step::CERTIFICATE: return "certificate";
   }
   return "";
 }

@@ -7,8 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_UNIFORM_BSPLINE_FIELD_3_H
 
 #include <CGAL/Bspline_shell_3/Cell_complex_3.h>
-#include <CGAL/Bspline_shell_3/Cubic_bspline.h>
-#include <CGAL/Bspline_shell_3/Tricubic_cell_3.h>
+#include <CGAL/Bspline_shell_3/internal/Field_evaluation.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,8 +18,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,15 +39,12 @@ namespace Bspline_shells {
  */
 template <typename GeomTraits = Exact_predicates_inexact_constructions_kernel>
 class Uniform_bspline_field_3
+  : public internal::Field_evaluation<Uniform_bspline_field_3<GeomTraits>, GeomTraits>
 {
-  static_assert(std::is_same<typename GeomTraits::FT, double>::value,
-                "GeomTraits must be a kernel whose number type is double");
+  typedef internal::Field_evaluation<Uniform_bspline_field_3, GeomTraits> Base;
 public:
-  typedef GeomTraits Geom_traits;
-  typedef typename GeomTraits::FT FT;
-  typedef typename GeomTraits::Point_3 Point_3;
-  typedef typename GeomTraits::Vector_3 Vector_3;
-  typedef Tricubic_cell_3 Cell;
+  typedef typename Base::Point_3 Point_3;
+  typedef typename Base::Cell Cell;
   typedef Cell_complex_3::Index Cell_index;
   static constexpr Cell_index npos = Cell_complex_3::npos;
 
@@ -72,47 +66,25 @@ public:
   /// \name Leaf cells
   /// @{
   std::size_t number_of_cells() const { return m_cells.number_of_cells(); }
+  bool has_exact_cells() const { return m_cells.is_exact(); }
   Cell cell(Cell_index c) const
   {
     return Cell(m_cells.corner(c), m_cells.width(), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
   /// a cell that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
-  /// the cell across a face of `c`, or `npos` if the face is on the boundary of the domain
-  Cell_index neighbor(Cell_index c, int axis, bool positive) const { return m_cells.neighbor(c, axis, positive); }
+  /// calls `visit(n)` for the cell across a face of `c`; returns whether there is one
+  template <typename Visitor>
+  bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
+  {
+    const Cell_index n = m_cells.neighbor(c, axis, positive);
+    if(n != npos) visit(n);
+    return n != npos;
+  }
   /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return m_cells.visit_cells(box, visit); }
   const Cell_complex_3& cells() const { return m_cells; }
-  /// @}
-
-  /// \name Evaluation
-  /// in user coordinates; empty outside the domain
-  /// @{
-  std::optional<FT> value(const Point_3& p) const
-  {
-    const Cell_index c = locate(p);
-    if(c == npos) return std::nullopt;
-    return cell(c).value(p);
-  }
-  std::optional<Vector_3> gradient(const Point_3& p) const
-  {
-    const Cell_index c = locate(p);
-    if(c == npos) return std::nullopt;
-    const Cell::First_order_jet jet = cell(c).first_order_jet(p);
-    return Vector_3(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
-  }
-  std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const
-  {
-    const Cell_index c = locate(p);
-    if(c == npos) return std::nullopt;
-    const auto& h = cell(c).second_order_jet(p).hessian;
-    Eigen::Matrix3d m;
-    m << h[0], h[3], h[4],
-         h[3], h[1], h[5],
-         h[4], h[5], h[2];
-    return m;
-  }
   /// @}
 
   /// \name B-spline Coefficients
@@ -122,6 +94,19 @@ public:
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
   /// the lattice points at which the functions are centred, in the order of the coefficients
   const internal::Lattice_set_3& functions() const { return m_functions; }
+
+  /// \name As a Hierarchy
+  /// of one level, as a fit sees it: every lattice point has a coefficient of its own (see `Hierarchical_bspline_field_3`)
+  /// @{
+  int number_of_levels() const { return 1; }
+  std::size_t number_of_points() const { return m_functions.size(); }
+  const internal::Lattice_set_3& points(int) const { return m_functions; }
+  Cell_index first_point(int) const { return 0; }
+  Cell_index coefficient_of_point(Cell_index n) const { return n; }
+  Cell_index point_of_coefficient(Cell_index n) const { return n; }
+  Eigen::VectorXd extend(Eigen::VectorXd x) const { return x; }
+  Eigen::VectorXd collect(Eigen::VectorXd all) const { return all; }
+  /// @}
 
   /// the numbers of the first of the four consecutive coefficients in each of the sixteen rows that act on the cell
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
@@ -151,13 +136,7 @@ public:
     const std::array<double, 64> local = local_coefficients(c);
     std::array<NT, 64> b;
     for(int n = 0; n < 64; ++n) b[n] = NT(local[n]);
-    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
-      for(int n = 0; n < 64; ++n) {
-        if((n / stride) % 4 != 0) continue;
-        const std::array<NT, 4> r =
-          Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
-        for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
-      }
+    internal::to_bernstein(b.data());
     return b;
   }
 
@@ -178,14 +157,18 @@ private:
   void convert_to_bernstein(Cell_index c)
   {
     double largest = 0;
-    for(double x : local_coefficients(c)) largest = (std::max)(largest, std::abs(x));
+    bool finite = true;
+    for(double x : local_coefficients(c)) {
+      largest = (std::max)(largest, std::abs(x));
+      finite = finite && std::isfinite(x);
+    }
     const std::array<double, 64> b = bernstein_coefficients<double>(c);
     std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
     // Each of the three passes takes averages (weights that sum to one) with at most three roundings of relative size
     // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up. Three of them and
     // the radius itself can underflow.
-    m_error_radius[c] = 5 * std::numeric_limits<double>::epsilon() * largest
-                      + 2 * std::numeric_limits<double>::denorm_min();
+    m_error_radius[c] = !finite ? std::numeric_limits<double>::infinity()
+                      : 5 * std::numeric_limits<double>::epsilon() * largest + 2 * std::numeric_limits<double>::denorm_min();
   }
 
   Cell_complex_3 m_cells;

@@ -33,32 +33,42 @@ struct Unknown_blocks
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief blocks of B-spline functions: those centred in cubes of five lattice points a side, which overlap their
- * neighbours by two. Linear in the number of functions, of which each is in up to eight blocks, 4.6 on average.
+ * \brief blocks of the free coefficients of a field: of each level, those in cubes of five lattice points a side, which
+ * overlap their neighbours by two. Linear in the number of coefficients, of which each is in up to eight blocks, 4.6 on
+ * average in the plane.
+ *
+ * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  */
-inline Unknown_blocks overlapping_blocks(const internal::Lattice_set_3& functions)
+template <typename Field>
+Unknown_blocks overlapping_blocks(const Field& field)
 {
   using internal::Lattice_key;
   constexpr int stride = 3, overlap = 1;
   const auto tile = [](int i) { return i >= 0 ? i / stride : -((-i + stride - 1) / stride); };
-  std::vector<std::uint64_t> tiles;
-  for(internal::Lattice_set_3::Index n = 0; n < functions.size(); ++n) {
-    const internal::Lattice_point& p = functions.point(n);
-    const std::uint64_t key = Lattice_key::encode(tile(p[0]), tile(p[1]), tile(p[2]));
-    if(tiles.empty() || tiles.back() != key) tiles.push_back(key);
-  }
-  internal::sort_unique(tiles);
   Unknown_blocks blocks;
-  for(std::uint64_t key : tiles) {
-    const internal::Lattice_point t = Lattice_key::decode(key);
-    const int i = t[0] * stride - overlap, j = t[1] * stride - overlap, k = t[2] * stride - overlap;
-    constexpr int width = stride + 2 * overlap;
-    for(int z = k; z < k + width; ++z)
-      for(int y = j; y < j + width; ++y) {
-        const auto row = functions.index_range(i, i + width, y, z);
-        for(auto n = row.first; n < row.second; ++n) blocks.unknowns.push_back(n);
-      }
-    blocks.first.push_back(blocks.unknowns.size());
+  for(int level = field.number_of_levels() - 1; level >= 0; --level) {
+    const internal::Lattice_set_3& points = field.points(level);
+    const auto coefficient = [&](std::uint32_t n) { return field.coefficient_of_point(field.first_point(level) + n); };
+    std::vector<std::uint64_t> tiles;
+    for(std::uint32_t n = 0; n < points.size(); ++n) {
+      if(coefficient(n) == Field::npos) continue;
+      const internal::Lattice_point& p = points.point(n);
+      const std::uint64_t key = Lattice_key::encode(tile(p[0]), tile(p[1]), tile(p[2]));
+      if(tiles.empty() || tiles.back() != key) tiles.push_back(key);
+    }
+    internal::sort_unique(tiles);
+    for(std::uint64_t key : tiles) {
+      const internal::Lattice_point t = Lattice_key::decode(key);
+      const int i = t[0] * stride - overlap, j = t[1] * stride - overlap, k = t[2] * stride - overlap;
+      constexpr int width = stride + 2 * overlap;
+      for(int z = k; z < k + width; ++z)
+        for(int y = j; y < j + width; ++y) {
+          const auto row = points.index_range(i, i + width, y, z);
+          for(auto n = row.first; n < row.second; ++n)
+            if(coefficient(n) != Field::npos) blocks.unknowns.push_back(coefficient(n));
+        }
+      blocks.first.push_back(blocks.unknowns.size());
+    }
   }
   return blocks;
 }

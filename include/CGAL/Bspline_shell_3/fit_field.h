@@ -32,7 +32,7 @@ struct Fit_report
   std::size_t linear_solves = 0;            ///< one, and one for each Gauss-Newton step
   std::size_t iterations = 0;               ///< of the linear solver, all solves together
   double residual = 0;                      ///< relative, of the last solve
-  std::array<double, 4> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
+  std::array<double, 5> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
   double seconds_assembly = 0;
   double seconds_solver = 0;                ///< with the assembly of Gauss-Newton steps
 };
@@ -42,7 +42,7 @@ struct Fit_report
  *
  * \brief minimizes the paper's energy over the coefficients of a field.
  *
- * The three quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
+ * The quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
  * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each
  * has one solve from the last solution and a line search on the energy itself. They end when the energy falls by less
  * than one percent, or after ten.
@@ -74,7 +74,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
   report.seconds_assembly = timer.time();
   timer.reset();
 
-  const Unknown_blocks blocks = overlapping_blocks(field.functions());
+  const Unknown_blocks blocks = overlapping_blocks(field);
   const auto solve = [&](const Matrix& matrix, const Vector& rhs, Vector& solution) {
     ++report.linear_solves;
     report.status = solver.compute(matrix, blocks);
@@ -112,9 +112,10 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
       if(!(before - after > least_decrease * before)) break;
     }
   }
-  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL })
+  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
+                           Energy_term::NORMAL })
     report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
-  field.template set_coefficients<ConcurrencyTag>(x * field.cells().width());
+  field.template set_coefficients<ConcurrencyTag>(x * field.cells().lattice().spacing());
   return report;
 }
 

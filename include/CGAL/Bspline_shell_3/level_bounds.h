@@ -71,7 +71,7 @@ struct Piece_in_cell
   double error;                                  // of a Bernstein coefficient on the piece, against f on the facet
 
   Piece_in_cell(const Field& field, const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece)
-    : cell(field.cell(field.cells().cell(Lattice_key::decode(piece.cell))))
+    : cell(field.cell(piece.cell))
   {
     double reach = 0;
     for(std::uint32_t v = 0; v < piece.size; ++v) {
@@ -129,6 +129,7 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
 struct Facet_ranges
 {
   std::vector<Level_range> facet;     ///< encloses the field on each triangle; not refined
+  std::vector<Level_range> cell;      ///< encloses the field on the part of the mesh in each cell; not refined, empty without mesh
   Level_range mesh;                   ///< encloses the field on the mesh, to within the tolerance
 };
 
@@ -153,7 +154,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
   std::vector<Level_range> attained(chunks);
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
-      const auto cell = field.cell(field.cells().cell(internal::Lattice_key::decode(pieces[n].cell)));
+      const auto cell = field.cell(pieces[n].cell);
       for(std::uint32_t v = 0; v < pieces[n].size; ++v)
         attained[begin / chunk].include(cell.value(clipped.point(pieces[n].first + v)));
     }
@@ -201,7 +202,11 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 
   Facet_ranges ranges;
   ranges.facet.resize(clipped.number_of_facets());
-  for(std::size_t n = 0; n < pieces.size(); ++n) ranges.facet[pieces[n].facet].include(piece_range[n]);
+  ranges.cell.resize(field.number_of_cells());
+  for(std::size_t n = 0; n < pieces.size(); ++n) {
+    ranges.facet[pieces[n].facet].include(piece_range[n]);
+    ranges.cell[pieces[n].cell].include(piece_range[n]);
+  }
   for(const Level_range& r : enclosure) ranges.mesh.include(r);
   return ranges;
 }

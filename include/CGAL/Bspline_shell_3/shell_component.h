@@ -67,11 +67,13 @@ Shell_component shell_component(const Field& field, const std::vector<typename F
     bool at_border = false;
     for(int axis = 0; axis < 3; ++axis)
       for(bool positive : { false, true }) {
-        const Index n = field.neighbor(c, axis, positive);
-        if((n != Field::npos && component.cells[n]) || !face_meets(cell, axis, positive)) continue;
-        if(n == Field::npos) { at_border = true; continue; }
-        component.cells[n] = 1;
-        stack.push_back(n);
+        if(!face_meets(cell, axis, positive)) continue;
+        const bool inside = field.visit_neighbors(c, axis, positive, [&](Index n) {
+          if(component.cells[n]) return;
+          component.cells[n] = 1;
+          stack.push_back(n);
+        });
+        at_border = at_border || !inside;
       }
     if(at_border) component.border_cells.push_back(c);
   }

@@ -6,8 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_INTERNAL_LATTICE_SET_3_H
 #define CGAL_BSPLINE_SHELL_3_INTERNAL_LATTICE_SET_3_H
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,6 +22,8 @@ namespace Bspline_shells {
 namespace internal {
 
 typedef std::array<int, 3> Lattice_point;   // (i, j, k), i along x
+
+struct Lattice_box { Lattice_point first, last; };      // with both ends; empty if a coordinate of `first` is larger
 
 // A point as a key that sorts like (k, j, i); 21 bits an axis.
 class Lattice_key
@@ -42,8 +47,8 @@ public:
 };
 
 // A sparse set of integer points, numbered 0, 1, ... by (k, j, i). Points of one x-row are numbered consecutively, so
-// that what is contiguous on the lattice is contiguous in memory. Look-up: one table access and a search among the
-// runs of a row (mostly one to four). The table of rows has the size of the set's yz-extent: no dense volume.
+// that what is contiguous on the lattice is contiguous in memory. Rows and points come in runs; look-up is a search among
+// the runs of a slice and then of a row, mostly one to four. Memory is linear in the number of points.
 class Lattice_set_3
 {
 public:
@@ -58,23 +63,30 @@ public:
     m_points.reserve(keys.size());
     for(std::uint64_t key : keys) m_points.push_back(Lattice_key::decode(key));
     if(keys.empty()) return;
+    m_least = m_most = m_points.front();
+    for(const Lattice_point& p : m_points)
+      for(int a = 0; a < 3; ++a) {
+        m_least[a] = (std::min)(m_least[a], p[a]);
+        m_most[a] = (std::max)(m_most[a], p[a]);
+      }
     m_k_min = m_points.front()[2];
-    m_k_size = m_points.back()[2] - m_k_min + 1;
-    const auto by_j = [](const Lattice_point& a, const Lattice_point& b) { return a[1] < b[1]; };
-    const auto mm = std::minmax_element(m_points.begin(), m_points.end(), by_j);
-    m_j_min = (*mm.first)[1];
-    m_j_size = (*mm.second)[1] - m_j_min + 1;
-    m_rows.assign(std::size_t(m_j_size) * m_k_size + 1, 0);
+    m_slices.assign(std::size_t(m_points.back()[2] - m_k_min) + 2, 0);
     for(Index n = 0; n < m_points.size(); ++n) {
       const Lattice_point& p = m_points[n];
-      const bool continues = n > 0 && m_points[n-1][2] == p[2] && m_points[n-1][1] == p[1] && m_points[n-1][0] + 1 == p[0];
-      if(!continues) {
-        m_runs.push_back({ p[0], p[0], n });
-        ++m_rows[row(p[1], p[2]) + 1];
+      const bool same_slice = n > 0 && m_points[n-1][2] == p[2], same_row = same_slice && m_points[n-1][1] == p[1];
+      if(!same_slice || (!same_row && m_points[n-1][1] + 1 != p[1])) {
+        m_row_runs.push_back({ p[1], p[1], Index(m_rows.size()) });
+        ++m_slices[std::size_t(p[2] - m_k_min) + 1];
       }
+      if(!same_row) {
+        ++m_row_runs.back().end;
+        m_rows.push_back(Index(m_runs.size()));
+      }
+      if(!same_row || m_points[n-1][0] + 1 != p[0]) m_runs.push_back({ p[0], p[0], n });
       ++m_runs.back().end;
     }
-    for(std::size_t r = 1; r < m_rows.size(); ++r) m_rows[r] += m_rows[r-1];
+    m_rows.push_back(Index(m_runs.size()));
+    for(std::size_t s = 1; s < m_slices.size(); ++s) m_slices[s] += m_slices[s-1];
   }
 
   std::size_t size() const { return m_points.size(); }
@@ -82,12 +94,8 @@ public:
 
   Index index(int i, int j, int k) const
   {
-    if(j < m_j_min || j >= m_j_min + m_j_size || k < m_k_min || k >= m_k_min + m_k_size) return npos;
-    const std::size_t r = row(j, k);
-    for(Index n = m_rows[r]; n < m_rows[r+1]; ++n)
-      if(i < m_runs[n].end)
-        return i >= m_runs[n].begin ? m_runs[n].first + Index(i - m_runs[n].begin) : npos;
-    return npos;
+    const Index r = row(j, k);
+    return r == npos ? npos : find(m_runs, m_rows[r], m_rows[r+1], i);
   }
   Index index(const Lattice_point& p) const { return index(p[0], p[1], p[2]); }
 
@@ -95,8 +103,8 @@ public:
   std::pair<Index, Index> index_range(int i_begin, int i_end, int j, int k) const
   {
     std::pair<Index, Index> range(npos, npos);
-    if(j < m_j_min || j >= m_j_min + m_j_size || k < m_k_min || k >= m_k_min + m_k_size) return range;
-    const std::size_t r = row(j, k);
+    const Index r = row(j, k);
+    if(r == npos) return range;
     for(Index n = m_rows[r]; n < m_rows[r+1]; ++n) {
       const Run& run = m_runs[n];
       const int b = (std::max)(i_begin, run.begin), e = (std::min)(i_end, run.end);
@@ -107,15 +115,42 @@ public:
     return range;
   }
 
-private:
-  struct Run { int begin, end; Index first; };
+  // the lattice points, of a lattice with that origin and spacing, in a box grown by `margin` spacings; none beyond the set
+  Lattice_box clip(const Bbox_3& box, const std::array<double, 3>& origin, double spacing, int margin) const
+  {
+    Lattice_box range;
+    for(int a = 0; a < 3; ++a) {
+      const double first = std::floor(((box.min)(a) - origin[a]) / spacing) - margin, last = std::ceil(((box.max)(a) - origin[a]) / spacing) + margin;
+      range.first[a] = first > m_least[a] ? int(first) : m_least[a];
+      range.last[a] = last < m_most[a] ? int(last) : m_most[a];
+    }
+    return range;
+  }
 
-  std::size_t row(int j, int k) const { return std::size_t(k - m_k_min) * m_j_size + (j - m_j_min); }
+private:
+  struct Run { int begin, end; Index first; };      // consecutive coordinates, and the number of the first
+
+  static Index find(const std::vector<Run>& runs, Index begin, Index end, int coordinate)
+  {
+    for(Index n = begin; n < end; ++n)
+      if(coordinate < runs[n].end)
+        return coordinate >= runs[n].begin ? runs[n].first + Index(coordinate - runs[n].begin) : npos;
+    return npos;
+  }
+
+  Index row(int j, int k) const
+  {
+    const std::size_t slice = std::size_t(std::int64_t(k) - m_k_min);
+    return k < m_k_min || slice + 1 >= m_slices.size() ? npos : find(m_row_runs, m_slices[slice], m_slices[slice+1], j);
+  }
 
   std::vector<Lattice_point> m_points;
-  std::vector<Run> m_runs;
-  std::vector<Index> m_rows;
-  int m_j_min = 0, m_j_size = 0, m_k_min = 0, m_k_size = 0;
+  std::vector<Run> m_runs;          // along x
+  std::vector<Index> m_rows;        // where the runs of each row begin, and the end
+  std::vector<Run> m_row_runs;      // of rows, along y
+  std::vector<Index> m_slices;      // where the row runs of each k begin, and the end
+  int m_k_min = 0;
+  Lattice_point m_least = {}, m_most = {{ -1, -1, -1 }};
 };
 
 inline void sort_unique(std::vector<std::uint64_t>& keys)

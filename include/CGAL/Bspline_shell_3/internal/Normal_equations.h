@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_INTERNAL_NORMAL_EQUATIONS_H
 #define CGAL_BSPLINE_SHELL_3_INTERNAL_NORMAL_EQUATIONS_H
 
+#include <CGAL/Bspline_shell_3/internal/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <Eigen/Core>
@@ -13,17 +14,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Assembles a symmetric matrix and a right-hand side from 64 x 64 matrices of cells. The matrix holds its lower
-// triangle: column c has the functions at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i).
-// As the functions of an x-row are numbered consecutively, a column is 25 segments of consecutive rows, one for each
-// offset (dj, dk), and no index is ever searched for.
+// Assembles a symmetric matrix and a right-hand side, for the coefficients at all points of all levels, from 64 x 64
+// matrices of cells. Coefficients of different levels are not coupled. The matrix holds its lower triangle: column c has
+// the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). As the points of an x-row are numbered
+// consecutively, a column is 25 segments of consecutive rows, one for each offset (dj, dk), and no index is ever searched
+// for.
 template <typename Field>
 class Normal_equations
 {
@@ -45,21 +49,18 @@ public:
   explicit Normal_equations(const Field& field)
     : m_field(field)
   {
-    const auto& functions = field.functions();
-    m_segments.resize(functions.size() * segments);
-    m_column_size.resize(functions.size());
-    for(Index c = 0; c < functions.size(); ++c) {
-      const auto& p = functions.point(c);
-      std::uint32_t position = 0;
-      for(int dk = 0; dk <= 3; ++dk)
-        for(int dj = dk == 0 ? 0 : -3; dj <= 3; ++dj) {
-          const int first = dk == 0 && dj == 0 ? 0 : -3;
-          const auto range = functions.index_range(p[0] + first, p[0] + 4, p[1] + dj, p[2] + dk);
+    m_segments.resize(field.number_of_points() * segments);
+    m_column_size.resize(field.number_of_points());
+    for(int level = 0; level < field.number_of_levels(); ++level)
+      for(Index n = 0; n < field.points(level).size(); ++n) {
+        const Index c = field.first_point(level) + n;
+        std::uint32_t position = 0;
+        for_each_segment(level, n, [&](int dj, int dk, const std::pair<Index, Index>& range) {
           m_segments[std::size_t(c) * segments + segment(dj, dk)] = { range.first, position };
           position += range.second - range.first;
-        }
-      m_column_size[c] = position;
-    }
+        });
+        m_column_size[c] = position;
+      }
     color_cells();
   }
 
@@ -79,16 +80,13 @@ public:
     auto* outer = A.outerIndexPtr();
     outer[0] = 0;
     for(Index c = 0; c < n; ++c) outer[c+1] = outer[c] + int(m_column_size[c]);
-    const auto& functions = m_field.functions();
-    for(Index c = 0; c < n; ++c) {
-      const auto& p = functions.point(c);
-      auto* inner = A.innerIndexPtr() + outer[c];
-      for(int dk = 0; dk <= 3; ++dk)
-        for(int dj = dk == 0 ? 0 : -3; dj <= 3; ++dj) {
-          const auto range = functions.index_range(p[0] + (dk == 0 && dj == 0 ? 0 : -3), p[0] + 4, p[1] + dj, p[2] + dk);
+    for(int level = 0; level < m_field.number_of_levels(); ++level)
+      for(Index m = 0; m < m_field.points(level).size(); ++m) {
+        auto* inner = A.innerIndexPtr() + outer[m_field.first_point(level) + m];
+        for_each_segment(level, m, [&](int, int, const std::pair<Index, Index>& range) {
           for(Index r = range.first; r < range.second; ++r) *inner++ = int(r);
-        }
-    }
+        });
+      }
     std::fill(A.valuePtr(), A.valuePtr() + A.nonZeros(), 0.);
     b = Vector::Zero(n);
   }
@@ -127,8 +125,33 @@ public:
       }
   }
 
+  // the entry of two points of a level whose lattice offset, from column to row, is at most three along each axis
+  double entry(const Matrix& A, Index row, Index column, int dj, int dk) const
+  {
+    if(row < column) return entry(A, column, row, -dj, -dk);
+    const Segment& s = m_segments[std::size_t(column) * segments + segment(dj, dk)];
+    return A.valuePtr()[std::size_t(A.outerIndexPtr()[column]) + s.position + (row - s.first)];
+  }
+
 private:
-  // Tiles of 4 x 4 cells across y and z in four colours: functions of two tiles of one colour are apart.
+  // calls visit(dj, dk, rows) for the rows of the column of a point
+  template <typename Visitor>
+  void for_each_segment(int level, Index n, const Visitor& visit) const
+  {
+    const auto& points = m_field.points(level);
+    const Lattice_point& p = points.point(n);
+    for(int dk = 0; dk <= 3; ++dk)
+      for(int dj = dk == 0 ? 0 : -3; dj <= 3; ++dj) {
+        std::pair<Index, Index> range = points.index_range(p[0] + (dk == 0 && dj == 0 ? 0 : -3), p[0] + 4, p[1] + dj, p[2] + dk);
+        if(range.first != range.second) {
+          range.first += m_field.first_point(level);
+          range.second += m_field.first_point(level);
+        }
+        visit(dj, dk, range);
+      }
+  }
+
+  // Tiles of 4 x 4 cells of a level across y and z in four colours: functions of two tiles of one colour are apart.
   void color_cells()
   {
     constexpr int tile = 4;
@@ -137,7 +160,7 @@ private:
     for(Index c = 0; c < m_field.number_of_cells(); ++c) {
       const auto& p = m_field.cells().lattice_point(c);
       const int j = floor_div(p[1]), k = floor_div(p[2]);
-      order[(j & 1) + 2 * (k & 1)].emplace_back(Lattice_key::encode(0, j, k), c);
+      order[(j & 1) + 2 * (k & 1)].emplace_back(Lattice_key::encode(m_field.cells().level(c), j, k), c);
     }
     for(int color = 0; color < 4; ++color) {
       std::sort(order[color].begin(), order[color].end());

@@ -1,0 +1,437 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_REFINE_UNTIL_CERTIFIED_H
+#define CGAL_BSPLINE_SHELL_3_REFINE_UNTIL_CERTIFIED_H
+
+#include <CGAL/Bspline_shell_3/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Progress.h>
+#include <CGAL/Bspline_shell_3/Refinement_round.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Shell_thresholds_3.h>
+#include <CGAL/Bspline_shell_3/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Unknown_blocks.h>
+#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/level_bounds.h>
+#include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/vertex_cone.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/enum.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief what refinement aims at, and how far it may go.
+ */
+struct Refinement_parameters
+{
+  Energy_weights weights;
+  /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
+  double slope_fraction = 0.2;
+  /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
+  bool constant_thresholds = false;
+  std::size_t max_rounds = 24;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
+
+  Refinement_parameters()
+  {
+    weights.zeta = 100;
+    weights.surface = 100;
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
+ *
+ * A round fits the energy on the present cells. Cells where the field is too large on the mesh for the thickness asked for
+ * are refined at once. Where there are none, slopes are enforced where facets have too small a one (`Slope_enforcement`);
+ * then thresholds are chosen (`Shell_thresholds_3`) and the certificate is asked. Where it is undecided whether the shell has
+ * a critical point, the threshold next to it is narrowed; where the mesh needs it wider than that, the cells are refined.
+ *
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam Oracle a model of `SignedDistanceOracle_3`
+ */
+template <typename ConcurrencyTag, typename Oracle>
+class Certified_refinement
+{
+public:
+  typedef Hierarchical_bspline_field_3<> Field;
+  typedef Spline_threshold<Field> Threshold;
+  typedef Shell_certificate_3<Field, Threshold> Certificate;
+
+  /// \pre `input` and `oracle` outlive this object
+  Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Oracle& oracle, const Refinement_parameters& parameters)
+    : m_input(std::move(input)), m_oracle(oracle), m_parameters(parameters)
+  {
+    find_wanted_slopes();
+  }
+
+  /// \param cells to begin with; they contain the mesh
+  /// \param thickness asked for: a function of points, user units
+  /// \param solver a model of `SPDSolver`
+  /// \param start is called with each `Shell_step` that begins; `false` stops
+  template <typename Thickness, typename Solver, typename Start>
+  Refinement_status operator()(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
+  {
+    constexpr int max_rounds_in_vain = 3;
+    constexpr double progress = 0.9;
+    double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
+    std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
+    int rounds_in_vain = 0;
+    Real_timer total;
+    total.start();
+    for(std::size_t round = 0; ; ++round) {
+      m_rounds.emplace_back();
+      m_timer.reset();
+      m_timer.start();
+      const std::optional<Refinement_status> failure = fit(std::move(cells), thickness, solver, start);
+      if(failure) return *failure;
+      Refinement_round& log = m_rounds.back();
+      if(m_marked.empty()) {
+        if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
+        if(certify(thickness)) return Refinement_status::CERTIFIED;
+      }
+      std::sort(m_marked.begin(), m_marked.end());
+      m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
+      log.marked_cells = m_marked.size();
+      if(log.examined) {
+        const double volume = undecided_volume();
+        const std::size_t facets = std::size_t(std::count_if(m_certificate->witnesses().begin(), m_certificate->witnesses().end(),
+          [](const Certificate_witness& w) { return w.claim == Claim::TRANSVERSALITY; }));
+        const bool better = volume < progress * least_volume || facets < fewest_facets;
+        rounds_in_vain = better ? 0 : rounds_in_vain + 1;
+        least_volume = (std::min)(least_volume, volume);
+        fewest_facets = (std::min)(fewest_facets, facets);
+        if(rounds_in_vain == max_rounds_in_vain) return Refinement_status::NOTHING_TO_REFINE;
+      }
+      const bool over = round + 1 >= m_parameters.max_rounds || total.time() >= m_parameters.max_seconds
+                     || estimated_bytes() > m_parameters.max_bytes;
+      if((m_marked.empty() && !m_new_conditions) || over) {
+        if(!m_certificate) certify(thickness);
+        return m_marked.empty() && !m_new_conditions ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
+      }
+      cells = m_marked.empty() ? m_field->cells() : m_field->cells().refined(m_marked);
+    }
+  }
+
+  const std::vector<Refinement_round>& rounds() const { return m_rounds; }
+  const Field& field() const { return *m_field; }
+  /// of the last field; it refers to the field
+  const std::optional<Certificate>& certificate() const { return m_certificate; }
+  const Threshold& inner() const { return *m_inner; }
+  const Threshold& outer() const { return *m_outer; }
+  const Facet_ranges& ranges() const { return m_ranges; }
+
+  /// the largest difference of the thresholds on the mesh, and the share of the mesh's area where it is less than asked for: in
+  /// the leaves where it is by more than a hundredth. Of the last field.
+  template <typename Thickness>
+  std::pair<double, double> thickness_on_mesh(const Thickness& thickness) const
+  {
+    constexpr double narrower = 0.99;
+    const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(*m_input, m_field->cells());
+    double largest = 0, narrow_area = 0, area = 0;
+    for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
+      const Index c = clipped.pieces()[n].cell;
+      double in_cell = 0;
+      for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
+        in_cell += clipped.area(clipped.pieces()[next]);
+      const Level_range difference = Bspline_shells::difference(enclosed_value(m_outer->field().cell(c)),
+                                                                enclosed_value(m_inner->field().cell(c))).range();
+      largest = (std::max)(largest, difference.max);
+      area += in_cell;
+      if(difference.min < narrower * 2 * half_thickness(c, thickness)) narrow_area += in_cell;
+    }
+    return { largest, narrow_area / area };
+  }
+
+private:
+  typedef Field::Cell_index Index;
+  static constexpr int max_refinements_of_a_facet = 3;
+  static constexpr std::size_t least_violated_cells = 64;
+  static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
+  enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
+
+  void lap(Step step)
+  {
+    m_rounds.back().seconds[step] += m_timer.time();
+    m_timer.reset();
+  }
+
+  double undecided_volume() const
+  {
+    double volume = 0;
+    if(m_certificate->cover())
+      for(const Cover_box& box : m_certificate->cover()->boxes())
+        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED)
+          volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
+    return volume;
+  }
+
+  double estimated_bytes() const
+  {
+    return 2500. * double(m_field->number_of_cells()) + 7000. * double(m_field->number_of_points());
+  }
+
+  void find_wanted_slopes()
+  {
+    const auto& mesh = m_input->mesh();
+    std::vector<double> margin;
+    for(auto v : mesh.vertices()) margin.push_back(mesh.is_isolated(v) ? 1 : vertex_cone_margin(mesh, v));
+    for(auto f : mesh.faces()) {
+      double least = 1;
+      for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) least = (std::min)(least, margin[v]);
+      m_wanted.push_back(least < singular ? 0 : m_parameters.slope_fraction * least);
+    }
+    m_refinements.assign(m_wanted.size(), 0);
+  }
+
+  // Fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
+  template <typename Thickness, typename Solver, typename Start>
+  std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
+  {
+    Refinement_round& log = m_rounds.back();
+    m_certificate.reset();
+    m_marked.clear();
+    if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
+    sample(cells);
+    if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
+      return Refinement_status::DISTANCE_NOT_FINITE;
+    lap(DISTANCE);
+    m_field = std::make_unique<Field>(std::move(cells));
+    Field& field = *m_field;
+    log.cells = field.number_of_cells();
+    log.unknowns = field.number_of_coefficients();
+    log.levels = field.number_of_levels();
+    const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells());
+    lap(CELLS);
+
+    if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
+    const double width = field.cells().lattice().spacing();
+    const Fit_energy<Field> energy(field, m_samples, clipped, m_input->unit() / width, m_parameters.weights);
+    Fit_energy<Field>::Matrix A;
+    Eigen::VectorXd b;
+    energy.template assemble<ConcurrencyTag>(A, b);
+    lap(ASSEMBLY);
+    Eigen::VectorXd x = energy.template initial_guess<ConcurrencyTag>();
+    const Unknown_blocks blocks = overlapping_blocks(field);
+    Solver_status solved = solver.compute(A, blocks);
+    if(solved == Solver_status::SUCCESS) solved = solver.solve(b, x);
+    lap(SOLVER);
+    if(solved != Solver_status::SUCCESS || !x.allFinite()) return Refinement_status::SOLVER_FAILED;
+    field.template set_coefficients<ConcurrencyTag>(x * width);
+    if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
+    mark_thick_cells(clipped, thickness);
+    if(!m_marked.empty()) return std::nullopt;
+
+    const std::vector<Slope_condition> conditions = slope_conditions(clipped);
+    lap(BOUNDS);
+    const std::size_t few = (std::max)(least_violated_cells, clipped.cells().size() / 32);
+    const Slope_report slopes = Slope_enforcement<Field>(field, A, b, conditions)(x, few);
+    if(!slopes.enforced)
+      for(Index c : slopes.violated_cells) mark(c);
+    log.sloping_cells = slopes.violated_before;
+    log.sloping_cells_left = slopes.violated_cells.size();
+    if(slopes.patches > 0) field.template set_coefficients<ConcurrencyTag>(x * width);
+    lap(SLOPES);
+    if(slopes.patches > 0) mark_thick_cells(clipped, thickness);
+    return std::nullopt;
+  }
+
+  // the samples of leaves that were there before are kept
+  void sample(const Cell_hierarchy_3& cells)
+  {
+    constexpr std::size_t n = Distance_samples::per_cell;
+    if(!m_field) {
+      m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
+      return;
+    }
+    const Cell_hierarchy_3& old_cells = m_field->cells();
+    std::vector<Index> fresh;
+    std::vector<double> samples(cells.number_of_cells() * n);
+    for(Index c = 0; c < cells.number_of_cells(); ++c) {
+      const Index old = cells.level(c) < old_cells.number_of_levels() ? old_cells.leaf(cells.level(c), cells.lattice_point(c)) : Field::npos;
+      if(old == Field::npos) fresh.push_back(c);
+      else std::copy_n(&m_samples[old * n], n, &samples[c * n]);
+    }
+    const std::vector<double> more = sample_signed_distance<ConcurrencyTag>(m_oracle, cells, fresh);
+    for(std::size_t m = 0; m < fresh.size(); ++m) std::copy_n(&more[m * n], n, &samples[fresh[m] * n]);
+    m_samples.swap(samples);
+  }
+
+  template <typename Thickness>
+  double half_thickness(Index c, const Thickness& thickness) const
+  {
+    const Bbox_3 b = m_field->cell(c).bbox();
+    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+  }
+
+  template <typename Thickness>
+  void mark_thick_cells(const Clipped_mesh_3& clipped, const Thickness& thickness)
+  {
+    m_ranges = facet_ranges<ConcurrencyTag>(*m_field, clipped);
+    Refinement_round& log = m_rounds.back();
+    log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
+    log.thick_cells = 0;
+    // what is nearly too thick would be in the next round, after small changes
+    constexpr double nearly = 0.9;
+    std::vector<Index> nearly_thick;
+    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
+      const Level_range& r = m_ranges.cell[c];
+      if(!(r.min <= r.max)) continue;
+      const double size = (std::max)(-r.min, r.max), half = half_thickness(c, thickness);
+      if(size > half) ++log.thick_cells;
+      if(size > nearly * half) nearly_thick.push_back(c);
+    }
+    if(log.thick_cells > 0)
+      for(Index c : nearly_thick) mark(c);
+    lap(BOUNDS);
+  }
+
+  void mark(Index c)
+  {
+    if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
+  }
+
+  // at the corners and in the middle of the clipped mesh's pieces, and at the places where the certificate saw a facet fail
+  std::vector<Slope_condition> slope_conditions(const Clipped_mesh_3& clipped)
+  {
+    std::vector<Slope_condition> conditions;
+    const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
+      conditions.push_back({ c, facet, cell.local_coordinates(p), clipped.normal(facet), m_wanted[facet] });
+    };
+    for(const Clipped_mesh_3::Piece& piece : clipped.pieces()) {
+      if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
+      const Tricubic_cell_3 cell = m_field->cell(piece.cell);
+      std::array<double, 3> middle = {};
+      for(std::uint32_t v = 0; v < piece.size; ++v) {
+        const std::array<double, 3>& p = clipped.point(piece.first + v);
+        add(cell, piece.cell, piece.facet, p);
+        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+      }
+      add(cell, piece.cell, piece.facet, middle);
+    }
+    for(const auto& w : m_failed_at) {
+      const Index c = m_field->locate(Field::Point_3(w.second[0], w.second[1], w.second[2]));
+      if(c != Field::npos) add(m_field->cell(c), c, w.first, w.second);
+    }
+    m_new_conditions = false;
+    std::stable_sort(conditions.begin(), conditions.end(), [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
+    return conditions;
+  }
+
+  // Chooses thresholds, and marks cells that keep the claims from being proved.
+  template <typename Thickness>
+  bool certify(const Thickness& thickness)
+  {
+    constexpr int max_passes = 6;
+    constexpr double margin = 0.98;       // of a cap that makes a difference
+    Refinement_round& log = m_rounds.back();
+    log.examined = true;
+    Shell_thresholds_3<Field> thresholds(*m_field, m_ranges.cell, thickness);
+    if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
+    for(int pass = 0; ; ++pass) {
+      m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
+      m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
+      m_certificate.emplace(*m_field, *m_inner, *m_outer);
+      m_certificate->template verify<ConcurrencyTag>(m_input);
+      if(m_certificate->is_certified()) { lap(CERTIFICATE); return true; }
+      // how near to the mesh's level the undecided boxes come, on either side
+      std::map<std::pair<Index, int>, double> nearest;
+      std::vector<Index> hopeless;
+      if(m_certificate->cover())
+        for(const Cover_box& box : m_certificate->cover()->boxes()) {
+          if(box.component == Cover_box::no_component || box.kind != Box_kind::UNDECIDED) continue;
+          const Level_range f = m_certificate->cover()->function(box).range();
+          const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
+          if(side == 0) { hopeless.push_back(box.cell); continue; }
+          const double size = side > 0 ? f.min : -f.max;
+          const auto it = nearest.insert({ { box.cell, side }, size }).first;
+          it->second = (std::min)(it->second, size);
+        }
+      bool narrowed = false;
+      for(const auto& n : nearest) {
+        const Sign side = n.first.second > 0 ? POSITIVE : NEGATIVE;
+        const double needed = n.first.second * thresholds.needed(n.first.first, side);
+        if(m_parameters.constant_thresholds || !(needed < margin * n.second)) { hopeless.push_back(n.first.first); continue; }
+        thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + n.second) / 2);
+        narrowed = true;
+      }
+      if(narrowed && pass + 1 < max_passes) continue;
+      std::sort(hopeless.begin(), hopeless.end());
+      hopeless.erase(std::unique(hopeless.begin(), hopeless.end()), hopeless.end());
+      log.undecided_cells = hopeless.size();
+      for(Index c : hopeless) mark(c);
+      break;
+    }
+    for(const Certificate_witness& w : m_certificate->witnesses()) {
+      if(w.claim == Claim::TRANSVERSALITY && w.triangle != w.none) {
+        const std::pair<std::uint32_t, std::array<double, 3> > place(std::uint32_t(w.triangle), w.point);
+        if(std::find(m_failed_at.begin(), m_failed_at.end(), place) == m_failed_at.end()) {
+          m_failed_at.push_back(place);
+          m_new_conditions = m_new_conditions || m_wanted[w.triangle] > 0;
+        }
+        // what a few refinements do not mend, more of them will not
+        const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
+        if(c != Field::npos && m_wanted[w.triangle] > 0 && m_refinements[w.triangle] < max_refinements_of_a_facet) {
+          ++m_refinements[w.triangle];
+          mark(c);
+        }
+      }
+      if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::END_OF_DOMAIN) {
+        const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
+        if(c != Field::npos) mark(c);
+      }
+    }
+    lap(CERTIFICATE);
+    return false;
+  }
+
+  std::shared_ptr<const Input_mesh_3> m_input;
+  const Oracle& m_oracle;
+  Refinement_parameters m_parameters;
+  std::vector<double> m_wanted;                       // of each triangle: its slope, per user unit
+  std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
+  std::vector<std::pair<std::uint32_t, std::array<double, 3> > > m_failed_at;     // triangles and points
+  bool m_new_conditions = false;
+  std::unique_ptr<Field> m_field;
+  std::vector<double> m_samples;
+  Facet_ranges m_ranges;
+  std::unique_ptr<Threshold> m_inner, m_outer;
+  std::optional<Certificate> m_certificate;
+  std::vector<Index> m_marked;
+  std::vector<Refinement_round> m_rounds;
+  Real_timer m_timer;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_REFINE_UNTIL_CERTIFIED_H
