@@ -1,5 +1,5 @@
-// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic. It
-// shares no code with the library's evaluation.
+// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic; and
+// Bernstein forms. It shares no code with the library's evaluation.
 #ifndef EXACT_SPLINE_H
 #define EXACT_SPLINE_H
 
@@ -56,6 +56,28 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
       }
   for(int a = 0; a < 3; ++a)
     for(int n = 0; n < order[a]; ++n) sum /= Rational(field.cells().lattice().spacing());
+  return sum;
+}
+
+// the polynomial with the given Bernstein coefficients over a cell, or a derivative of order at most two along each axis, per unit
+// of the cell
+inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t, const std::array<int, 3>& order = { 0, 0, 0 })
+{
+  std::array<Rational, 4> w[3];
+  for(int a = 0; a < 3; ++a) {
+    const Rational& x = t[a];
+    const Rational s = 1 - x;
+    if(order[a] == 0) w[a] = { s*s*s, 3*s*s*x, 3*s*x*x, x*x*x };
+    if(order[a] == 1) w[a] = { -3*s*s, 3*s*(s - 2*x), 3*x*(2*s - x), 3*x*x };
+    if(order[a] == 2) w[a] = { 6*s, 6*(x - 2*s), 6*(s - 2*x), 6*x };
+  }
+  Rational sum(0);
+  for(int k = 0; k < 4; ++k)
+    for(int j = 0; j < 4; ++j) {
+      Rational row(0);
+      for(int i = 0; i < 4; ++i) row += b[16*k + 4*j + i] * w[0][i];
+      sum += row * w[1][j] * w[2][k];
+    }
   return sum;
 }
 

@@ -28,6 +28,14 @@ inline Energy_weights all_four_terms()
   return weights;
 }
 
+// and the one that is not in the paper
+inline Energy_weights all_terms_weighted()
+{
+  Energy_weights weights = all_four_terms();
+  weights.surface = 30;
+  return weights;
+}
+
 struct Fit_problem
 {
   CGAL::Bspline_shells::Input_mesh_3 input;
@@ -43,10 +51,11 @@ struct Fit_problem
     const BS::Shell_status status = input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {});
     REQUIRE(status == BS::Shell_status::SUCCESS);
     lattice = BS::Lattice_3(input.bbox(), input.unit() / gamma);
-    clipped = BS::clip_mesh_to_cells<Tag>(input, lattice);
-    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(clipped.cells(), -rings, rings)));
+    const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
+    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(keys, -rings, rings)));
+    clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
     const BS::Mesh_signed_distance_3 distance(input);
-    samples = BS::sample_distance_to_mesh<Tag>(distance, field.cells(), clipped.cells());
+    samples = BS::sample_signed_distance<Tag>(distance, field.cells());
   }
   Fit_problem(const Fit_problem&) = delete;      // energies refer to it
 

@@ -37,7 +37,7 @@ CGAL::Bbox_3 random_box(CGAL::Random& random, double distance)
   return CGAL::Bbox_3(a[0], a[1], a[2], b[0], b[1], b[2]);
 }
 
-// every multiple of 1/4096 of a spacing at and around the box, at the ends and here and there between
+// every multiple of 2^-12 spacings at and around the box, at the ends and here and there between
 void check_corners(const Lattice& lattice, const CGAL::Bbox_3& box)
 {
   for(int a = 0; a < 3; ++a) {
@@ -45,7 +45,8 @@ void check_corners(const Lattice& lattice, const CGAL::Bbox_3& box)
     const int first = lattice.interval(a, box.min(a)) - 3, last = lattice.interval(a, box.max(a)) + 3;
     for(int i : { first, first + (last - first) / 3, 0, last - 1, last }) {
       CHECK(Rational(lattice.coordinate(a, i)) == origin + i * spacing);
-      for(int k : { 1, 2, 3, 1365, 2048, 4095 }) CHECK(is_double(origin + i * spacing + k * spacing / 4096));
+      const int halved = 1 << Lattice::finest_level;
+      for(int k : { 1, 2, 3, halved / 3, halved / 2, halved - 1 }) CHECK(is_double(origin + i * spacing + k * spacing / halved));
     }
   }
 }
@@ -167,6 +168,87 @@ TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned 
       CHECK(scaled.spacing() == s * lattice.spacing());
       for(int a = 0; a < 3; ++a) CHECK(scaled.origin()[a] == s * lattice.origin()[a]);
     }
+  }
+}
+
+TEST_CASE("lattices: cells may be halved until the next corner would not be a double")
+{
+  CGAL::Random random(20);
+  for(double distance : { 0., 1., 1e3, 1e6 })
+    for(int n = 0; n < 20; ++n) {
+      const CGAL::Bbox_3 box = random_box(random, distance);
+      const Lattice lattice(box, std::pow(10, random.get_double(-3, 0)));
+      REQUIRE(lattice.is_exact());
+      Lattice_point first, last;
+      double furthest = 0;
+      for(int a = 0; a < 3; ++a) {
+        first[a] = lattice.interval(a, box.min(a));
+        last[a] = lattice.interval(a, box.max(a));
+        furthest = (std::max)({ furthest, std::abs(lattice.coordinate(a, first[a])), std::abs(lattice.coordinate(a, last[a] + 1)) });
+      }
+      const int halvings = lattice.number_of_halvings(first, last);
+      CHECK(halvings >= Lattice::finest_level);
+      const Rational part(std::ldexp(lattice.spacing(), -halvings));
+      bool once_more = true;
+      for(int a = 0; a < 3; ++a)
+        for(int i : { first[a], (first[a] + last[a]) / 2, last[a] })
+          for(double k : { 1., 3., std::ldexp(1., halvings) - 1 }) {
+            CHECK(is_double(Rational(lattice.coordinate(a, i)) + Rational(k) * part));
+            once_more = once_more && is_double(Rational(lattice.coordinate(a, i)) + Rational(k) * part / 2)
+                        && is_double(Rational(lattice.coordinate(a, i + 1)) - part / 2);
+          }
+      CHECK_FALSE(once_more);
+    }
+  CHECK(Lattice().number_of_halvings({ 0, 0, 0 }, { 0, 0, 0 }) == 0);
+}
+
+TEST_CASE("lattices: one that is made of its origin and spacing is exact if all corners are")
+{
+  const auto is_exact = [](double origin, double spacing, int first, int last) {
+    return Lattice::from_origin({ 0, origin, 0 }, spacing, Lattice_point{ 0, first, 0 }, Lattice_point{ 0, last, 0 }).is_exact();
+  };
+  const double bit = std::ldexp(1., -19);
+  CHECK(is_exact(0, 1, 0, 0));
+  CHECK(is_exact(-3.5, 0.75, -100, 100));
+  CHECK(is_exact(0, 1 + bit, -1000, 1000));
+  CHECK_FALSE(is_exact(0, 1 + bit / 2, 0, 0));             // 21 bits
+  CHECK_FALSE(is_exact(0, 0.1, 0, 0));
+  CHECK_FALSE(is_exact(0.1, 1, 0, 1000));                  // 0.1 + 1000 is rounded
+  CHECK(is_exact(std::ldexp(1., 40), 1, 0, 0));            // 2^40 + 2^-12 has 53 bits
+  CHECK_FALSE(is_exact(std::ldexp(1., 41), 1, 0, 0));
+  CHECK_FALSE(is_exact(0, std::numeric_limits<double>::denorm_min(), 0, 0));      // cells could not be halved
+  CHECK(is_exact(0, std::ldexp(1., -1074 + 12), 0, 0));
+  CHECK_FALSE(is_exact(0, std::ldexp(1., -1074 + 11), 0, 0));
+  for(double x : { not_a_number, inf }) {
+    CHECK_FALSE(is_exact(x, 1, 0, 0));
+    CHECK_FALSE(is_exact(0, x, 0, 0));
+    CHECK_FALSE(is_exact(0, -x, 0, 0));
+  }
+  CHECK_FALSE(is_exact(0, 0, 0, 0));
+  CHECK_FALSE(is_exact(0, -1, 0, 0));
+  CHECK_FALSE(is_exact(0, std::ldexp(1., 1023), 0, 2));    // corners beyond all doubles
+
+  // lattices that the other constructor makes are among them, with all the cells that a shell may have
+  CGAL::Random random(19);
+  for(int n = 0; n < 2000; ++n) {
+    const double size = std::pow(10., random.get_double(-60, 60)), far = std::pow(10., random.get_double(0, 8));
+    double a[3], b[3];
+    for(int k = 0; k < 3; ++k) {
+      a[k] = size * far * random.get_double(-1, 1);
+      b[k] = a[k] + size * random.get_double(0.1, 1);
+    }
+    const CGAL::Bbox_3 box(a[0], a[1], a[2], b[0], b[1], b[2]);
+    const Lattice lattice = Lattice::off_the_ends(box, size / std::pow(10., random.get_double(0, 5)));
+    if(!lattice.is_exact()) continue;
+    Lattice_point first, last;
+    for(int k = 0; k < 3; ++k) {
+      first[std::size_t(k)] = lattice.interval(k, a[k]) - 1020;
+      last[std::size_t(k)] = lattice.interval(k, b[k]) + 1020;
+    }
+    const Lattice same = Lattice::from_origin(lattice.origin(), lattice.spacing(), first, last);
+    REQUIRE(same.is_exact());
+    REQUIRE(same.origin() == lattice.origin());
+    REQUIRE(same.spacing() == lattice.spacing());
   }
 }
 

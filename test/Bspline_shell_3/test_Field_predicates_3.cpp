@@ -249,6 +249,54 @@ TEST_CASE("Predicates: a long needle costs its length, not its length squared")
   CHECK(statistics.by_cell + statistics.by_form < 200); 
 }
 
+TEST_CASE("Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
+{
+  // two layers of cells; waves that are higher on the cells than on the facet between them
+  constexpr int half = 80;
+  std::vector<std::uint64_t> keys;
+  for(int k = -1; k < 1; ++k)
+    for(int j = -half; j < half; ++j)
+      for(int i = -half; i < half; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-half, -half, -half, half, half, half), 1), keys));
+  set(field, [](double x, double y, double z) { return (z == 0 ? -0.25 : 1) * (int(x + y) % 2 ? 1 : -1); });
+  // between +-(1 - 4/4 + 1)/6 times +-1/3 along x and y
+  const double highest = 1. / 54;
+  const Predicates predicates(field);
+  const Triangle t = { Point_3(-79.3, -79.2, 0), Point_3(79.4, -79.1, 0), Point_3(-78.3, 79.3, 0) };
+  BS::Predicate_statistics statistics;
+  CHECK(predicates.values_within(t, { -1.2 * highest, 1.2 * highest }, nullptr, &statistics) == Verdict::PROVED);
+  CHECK(statistics.subdivisions > 20000);
+  CHECK(predicates.values_within(t, { -0.99 * highest, 1.2 * highest }) == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a level that is none")
+{
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for(double bad : { not_a_number, inf, -inf }) {
+    Field field = linear_field(0, 0, 1);
+    Eigen::VectorXd x = field.coefficients();
+    x[field.functions().index(0, 0, 0)] = bad;
+    field.set_coefficients(x);
+    const Predicates predicates(field);
+    const Triangle t = { Point_3(0.1, 0.2, 0.3), Point_3(1, 0.2, 0.3), Point_3(0.1, 1, 0.4) };
+    CHECK_FALSE(predicates.compare(t[0], 0));
+    CHECK_FALSE(predicates.is_beyond(t[0], BS::Constant_threshold(-100), CGAL::POSITIVE));
+    CHECK(predicates.values_within(t, { -100, 100 }) == Verdict::UNDECIDED);
+    CHECK(predicates.values_within(t, { 99, 100 }) == Verdict::UNDECIDED);
+    double slope = 0;
+    CHECK(predicates.crosses_upwards(t, nullptr, nullptr, &slope) == Verdict::UNDECIDED);
+    CHECK(slope == 0);
+    CHECK(predicates.increases({ t[0], t[1] }) == Verdict::UNDECIDED);
+    // elsewhere as ever
+    const Triangle away = { Point_3(2.1, 0.2, 0.3), Point_3(3, 0.2, 0.3), Point_3(2.1, 1, 0.4) };
+    CHECK(predicates.values_within(away, { 0, 1 }) == Verdict::PROVED);
+    CHECK(predicates.crosses_upwards(away) == Verdict::PROVED);
+    CHECK(predicates.compare(away[0], 0) == CGAL::LARGER);
+    CHECK_FALSE(predicates.compare(away[0], not_a_number));
+    CHECK(predicates.values_within(away, { 0, not_a_number }) == Verdict::UNDECIDED);
+  }
+}
+
 TEST_CASE("Predicates: segments along which the field increases")
 {
   const Field field = random_field(21);

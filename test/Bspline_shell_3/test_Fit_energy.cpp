@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr Term all_terms[] = { Term::DISTANCE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
-constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::ANGLE, Term::NORMAL };
+constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
+constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL };
 constexpr double everywhere = 1e9;
 
 // A cube of five cells on the lattice of integers, its sides in the middle of cells: user units are cell units, and
@@ -87,11 +87,15 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   weights.mu = 0.25;
   weights.zeta = 1024;
   weights.singular_hessian = 8;
+  weights.surface = 3;
   const Energy energy = cube_problem().energy(weights);
   CHECK(energy.weight(Term::DISTANCE) == 1);
+  CHECK(energy.weight(Term::SURFACE) == 3);
   CHECK(energy.weight(Term::ANGLE) == 0.25);
   CHECK(energy.weight(Term::NORMAL) == 256);
   CHECK(energy.weight(Term::SINGULAR_HESSIAN) == 0.25 * 8 * 25);
+  CHECK(cube_problem().energy(Energy_weights::paper()).weight(Term::SURFACE) == 0);
+  CHECK(Energy_weights().surface == 0);
 }
 
 TEST_CASE("E_SDF is the sum of squared differences at the samples")
@@ -109,6 +113,24 @@ TEST_CASE("E_SDF is the sum of squared differences at the samples")
   });
   CHECK(n == problem.samples.size());
   CHECK(energy.value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("E_surface is the integral of the squared value over the facets")
+{
+  const Fit_problem& problem = cube_problem();
+  const Energy energy = problem.energy(all_terms_weighted());
+  const double beta = energy.weight(Term::SURFACE), side = 4 * half * half;
+  REQUIRE(beta == 30);
+  // of a constant, and of x: half^2 on two sides, and on the four others its mean square, half^2 / 3
+  CHECK(energy.value(Term::SURFACE, problem.coefficients([](double, double, double) { return 3.; })) == Approx(beta * 6 * side * 9).epsilon(1e-12));
+  CHECK(energy.value(Term::SURFACE, problem.coefficients([](double x, double, double) { return x; }))
+        == Approx(beta * side * half * half * (2 + 4 / 3.)).epsilon(1e-12));
+  const Eigen::VectorXd x = Deterministic_numbers(7).vector(problem.field.number_of_coefficients());
+  CHECK(problem.energy().value(Term::SURFACE, x) == 0);
+  // the sum of all terms has it
+  double sum = 0;
+  for(Term term : quadratic_terms) sum += energy.value(term, x);
+  CHECK(energy.value(x) == Approx(sum).epsilon(1e-14));
 }
 
 TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are what one computes by hand")
@@ -193,7 +215,7 @@ TEST_CASE("Gradients are the derivatives of the values")
 {
   // a mesh with facets in all directions, and pieces of all sizes
   const Fit_problem problem(sphere(1), 4.3, 1);
-  Energy energy = problem.energy();
+  Energy energy = problem.energy(all_terms_weighted());
   Deterministic_numbers random(2);
   const std::size_t size = problem.field.number_of_coefficients();
   for(double sign : { 1., -1. }) {
@@ -225,10 +247,10 @@ TEST_CASE("Gradients are the derivatives of the values")
   }
 }
 
-TEST_CASE("The normal equations are those of the three quadratic terms")
+TEST_CASE("The normal equations are those of the four quadratic terms")
 {
   const Fit_problem problem(sphere(1), 4.3, 1);
-  const Energy energy = problem.energy();
+  const Energy energy = problem.energy(all_terms_weighted());
   const std::size_t size = problem.field.number_of_coefficients();
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;
@@ -323,7 +345,7 @@ TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det
 TEST_CASE("Assembly does not depend on the number of threads, not even in the last bit")
 {
   const Fit_problem problem(torus(3, 1, 16, 9), 20);
-  Energy energy = problem.energy();
+  Energy energy = problem.energy(all_terms_weighted());
   const Eigen::VectorXd x = energy.initial_guess();
   energy.set_singular_hessian_domain(x, -1, 1);
   Eigen::SparseMatrix<double> A;
@@ -356,7 +378,7 @@ TEST_CASE("In cell units, the energy does not know how large the mesh is")
   const Eigen::VectorXd x = one.energy().initial_guess();
   CHECK((x == large.energy().initial_guess()));
   for(Term term : all_terms) {
-    Energy e = one.energy(), l = large.energy(), o = odd.energy();
+    Energy e = one.energy(all_terms_weighted()), l = large.energy(all_terms_weighted()), o = odd.energy(all_terms_weighted());
     for(Energy* energy : { &e, &l, &o }) energy->set_singular_hessian_domain(x, -1, 1);
     REQUIRE(e.value(term, x) > 0);
     CHECK(e.value(term, x) == l.value(term, x));      // powers of two: exactly

@@ -1,13 +1,15 @@
 // The signed distance to a mesh against a search through all facets in exact arithmetic, winding numbers and closed
-// forms; and its samples on cells, which are made together, against one query each.
+// forms; the side told by the closest point, and samples on cells, against one exact query each.
 #include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+#include "random_hierarchies.h"
 #include "test_meshes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +27,7 @@ const double eps = std::numeric_limits<double>::epsilon();
 BS::Input_mesh_3 input_of(const Mesh& mesh)
 {
   BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.singular_vertices = true;
+  tolerated.singular_vertices = tolerated.self_intersections = true;
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
   return input;
@@ -130,25 +132,19 @@ double distance_to_box(const Point_3& p, const Point_3& a, const Point_3& b)
 BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
 {
   const BS::Lattice_3 lattice(input.bbox(), spacing);
-  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, lattice);
-  return BS::Cell_complex_3(lattice, BS::internal::dilate(clipped.cells(), -rings, rings));
-}
-
-std::vector<std::uint64_t> surface_cells(const BS::Input_mesh_3& input, const BS::Cell_complex_3& cells)
-{
-  return BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells.lattice()).cells();
+  return BS::Cell_complex_3(lattice, BS::internal::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
 }
 
 // samples that are made together, and one query each
 struct Comparison { std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0; };
 
-Comparison compare(const BS::Mesh_signed_distance_3& oracle, const BS::Cell_complex_3& cells,
-                   const std::vector<double>& samples)
+template <typename Cells>
+Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells, const std::vector<double>& samples)
 {
   Comparison c;
   c.samples = samples.size();
   for(std::size_t n = 0; n < samples.size(); ++n) {
-    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, BS::Cell_complex_3::Index(n / 8), int(n % 8));
+    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, typename Cells::Index(n / 8), int(n % 8));
     const double expected = oracle(p);
     ++(expected < 0 ? c.negative : c.positive);
     c.wrong_sign += (expected < 0) != (samples[n] < 0);
@@ -157,21 +153,93 @@ Comparison compare(const BS::Mesh_signed_distance_3& oracle, const BS::Cell_comp
   return c;
 }
 
-void check_samples(const Mesh& mesh, double spacing, int rings)
+template <typename Cells>
+void check_samples(const BS::Mesh_signed_distance_3& oracle, const Cells& cells)
 {
-  const BS::Input_mesh_3 input = input_of(mesh);
-  const BS::Mesh_signed_distance_3 oracle(input);
-  const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
-  const std::vector<std::uint64_t> surface = surface_cells(input, cells);
-  const std::vector<double> samples = BS::sample_distance_to_mesh<CGAL::Sequential_tag>(oracle, cells, surface);
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
-  REQUIRE(surface.size() < cells.number_of_cells());     // some cells get their sign from others
   const Comparison c = compare(oracle, cells, samples);
   CHECK(c.negative > c.samples / 20);
   CHECK(c.positive > c.samples / 20);
   CHECK(c.wrong_sign == 0);
   CHECK(c.wrong_distance == 0);
-  CHECK(BS::sample_distance_to_mesh<CGAL::Parallel_if_available_tag>(oracle, cells, surface) == samples);
+  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(oracle, cells) == samples);
+}
+
+void check_samples(const Mesh& mesh, double spacing, int rings)
+{
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
+  check_samples(oracle, cells);
+  // and on leaves of different size
+  CGAL::Random random(7);
+  check_samples(oracle, random_hierarchy(random, cells, 2));
+}
+
+// Two fans over a ring, whose radii and heights alternate: creases that are convex and concave, saddles where they end.
+Mesh star(int points, double inner, double outer, double zigzag, double height)
+{
+  Mesh mesh;
+  const auto top = mesh.add_vertex(Point_3(0, 0, height)), bottom = mesh.add_vertex(Point_3(0, 0, -height));
+  std::vector<Mesh::Vertex_index> ring;
+  for(int n = 0; n < 2 * points; ++n) {
+    const double angle = std::acos(-1.) * n / points + 0.1, r = n % 2 ? inner : outer;
+    ring.push_back(mesh.add_vertex(Point_3(r * std::cos(angle), r * std::sin(angle), n % 2 ? zigzag : -zigzag)));
+  }
+  for(int n = 0; n < 2 * points; ++n) {
+    mesh.add_face(ring[n], ring[(n + 1) % (2 * points)], top);
+    mesh.add_face(ring[(n + 1) % (2 * points)], ring[n], bottom);
+  }
+  return mesh;
+}
+
+// a facet gets a vertex next to the middle of one of its sides: two facets and a needle of that width, relative to it
+void add_needle(Mesh& mesh, Mesh::Face_index f, double width)
+{
+  const auto h = mesh.halfedge(f);
+  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+  const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+  mesh.point(center) = CGAL::midpoint(p, q) + width * (r - CGAL::midpoint(p, q));
+}
+
+Mesh with_needles(Mesh mesh, double width)
+{
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  for(std::size_t n = 0; n < faces.size(); n += 2) add_needle(mesh, faces[n], width);
+  return mesh;
+}
+
+// The side of points at all distances from vertices, edges and facets, told by the closest point, and exactly.
+void check_sides(const Mesh& mesh)
+{
+  for(bool inside_out : { false, true }) {
+    const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(mesh) : mesh);
+    const BS::Mesh_signed_distance_3 oracle(input);
+    BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+    CGAL::Random random(8);
+    const auto direction = [&] { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
+    int wrong = 0, negative = 0, positive = 0;
+    for(auto f : input.mesh().faces()) {
+      const auto t = input.triangle(f);
+      for(int n = 0; n < 100; ++n) {
+        // of a corner, of an edge, or of the inside
+        double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0., n % 4 > 1 ? random.get_double() : 0. };
+        const double sum = b[0] + b[1] + b[2];
+        Point_3 p = CGAL::barycenter(t[n % 3], b[0] / sum, t[(n + 1) % 3], b[1] / sum, t[(n + 2) % 3], b[2] / sum);
+        p = p + std::pow(10, random.get_double(-9, 0)) * direction();
+        const double signed_distance = oracle.signed_distance(p, hint), distance = oracle.distance(p);
+        if(!(distance > 1e-12)) continue;       // rounding of a closest point decides
+        wrong += (signed_distance > 0 ? 1 : -1) != oracle.sign(p);
+        wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding);
+        ++(signed_distance > 0 ? positive : negative);
+      }
+    }
+    CAPTURE(inside_out);
+    CHECK(wrong == 0);
+    CHECK(negative > 20);
+    CHECK(positive > 20);
+  }
 }
 
 // a user's oracle: no mesh at all
@@ -286,11 +354,52 @@ TEST_CASE("signed distance: where the search starts does not change what it find
     const double step = n % 10 == 0 ? 1.5 : 0.05;
     p = Point_3(random.get_double(-step, step), random.get_double(-step, step), random.get_double(-step, step))
         + (n % 10 == 0 ? Vector_3(0, 0, 0) : p - CGAL::ORIGIN);
-    CHECK(oracle.distance(p, hint) == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
+    CHECK(oracle.signed_distance(p, hint) == Approx(oracle(p)).epsilon(0).margin(rounding));
     // and the new hint is the closest point
     CHECK(std::sqrt(CGAL::squared_distance(Point_3(hint.first.x(), hint.first.y(), hint.first.z()), p))
           == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
   }
+}
+
+TEST_CASE("signed distance: the closest point tells the side, also at creases, saddles, needles and in thin parts")
+{
+  SECTION("smooth") { check_sides(sphere(1)); }
+  SECTION("saddles") { check_sides(torus(1, 0.5, 8, 6)); }
+  SECTION("creases of all kinds") { check_sides(star(5, 0.3, 1, 0.2, 0.5)); }
+  SECTION("sharp creases") { check_sides(star(7, 0.2, 1, 0, 0.01)); }
+  SECTION("very sharp creases") { check_sides(star(4, 0.9, 1, 0, 1e-4)); }
+  SECTION("spikes") { check_sides(star(3, 0.01, 1, 0.01, 0.02)); }
+  SECTION("deep folds") { check_sides(star(6, 0.1, 1, 0.3, 0.05)); }
+  SECTION("a plate") { check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3))); }
+  SECTION("a thin plate") { check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6))); }
+  SECTION("a rod") { check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4))); }
+  SECTION("needles") { check_sides(with_needles(sphere(1), 1e-4)); }
+  SECTION("thin needles") { check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8)); }
+  SECTION("needles at creases") { check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6)); }
+  SECTION("thin needles at sharp creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8)); }
+  SECTION("needles as thin as rounding, at creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14)); }
+  SECTION("a cavity") { check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99)))); }
+}
+
+TEST_CASE("signed distance: where a mesh intersects itself, the side is that of the closest facet")
+{
+  // two boxes, and a part of each inside of the other
+  const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+  CGAL::Random random(9);
+  int differ = 0;
+  for(int n = 0; n < 3000; ++n) {
+    const Point_3 p(random.get_double(-0.3, 1.9), random.get_double(-0.3, 1.3), random.get_double(-0.3, 1.3));
+    const double first = distance_to_box(p, Point_3(0, 0, 0), Point_3(1, 1, 1)),
+                 second = distance_to_box(p, Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8));
+    if(std::abs(std::abs(first) - std::abs(second)) < 1e-9) continue;
+    const double expected = std::abs(first) < std::abs(second) ? first : second;
+    CHECK(oracle.signed_distance(p, hint) == Approx(expected).epsilon(0).margin(rounding));
+    differ += first < 0 && second < 0;
+  }
+  CHECK(differ > 50);       // where an odd number of facets would say something else
 }
 
 TEST_CASE("samples of the distance: together they are a uniform lattice, two to a cell and axis")
@@ -322,15 +431,7 @@ TEST_CASE("samples of the distance: made together they are those of single queri
   }
   SECTION("a box in the planes between cells") { check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2); }
   SECTION("cells that do not touch the mesh") { check_samples(sphere(3), 0.11, 4); }
-}
-
-TEST_CASE("samples of the distance: signs flow through all cells that are not said to hold the mesh")
-{
-  // without these cells there is one sign for all: the flood is what the test above tests
-  const BS::Input_mesh_3 input = input_of(sphere(2));
-  const BS::Mesh_signed_distance_3 oracle(input);
-  const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
-  CHECK(compare(oracle, cells, BS::sample_distance_to_mesh<CGAL::Sequential_tag>(oracle, cells, {})).wrong_sign > 100);
+  SECTION("folds") { check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2); }
 }
 
 TEST_CASE("samples of the distance: from a user's oracle")

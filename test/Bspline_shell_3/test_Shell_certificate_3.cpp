@@ -234,6 +234,30 @@ TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their 
   }
 }
 
+TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
+{
+  // a dent in the field between the levels, away from the mesh
+  Field field = radial_field();
+  Eigen::VectorXd x = field.coefficients();
+  x[field.functions().index(5, 5, 5)] -= 0.5;
+  field.set_coefficients(x);
+  const Certificate certificate = certify(field, 0.28, 1.1, pentagram_bipyramid());
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::DEGREE_ONE) == Verdict::UNDECIDED);
+  int said = 0;
+  for(const Place& w : certificate.witnesses()) {
+    if(w.claim != Claim::DEGREE_ONE) continue;
+    ++said;
+    CHECK(w.verdict == Verdict::UNDECIDED);
+    CHECK(w.reason == Place::NO_PATH);
+    CHECK(w.component == 0);
+    CHECK(w.facet != Place::none);
+  }
+  CHECK(said == 1);
+}
+
 TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond does no harm")
 {
   // |x - c|^2, exactly; c is no corner of any box
@@ -321,6 +345,17 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a me
     const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
     CHECK(elsewhere.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
     CHECK_FALSE(elsewhere);
+    // outside is where the domain ends, 1.5 from the origin, and not before
+    int outside = 0, inside = 0;
+    for(const Place& w : elsewhere.witnesses()) {
+      if(w.claim != Claim::CONTAINMENT) continue;
+      const double far = (std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) });
+      CHECK((w.reason == Place::OUTSIDE || w.reason == Place::FACET));
+      if(w.reason == Place::OUTSIDE) { ++outside; CHECK(far > 1.5); }
+      else { ++inside; CHECK(far <= 1.5); }
+    }
+    CHECK(outside > 0);
+    CHECK((inside > 0) == (center.z() == 0));
   }
 }
 
@@ -388,7 +423,93 @@ TEST_CASE("Certificate: the same after scaling by a power of two, with any numbe
     std::fesetround(FE_TONEAREST);
     CHECK(after == mode);
     CHECK(verdicts(rounded) == verdicts(reference));
+    CHECK(rounded.least_gradient() == reference.least_gradient());
+    CHECK(rounded.least_angle() == reference.least_angle());
+    // other threads have a mode of their own
+    REQUIRE(std::fesetround(mode) == 0);
+    Certificate in_parallel(field, Constant(0.28), Constant(1.1));
+    in_parallel.verify<CGAL::Parallel_if_available_tag>(mesh);
+    const int after_parallel = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    CHECK(after_parallel == mode);
+    CHECK(verdicts(in_parallel) == verdicts(reference));
+    CHECK(in_parallel.least_gradient() == reference.least_gradient());
   }
+}
+
+TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothing is proved")
+{
+  const auto field_on = [](double spacing) {
+    const BS::Lattice_3::Point first = { -12, -12, -12 }, last = { 11, 11, 11 };
+    const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ spacing, spacing, spacing }, spacing, first, last);
+    std::vector<std::uint64_t> keys;
+    for(int k = -12; k < 12; ++k)
+      for(int j = -12; j < 12; ++j)
+        for(int i = -12; i < 12; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+    Field field(BS::Cell_complex_3(lattice, keys));
+    set(field, [&](double x, double y, double z) { return std::sqrt(std::pow(x + spacing, 2) + std::pow(y + spacing, 2) + std::pow(z + spacing, 2)); });
+    return field;
+  };
+  const Field inexact = field_on(0.1), exact = field_on(0.125);
+  REQUIRE_FALSE(inexact.has_exact_cells());
+  REQUIRE(exact.has_exact_cells());
+  const Certificate refused = certify(inexact, 0.75, 1.05, sphere(2, 0.9));
+  CHECK(refused.status() == BS::Shell_status::GRID_TOO_FINE);
+  CHECK_FALSE(refused);
+  for(int c = 0; c < 5; ++c) CHECK(refused.verdict(Claim(c)) == Verdict::UNDECIDED);
+  CHECK(certify(exact, 0.75, 1.05, sphere(2, 0.9)));
+}
+
+TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the field or in a threshold")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Mesh mesh = sphere(2);
+  const Field field = radial_field();
+  Field constant_inner = field, constant_outer = field;
+  set(constant_inner, [](double, double, double) { return 0.85; });
+  set(constant_outer, [](double, double, double) { return 1.15; });
+  const auto with = [](Field f, const BS::Lattice_3::Point& p, double bad) {
+    Eigen::VectorXd x = f.coefficients();
+    x[f.functions().index(p)] = bad;
+    f.set_coefficients(x);
+    return f;
+  };
+  const auto certified = [&](const Field& f, const Field& inner, const Field& outer) {
+    BS::Shell_certificate_3<Field, Varying> certificate(f, Varying(inner), Varying(outer));
+    certificate.verify<CGAL::Sequential_tag>(mesh);
+    for(const Place& w : certificate.witnesses()) CHECK(w.verdict == Verdict::UNDECIDED);
+    if(!certificate) CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+    return certificate.is_certified();
+  };
+  REQUIRE(certified(field, constant_inner, constant_outer));
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  // beside the mesh, but in the shell
+  for(const BS::Lattice_3::Point& p : { BS::Lattice_3::Point{ 0, 0, 11 }, BS::Lattice_3::Point{ -10, 0, 5 }, BS::Lattice_3::Point{ 0, -5, 0 } })
+    for(double bad : { not_a_number, infinity }) {
+      CAPTURE(bad, p[0], p[1], p[2]);
+      CHECK_FALSE(certified(field, constant_inner, with(constant_outer, p, bad)));
+      CHECK_FALSE(certified(field, with(constant_inner, p, bad), constant_outer));
+      CHECK_FALSE(certified(with(field, p, bad), constant_inner, constant_outer));
+      const Certificate certificate = certify(with(field, p, bad), 0.85, 1.15, mesh);
+      CHECK_FALSE(certificate);
+      CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+      CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+      CHECK(certificate.least_gradient() == 0);
+    }
+  // on the mesh: facets are undecided where the function acts, and only there
+  const BS::Lattice_3::Point p = { 0, 0, 8 };
+  const Certificate certificate = certify(with(field, p, not_a_number), 0.85, 1.15, mesh);
+  CHECK_FALSE(certificate);
+  std::size_t undecided = 0;
+  for(auto f : mesh.faces()) {
+    CGAL::Bbox_3 b;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) b += mesh.point(v).bbox();
+    const bool near = b.xmin() < 0.25 && b.xmax() > -0.25 && b.ymin() < 0.25 && b.ymax() > -0.25 && b.zmax() > 0.75;
+    const Certificate::Facet_verdict& verdict = certificate.facets()[std::size_t(f)];
+    if(!near) CHECK((verdict.containment == Verdict::PROVED && verdict.transversality == Verdict::PROVED));
+    undecided += verdict.containment == Verdict::UNDECIDED && verdict.transversality == Verdict::UNDECIDED;
+  }
+  CHECK(undecided > 0);
 }
 
 TEST_CASE("Certificate: what is no closed mesh has a status, and no claim is proved")
@@ -408,25 +529,68 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
   const Mesh mesh = sphere(2);
-  Field inner = radial_field(), outer = radial_field();
+  const auto threshold = [&](const auto& f) {
+    Field values = field;
+    set(values, f);
+    return values;
+  };
+  const auto certify_between = [&](const Field& inner, const Field& outer, const Mesh& mesh) {
+    BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+    certificate.template verify<CGAL::Sequential_tag>(mesh);
+    return certificate;
+  };
   const auto constant = [](double c) { return [c](double, double, double) { return c; }; };
-  set(inner, constant(0.85));
-  set(outer, constant(1.15));
-  BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
-  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  const auto certificate = certify_between(threshold(constant(0.85)), threshold(constant(1.15)), mesh);
+  CHECK(certificate);
   CHECK(certificate.displacement_bound() == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
 
   // narrow above, wide below, never as steep as the field
-  set(inner, [](double, double, double z) { return 0.8 + 0.1 * z; });
-  set(outer, [](double, double, double z) { return 1.2 - 0.1 * z; });
-  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  const Field inner = threshold([](double, double, double z) { return 0.8 + 0.1 * z; }),
+              outer = threshold([](double, double, double z) { return 1.2 - 0.1 * z; });
+  CHECK(certify_between(inner, outer, mesh));
   // a mesh that the narrow part does not hold
-  CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(sphere(2, 1.15)));
-  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+  const auto refuted = certify_between(inner, outer, sphere(2, 1.15));
+  CHECK_FALSE(refuted);
+  CHECK(refuted.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 
   // As steep as the field: curves do not leave through it. Below the mesh there is room for such a threshold.
-  set(outer, constant(1.2));
-  set(inner, [](double x, double y, double z) { return 0.9 - 1.5 * (1 - std::sqrt(x*x + y*y + z*z)) ; });
-  CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(mesh));
-  CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+  const auto steep = certify_between(threshold([](double x, double y, double z) { return 0.9 - 1.5 * (1 - std::sqrt(x*x + y*y + z*z)); }),
+                                     threshold(constant(1.2)), mesh);
+  CHECK_FALSE(steep);
+  CHECK(steep.verdict(Claim::GRADIENT) != Verdict::PROVED);
+}
+
+TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  Field inner = field, outer = field;
+  set(inner, [](double, double, double z) { return 0.8 + 0.1 * z; });
+  set(outer, [](double, double, double z) { return 1.2 - 0.1 * z; });
+  const auto count = [&](const auto& cover, const auto& between) {
+    std::array<std::size_t, 2> boxes = {};
+    for(const BS::Cover_box& box : cover.boxes()) {
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      bool sampled = true;
+      for(int n = 0; n < 27; ++n) {
+        const auto at = [&](int a, int i) { return (b.min)(a) + ((b.max)(a) - (b.min)(a)) * i / 2; };
+        sampled = sampled && between(Point_3(at(0, n % 3), at(1, n / 3 % 3), at(2, n / 9)));
+      }
+      if(cover.is_between_thresholds(box)) CHECK(sampled);
+      ++boxes[cover.is_between_thresholds(box)];
+    }
+    return boxes;
+  };
+  BS::Shell_cover_3<Field, Varying> varying(field, Varying(inner), Varying(outer));
+  CHECK(varying.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
+  const auto between = [&](const Point_3& p) { return *field.value(p) >= *inner.value(p) - 1e-12 && *field.value(p) <= *outer.value(p) + 1e-12; };
+  const std::array<std::size_t, 2> boxes = count(varying, between);
+  CHECK(boxes[0] > 100);
+  CHECK(boxes[1] > 100);
+  BS::Shell_cover_3<Field> fixed(field, Constant(0.8), Constant(1.2));
+  CHECK(fixed.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
+  const std::array<std::size_t, 2> fixed_boxes
+    = count(fixed, [&](const Point_3& p) { return *field.value(p) >= 0.8 - 1e-12 && *field.value(p) <= 1.2 + 1e-12; });
+  CHECK(fixed_boxes[0] > 100);
+  CHECK(fixed_boxes[1] > 100);
 }

@@ -206,8 +206,8 @@ TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient 
   int faces = 0;
   for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c)
     for(int a = 0; a < 3; ++a) {
-      const Field::Cell_index n = field.neighbor(c, a, true);
-      if(n == Field::npos) continue;
+      Field::Cell_index n = Field::npos;
+      if(!field.visit_neighbors(c, a, true, [&](Field::Cell_index neighbor) { n = neighbor; })) continue;
       ++faces;
       double t[3] = { 0.25, 0.625, 0.375 };
       t[a] = 1;

@@ -441,7 +441,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
     const auto cell = shell.field().cell(c);
     for(int axis = 0; axis < 3; ++axis)
       for(bool positive : { false, true }) {
-        if(shell.field().neighbor(c, axis, positive) != Shell::Field::npos) continue;
+        if(shell.field().visit_neighbors(c, axis, positive, [](Shell::Field::Cell_index) {})) continue;
         for(int i = 0; i <= 4; ++i)
           for(int j = 0; j <= 4; ++j) {
             std::array<double, 3> p = cell.corner();
@@ -458,9 +458,9 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   // the distance is sampled where cells are added; the fit is that of all samples
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
-  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells().lattice());
-  const std::vector<double> samples = BS::sample_distance_to_mesh<CGAL::Sequential_tag>(
-    BS::Mesh_signed_distance_3(input), shell.field().cells(), clipped.cells());
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells());
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(
+    BS::Mesh_signed_distance_3(input), shell.field().cells());
   const BS::Fit_energy<Shell::Field> energy(shell.field(), samples, clipped, shell.report().gamma, BS::Energy_weights());
   CHECK(energy.value(BS::Energy_term::DISTANCE, Eigen::VectorXd(shell.field().coefficients() / w))
         == Approx(shell.report().fit.energy[std::size_t(BS::Energy_term::DISTANCE)]).epsilon(1e-9));

@@ -2,6 +2,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/extract_level_set.h>
 #ifdef HAVE_CHOLMOD
 #include <CGAL/Bspline_shell_3/Cholmod_solver.h>
@@ -11,6 +13,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -115,9 +118,16 @@ public:
   std::size_t number_of_cells() const { return m_model.number_of_cells(); }
   Cell cell(Cell_index c) const { return m_model.cell(c); }
   Cell_index locate(const Point_3& p) const { return m_model.locate(Model::Point_3(p.x(), p.y(), p.z())); }
-  Cell_index neighbor(Cell_index c, int axis, bool positive) const { return m_model.neighbor(c, axis, positive); }
+  bool has_exact_cells() const { return m_model.has_exact_cells(); }
+  template <typename Visitor>
+  bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
+  {
+    return m_model.visit_neighbors(c, axis, positive, visit);
+  }
   template <typename Visitor>
   bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const { return m_model.visit_cells(box, visit); }
+  template <typename NT>
+  std::array<NT, 64> bernstein_coefficients(Cell_index c) const { return m_model.bernstein_coefficients<NT>(c); }
   std::optional<FT> value(const Point_3& p) const { return m_model.value(Model::Point_3(p.x(), p.y(), p.z())); }
   std::optional<Vector_3> gradient(const Point_3&) const { return std::nullopt; }
   std::optional<Eigen::Matrix3d> hessian(const Point_3&) const { return std::nullopt; }
@@ -141,8 +151,11 @@ void check_field_interface()
   static_assert(std::is_same<decltype(std::declval<F>().number_of_cells()), std::size_t>::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().cell(Cell_index())), Cell>::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().neighbor(Cell_index(), 0, true)), Cell_index>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().cells()), const BS::Cell_complex_3&>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().has_exact_cells()), bool>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
+                             bool>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
+                             std::array<float, 64> >::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
                              std::optional<typename Field::FT> >::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
@@ -201,6 +214,8 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
 {
   check_field_interface<BS::Uniform_bspline_field_3<> >();
   check_field_interface<BS::Uniform_bspline_field_3<CGAL::Simple_cartesian<double> > >();
+  check_field_interface<BS::Hierarchical_bspline_field_3<> >();
+  check_field_interface<BS::Hierarchical_bspline_field_3<CGAL::Simple_cartesian<double> > >();
   check_field_interface<Field_archetype>();
 
   const Mesh mesh = sphere(1);
@@ -209,7 +224,7 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   const Field_archetype field(shell.field(), 0);
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
-  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells().lattice());
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells());
 
   const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(field, clipped);
   CHECK(ranges.mesh.min == shell.report().facets_bound.min);
@@ -217,10 +232,7 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   CHECK(BS::edge_range<CGAL::Sequential_tag>(field, clipped).min == shell.report().edges.min);
 
   const BS::Level_range levels = { shell.inner_level(), shell.outer_level() };
-  std::vector<Field_archetype::Cell_index> surface_cells;
-  for(std::uint64_t key : clipped.cells())
-    surface_cells.push_back(field.cells().cell(BS::internal::Lattice_key::decode(key)));
-  const BS::Shell_component component = BS::shell_component(field, surface_cells, levels);
+  const BS::Shell_component component = BS::shell_component(field, clipped.cells(), levels);
   CHECK(component.cells == shell.shell_cells());
   CHECK(component.border_cells.empty());
 
@@ -233,6 +245,11 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
     CHECK(other.bounded_side(Field_archetype::Point_3(p.x(), p.y(), p.z())) == shell.bounded_side(p));
   }
   CHECK_FALSE(CGAL::Bspline_shell_3<Field_archetype>());
+  BS::Shell_certificate_3<Field_archetype> certificate(other);
+  BS::Shell_certificate_3<> same_certificate(shell);
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh) == same_certificate.verify<CGAL::Sequential_tag>(mesh));
+  CHECK(certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(certificate.least_gradient() == same_certificate.least_gradient());
 
   CGAL::Surface_mesh<Point_3> level_set, same_set;
   BS::extract_level_set<CGAL::Sequential_tag>(field, shell.outer_level(), level_set);

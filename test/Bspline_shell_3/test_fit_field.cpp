@@ -69,7 +69,7 @@ struct Recording_solver
 TEST_CASE("Blocks of unknowns cover all of them, overlap, and are small")
 {
   const Fit_problem& problem = sphere_problem();
-  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field.functions());
+  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
   std::vector<int> times(problem.field.number_of_coefficients(), 0);
   for(std::size_t b = 0; b < blocks.size(); ++b) {
     REQUIRE(blocks.first[b+1] > blocks.first[b]);
@@ -95,7 +95,7 @@ TEST_CASE("Blocks save most iterations, and change the solution by no more than 
   CG::Vector x = CG::Vector::Zero(b.size()), y = x, z = x;
   REQUIRE(diagonal.compute(A) == Solver_status::SUCCESS);
   REQUIRE(diagonal.solve(b, x) == Solver_status::SUCCESS);
-  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field.functions());
+  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
   REQUIRE(schwarz.compute(A, blocks) == Solver_status::SUCCESS);
   REQUIRE(schwarz.solve(b, y) == Solver_status::SUCCESS);
   CHECK(10 * schwarz.iterations() < diagonal.iterations());
@@ -136,7 +136,9 @@ TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower 
 TEST_CASE("A fit is where the gradient of the energy vanishes")
 {
   const Fit_problem& problem = torus_problem();
-  Energy energy = problem.energy(quadratic_terms_only(1e3));
+  Energy_weights weights = quadratic_terms_only(1e3);
+  weights.surface = 10;
+  Energy energy = problem.energy(weights);
   Field field = problem.field;
   CG solver(1e-10, 20000);
   const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
@@ -148,8 +150,8 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
 
   const Eigen::VectorXd x = field.coefficients() / problem.width();
   const auto gradient = [&](const Eigen::VectorXd& y) {
-    return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::ANGLE, y)
-                           + energy.gradient(Term::NORMAL, y));
+    return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::SURFACE, y)
+                           + energy.gradient(Term::ANGLE, y) + energy.gradient(Term::NORMAL, y));
   };
   // the gradient is 2 (A x - b), and 2 b is minus the gradient at zero; twice for rounding
   CHECK(gradient(x).norm() <= 2 * 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());
@@ -162,7 +164,7 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
     CHECK(plus > 0);
     CHECK(plus == Approx(minus).epsilon(1e-4));
   }
-  for(Term term : { Term::DISTANCE, Term::ANGLE, Term::NORMAL })
+  for(Term term : { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL })
     CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-9));
   CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
 }
@@ -284,7 +286,7 @@ TEST_CASE("Conjugate gradients and the direct solver find the same field")
     // a residual of 1e-12 and condition numbers of about 1e7
     const double scale = direct.coefficients().cwiseAbs().maxCoeff();
     CHECK((direct.coefficients() - iterative.coefficients()).cwiseAbs().maxCoeff() < 1e-5 * scale);
-    for(std::size_t term = 0; term < 4; ++term) CHECK(a.energy[term] == Approx(b.energy[term]).epsilon(1e-6));
+    for(std::size_t term = 0; term < a.energy.size(); ++term) CHECK(a.energy[term] == Approx(b.energy[term]).epsilon(1e-6));
     const BS::Level_range levels = BS::facet_ranges<Tag>(direct, problem.clipped).mesh,
                           others = BS::facet_ranges<Tag>(iterative, problem.clipped).mesh;
     CHECK(std::abs(levels.min - others.min) < 1e-5 * problem.width());

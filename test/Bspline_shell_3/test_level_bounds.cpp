@@ -86,8 +86,9 @@ struct Problem
   {
     REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
     REQUIRE(lattice.is_exact());
-    clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, lattice);
-    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(clipped.cells(), -1, 1)));
+    const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice);
+    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(keys, -1, 1)));
+    clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells());
   }
 
   // `coefficient` of the lattice point of a function

@@ -1,0 +1,246 @@
+// Shells whose files are short, files as lines and bytes, and devices that fail.
+#ifndef SHELL_FILES_H
+#define SHELL_FILES_H
+
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/IO/read_shell.h>
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <locale>
+#include <sstream>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef Shell::Field Field;
+typedef BS::Shell_file_status Status;
+typedef BS::Shell_format Format;
+
+// --- shells
+
+struct Cell_point { int i, j, k; };
+
+inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point>& points,
+                      const std::function<double(std::size_t)>& coefficient)
+{
+  std::vector<std::uint64_t> keys;
+  for(const Cell_point& p : points) keys.push_back(BS::internal::Lattice_key::encode(p.i, p.j, p.k));
+  BS::internal::sort_unique(keys);
+  Field field{ BS::Cell_complex_3(lattice, keys) };
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(std::size_t(n));
+  field.set_coefficients(x);
+  BS::Level_range levels, facet;
+  levels.min = -0.1;
+  levels.max = 1. / 3;
+  facet.min = -0.05;
+  facet.max = 0.3;
+  std::vector<char> cells(keys.size(), 1);
+  cells.front() = 0;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 3.7;
+  report.gamma = report.unit / lattice.spacing();
+  report.triangles = 20;
+  report.components = 1;
+  report.cells = keys.size();
+  report.unknowns = std::size_t(x.size());
+  return Shell(field, levels, cells, std::vector<BS::Level_range>(3, facet), report);
+}
+
+// two cells and 80 functions: short enough to try all that can happen to its file
+inline Shell small_shell()
+{
+  CGAL::Random random(7);
+  return shell_on(BS::Lattice_3(CGAL::Bbox_3(-1, -2, 0, 2, 1, 5), 0.3), { { -1, 0, 2 }, { 0, 0, 2 } },
+                  [&](std::size_t) { return random.get_double(-1, 1); });
+}
+
+// another one, which must not change when a file is refused
+inline Shell other_shell()
+{
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 0.25);
+  return shell_on(lattice, { { 0, 0, 0 } }, [](std::size_t n) { return double(n); });
+}
+
+template <typename T>
+bool same_bits(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof(T)) == 0; }
+
+inline bool same_bits(const BS::Level_range& a, const BS::Level_range& b)
+{
+  return same_bits(a.min, b.min) && same_bits(a.max, b.max);
+}
+
+inline bool same(const Shell& a, const Shell& b)
+{
+  if(a.status() != b.status()) return false;
+  const Field &f = a.field(), &g = b.field();
+  bool equal = f.number_of_cells() == g.number_of_cells() && f.number_of_coefficients() == g.number_of_coefficients()
+            && same_bits(a.inner_level(), b.inner_level()) && same_bits(a.outer_level(), b.outer_level())
+            && a.shell_cells() == b.shell_cells() && a.facet_ranges().size() == b.facet_ranges().size()
+            && same_bits(f.cells().lattice().origin(), g.cells().lattice().origin())
+            && same_bits(f.cells().lattice().spacing(), g.cells().lattice().spacing())
+            && f.cells().lattice().is_exact() == g.cells().lattice().is_exact();
+  for(std::size_t n = 0; equal && n < a.facet_ranges().size(); ++n)
+    equal = same_bits(a.facet_ranges()[n], b.facet_ranges()[n]);
+  for(Field::Cell_index n = 0; equal && n < f.number_of_coefficients(); ++n)
+    equal = same_bits(f.coefficients()[n], g.coefficients()[n]) && f.functions().point(n) == g.functions().point(n);
+  for(Field::Cell_index c = 0; equal && c < f.number_of_cells(); ++c) {
+    equal = f.cells().lattice_point(c) == g.cells().lattice_point(c) && same_bits(f.cell(c).corner(), g.cell(c).corner())
+         && same_bits(f.cell(c).error_radius(), g.cell(c).error_radius());
+    for(int n = 0; n < 64; ++n) equal = equal && same_bits(f.cell(c).coefficients()[n], g.cell(c).coefficients()[n]);
+  }
+  const BS::Shell_report &r = a.report(), &s = b.report();
+  return equal && same_bits(r.unit, s.unit) && same_bits(r.gamma, s.gamma) && r.triangles == s.triangles
+      && r.components == s.components && r.cells == s.cells && r.unknowns == s.unknowns;
+}
+
+// --- files
+
+inline std::string written(const Shell& shell, Format format)
+{
+  std::ostringstream out;
+  REQUIRE(BS::write_shell(out, shell, format) == Status::SUCCESS);
+  return out.str();
+}
+
+inline Status read(const std::string& bytes, Shell& shell)
+{
+  std::istringstream in(bytes);
+  return BS::read_shell(in, shell);
+}
+
+inline std::string contents(const std::string& name)
+{
+  std::ifstream in(name, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+// a file that is gone when the test ends
+struct Temporary_file
+{
+  explicit Temporary_file(const std::string& name) : name(name) {}
+  ~Temporary_file() { std::remove(name.c_str()); }
+  std::string name;
+};
+
+// CRC-64/XZ, bit by bit
+inline std::uint64_t slow_checksum(const std::string& bytes)
+{
+  std::uint64_t crc = ~std::uint64_t(0);
+  for(char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for(int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xC96C5795D7870F42ull : 0);   // polynomial, reflected
+  }
+  return ~crc;
+}
+
+inline std::string checksum_line(const std::string& text)
+{
+  char line[40];
+  std::snprintf(line, sizeof(line), "checksum %016llx\n", static_cast<unsigned long long>(slow_checksum(text)));
+  return line;
+}
+
+inline std::string as_bytes(std::uint64_t x)
+{
+  std::string bytes;
+  for(int n = 0; n < 8; ++n) bytes += char((x >> (8 * n)) & 0xff);
+  return bytes;
+}
+
+inline std::string as_bytes(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, 8);
+  return as_bytes(bits);
+}
+
+template <typename T>
+T at(const std::string& bytes, std::size_t offset)
+{
+  REQUIRE(offset + sizeof(T) <= bytes.size());
+  T x;
+  std::memcpy(&x, &bytes[offset], sizeof(T));       // this machine is little-endian, as the files are
+  return x;
+}
+
+// a text file as lines, without the last; and back, with a checksum that fits
+typedef std::vector<std::string> Lines;
+
+inline Lines lines_of(const std::string& text)
+{
+  Lines lines;
+  std::istringstream in(text);
+  for(std::string line; std::getline(in, line); ) lines.push_back(line);
+  lines.pop_back();
+  return lines;
+}
+
+inline std::string text_of(const Lines& lines)
+{
+  std::string text;
+  for(const std::string& line : lines) text += line + "\n";
+  return text + checksum_line(text);
+}
+
+inline std::vector<std::string> words_of(const std::string& line)
+{
+  std::istringstream in(line);
+  return std::vector<std::string>(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>());
+}
+
+// the line with another word at a position
+inline std::string with_word(const std::string& line, std::size_t position, const std::string& word)
+{
+  std::vector<std::string> words = words_of(line);
+  words.at(position) = word;
+  std::string changed = words[0];
+  for(std::size_t n = 1; n < words.size(); ++n) changed += " " + words[n];
+  return changed;
+}
+
+inline std::size_t line_that_begins_with(const Lines& lines, const std::string& text)
+{
+  for(std::size_t n = 0; n < lines.size(); ++n)
+    if(lines[n].compare(0, text.size(), text) == 0) return n;
+  FAIL("no such line: " + text);
+  return 0;
+}
+
+// numbers with a comma and grouped digits
+struct Foreign_numbers : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+// a disk that is full
+struct Full_disk : std::streambuf
+{
+  explicit Full_disk(std::size_t capacity) : left(capacity) {}
+  std::streamsize xsputn(const char*, std::streamsize size) override
+  {
+    const std::size_t fits = (std::min)(left, std::size_t(size));
+    left -= fits;
+    return std::streamsize(fits);
+  }
+  int_type overflow(int_type c) override { return left == 0 ? traits_type::eof() : (--left, traits_type::not_eof(c)); }
+  std::size_t left;
+};
+
+#endif // SHELL_FILES_H
