@@ -1,15 +1,18 @@
 // Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
 // dies: every mesh has a process of its own.
 //
-//   certify_meshes FILE... [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
+//   certify_meshes FILE... [--thickness T] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
 //
-// --paper: the paper's dense grid and energy. --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and
-// NAME.certificate.txt, which check_certificate reads. Thicknesses, eps1 and eps2 are in units of the longest box side.
+// By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
+// for. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
+// --write-shells, for equal cells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which
+// check_certificate reads. Thicknesses, eps1 and eps2 are in units of the longest box side.
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
@@ -36,7 +39,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 struct Options
 {
-  double gamma = 50, max_seconds = 0, max_memory_mb = 0;
+  double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0;
   bool paper = false;
   std::string directory;
 };
@@ -73,24 +76,33 @@ std::string list(const std::vector<std::size_t>& numbers)
   return out.str();
 }
 
+// null if it is not a positive, finite number
+std::string number(double x)
+{
+  std::ostringstream out;
+  if(std::isfinite(x) && x > 0) out << x;
+  else out << "null";
+  return out.str();
+}
+
 void print_refused(const std::string& file, const Options& options, const std::string& reason,
                    const BS::Offending_simplices& offenders, double seconds, double mb)
 {
   std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << ",\"gamma\":"
-            << options.gamma << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
+            << number(options.gamma) << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
             << list(offenders.vertices) << "},\"seconds\":{\"total\":" << seconds << "},\"peak_mb\":" << mb << "}" << std::endl;
 }
 
 // the first places where a claim is not proved
-std::string places(const BS::Shell_certificate_3<>& certificate)
+std::string places(const BS::Certificate_report& certificate)
 {
-  static const char* const reasons[] = { "facet", "critical point", "box", "end of domain", "two sheets", "no path", "crossings",
-                                         "containment needed" };
+  static const char* const reasons[] = { "facet", "outside", "critical point", "box", "end of domain", "two sheets", "no path",
+                                         "crossings", "containment needed" };
   std::ostringstream out;
   out << std::setprecision(8) << "[";
   std::size_t printed[5] = {};
   bool first = true;
-  for(const BS::Certificate_witness& w : certificate.witnesses()) {
+  for(const BS::Certificate_witness& w : certificate.witnesses) {
     if(++printed[int(w.claim)] > 3) continue;
     out << (first ? "" : ",") << "{\"claim\":\"" << name(w.claim) << "\",\"verdict\":\"" << name(w.verdict) << "\",\"reason\":\""
         << reasons[w.reason] << "\"";
@@ -116,6 +128,65 @@ bool write_files(const std::string& prefix, const CGAL::Bspline_shell_3<>& shell
          });
 }
 
+// the smallest and the largest threshold
+template <typename Shell>
+BS::Level_range threshold_range(const Shell& shell)
+{
+  BS::Level_range range;
+  if constexpr(Shell::Threshold::is_constant) {
+    range = { shell.inner_level(), shell.outer_level() };
+  } else {
+    for(std::size_t c = 0; c < shell.field().number_of_cells(); ++c) {
+      if(!shell.shell_cells()[c]) continue;
+      range.include(shell.inner_threshold().field().cell(c).coefficient_range().first);
+      range.include(shell.outer_threshold().field().cell(c).coefficient_range().second);
+    }
+  }
+  return range;
+}
+
+template <typename Shell>
+void print(const std::string& file, const Shell& shell, const BS::Certificate_report& certificate, bool certified, std::string reason,
+           double seconds, bool written)
+{
+  std::set<std::size_t> bad_facets, bad_cells;
+  for(const BS::Certificate_witness& w : certificate.witnesses) {
+    if(w.facet != w.none) bad_facets.insert(w.facet);
+    if(w.cell != w.none) bad_cells.insert(w.cell);
+  }
+  const BS::Shell_report& r = shell.report();
+  const BS::Certificate_statistics& s = certificate.statistics;
+  if(reason.empty())
+    for(int c = 0; c < 5; ++c)
+      if(certificate.verdicts[c] != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
+  const auto tier = [](const BS::Predicate_statistics& p) {
+    std::ostringstream out;
+    out << "{\"cell\":" << p.by_cell << ",\"form\":" << p.by_form << ",\"subdivided\":" << p.subdivisions << "}";
+    return out.str();
+  };
+  const BS::Level_range thresholds = threshold_range(shell);
+  const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
+            << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
+            << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
+            << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
+            << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
+            << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
+            << ",\"min_cone_margin\":" << certificate.least_cone_margin
+            << ",\"singular_vertices\":" << certificate.singular_vertices.size() << ",\"certificate\":{";
+  for(int c = 0; c < 5; ++c)
+    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdicts[c]) << "\"";
+  std::cout << "},\"violations\":{\"facets\":" << bad_facets.size() << ",\"cells\":" << bad_cells.size() << "},\"places\":"
+            << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient << ",\"displacement\":"
+            << number(certificate.displacement_bound / r.unit)
+            << ",\"least_angle\":" << certificate.least_angle << ",\"tiers\":{\"containment\":" << tier(s.containment)
+            << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
+            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"undecided\":" << s.undecided_boxes
+            << ",\"depth\":" << s.deepest_box << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
+            << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << certify << ",\"total\":"
+            << seconds << "},\"peak_mb\":" << peak_mb() << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;
+}
+
 void certify(const std::string& file, const Options& options)
 {
   CGAL::Real_timer timer;
@@ -127,6 +198,22 @@ void certify(const std::string& file, const Options& options)
     return print_refused(file, options, message(read), offenders, timer.time(), peak_mb());
   const double limit = options.max_memory_mb > 0 ? options.max_memory_mb * 1024 * 1024
                                                  : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  const auto refused = [&](const BS::Shell_report& report) {
+    print_refused(file, options, message(report.status), report.offending_simplices, timer.time(), peak_mb());
+  };
+
+  if(options.gamma == 0) {
+    // a round that begins before the limit may take some time
+    const double last_round = options.max_seconds > 0 ? options.max_seconds / 2 : std::numeric_limits<double>::infinity();
+    const auto shell = CGAL::certified_bspline_shell_3(mesh,
+      BS::parameters::relative_thickness(options.thickness)
+                     .allow_singular_vertices(true)
+                     .time_limit(last_round)
+                     .memory_limit(limit));
+    if(!shell) return refused(shell.report());
+    print(file, shell, shell.report().certificate, shell.is_certified(), "", timer.time(), true);
+    return;
+  }
   const auto shell = CGAL::bspline_shell_3(mesh,
     BS::parameters::resolution(options.gamma)
                    .dense_grid(options.paper)
@@ -134,49 +221,15 @@ void certify(const std::string& file, const Options& options)
                    .allow_singular_vertices(true)
                    .allow_open_shell(true)
                    .memory_limit(limit));
-  if(!shell)
-    return print_refused(file, options, message(shell.status()), shell.report().offending_simplices, timer.time(), peak_mb());
+  if(!shell) return refused(shell.report());
   BS::Shell_certificate_3<> certificate(shell);
   certificate.verify(mesh);
   bool written = true;
   if(!options.directory.empty()) written = write_files(options.directory + "/" + stem(file), shell, certificate);
-
-  std::set<std::size_t> bad_facets, bad_cells;
-  for(const BS::Certificate_witness& w : certificate.witnesses()) {
-    if(w.facet != w.none) bad_facets.insert(w.facet);
-    if(w.cell != w.none) bad_cells.insert(w.cell);
-  }
-  const BS::Shell_report& r = shell.report();
-  const BS::Certificate_statistics& s = certificate.statistics();
   std::string reason;
   if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
   else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
-  else
-    for(int c = 0; c < 5; ++c)
-      if(certificate.verdict(BS::Claim(c)) != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
-  const auto tier = [](const BS::Predicate_statistics& p) {
-    std::ostringstream out;
-    out << "{\"cell\":" << p.by_cell << ",\"form\":" << p.by_form << ",\"subdivided\":" << p.subdivisions << "}";
-    return out.str();
-  };
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
-            << ",\"status\":\"" << (certificate ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
-            << ",\"gamma\":" << r.gamma << ",\"levels\":1,\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
-            << ",\"eps1\":" << shell.inner_level() / r.unit << ",\"eps2\":" << shell.outer_level() / r.unit
-            << ",\"thickness\":" << shell.relative_thickness() << ",\"min_cone_margin\":" << certificate.least_cone_margin()
-            << ",\"singular_vertices\":" << certificate.singular_vertices().size() << ",\"certificate\":{";
-  for(int c = 0; c < 5; ++c)
-    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdict(BS::Claim(c))) << "\"";
-  std::cout << "},\"violations\":{\"facets\":" << bad_facets.size() << ",\"cells\":" << bad_cells.size() << "},\"places\":"
-            << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient() << ",\"displacement\":";
-  if(std::isfinite(certificate.displacement_bound())) std::cout << certificate.displacement_bound() / r.unit;
-  else std::cout << "null";
-  std::cout << ",\"least_angle\":" << certificate.least_angle() << ",\"tiers\":{\"containment\":" << tier(s.containment)
-            << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
-            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"undecided\":" << s.undecided_boxes
-            << ",\"depth\":" << s.deepest_box << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
-            << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << s.seconds << ",\"total\":"
-            << timer.time() << "},\"peak_mb\":" << peak_mb() << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;
+  print(file, shell, certificate.report(), certificate.is_certified(), reason, timer.time(), written);
 }
 
 // in a process of its own; reports what the process cannot report any more
@@ -222,6 +275,7 @@ int main(int argc, char** argv)
     const std::string arg = argv[i];
     const bool has_value = i + 1 < argc;
     if(arg == "--paper") options.paper = true;
+    else if(arg == "--thickness" && has_value) options.thickness = positive(argv[++i]);
     else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
     else if(arg == "--max-seconds" && has_value) options.max_seconds = positive(argv[++i]);
     else if(arg == "--max-memory-mb" && has_value) options.max_memory_mb = positive(argv[++i]);
@@ -229,8 +283,11 @@ int main(int argc, char** argv)
     else if(arg.compare(0, 2, "--") == 0) usable = false;
     else files.push_back(arg);
   }
+  if(options.paper && options.gamma == 0) options.gamma = 50;
+  if(!options.directory.empty() && options.gamma == 0) usable = false;
   if(!usable || files.empty()) {
-    std::cerr << "Usage: certify_meshes FILE... [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]\n";
+    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M]"
+                 " [--write-shells DIR, with --gamma]\n";
     return 2;
   }
   for(const std::string& file : files) certify_apart(file, options);

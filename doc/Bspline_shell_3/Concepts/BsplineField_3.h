@@ -10,6 +10,7 @@ Const member functions may be called from several threads at once. Models are de
 cells), copyable and movable.
 
 \cgalHasModel `CGAL::Bspline_shells::Uniform_bspline_field_3`
+\cgalHasModel `CGAL::Bspline_shells::Hierarchical_bspline_field_3`
 
 \sa `CGAL::Bspline_shell_3`
 \sa `CGAL::Bspline_shells::facet_ranges()`
@@ -59,9 +60,16 @@ public:
   /// closed: a point on a common face may get either cell.
   Cell_index locate(const Point_3& p) const;
 
-  /// the cell across the face of `c` that is orthogonal to an axis (0, 1 or 2), on the side of larger (`positive`) or
-  /// smaller coordinates; `npos` if the face is on the boundary of the domain
-  Cell_index neighbor(Cell_index c, int axis, bool positive) const;
+  /// whether corners of cells are exact, also those of cells halved up to eight times: `corner()[a] + i * width() / 256` is
+  /// computed without rounding for 0 <= i <= 256, and gives the same `double`s for all cells that have the corner. Nothing is
+  /// proved for a field without.
+  bool has_exact_cells() const;
+
+  /// calls `visit(n)` for every cell that has a part of a face of `c` in common, the one that is orthogonal to an axis (0, 1 or
+  /// 2), on the side of larger (`positive`) or smaller coordinates; returns whether there is any. If a part of the face is on the
+  /// boundary of the domain, all of it is.
+  template <typename Visitor>
+  bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const;
 
   /// calls `visit(c)` once for each cell that meets the closed box; returns whether the cells cover the box
   template <typename Visitor>
@@ -72,8 +80,8 @@ public:
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
-  /// the cells as cells of a lattice, under the same numbers. Only `facet_ranges()`, `edge_range()` and `extract_level_set()`,
-  /// which work on a mesh clipped by a lattice, ask for it; predicates, certificate and containment do not.
+  /// the cells as cells of a lattice, under the same numbers. Only `extract_level_set()` and the file functions ask for it;
+  /// bounds, predicates, certificate and containment do not.
   const CGAL::Bspline_shells::Cell_complex_3& cells() const;
 
 /// @}

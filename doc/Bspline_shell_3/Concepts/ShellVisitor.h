@@ -9,6 +9,7 @@ use, so that its state is lost.
 
 \cgalHasModel `CGAL::Bspline_shells::Default_shell_visitor`
 
+\sa `CGAL::certified_bspline_shell_3()`
 \sa `CGAL::bspline_shell_3()`
 */
 class ShellVisitor
@@ -20,7 +21,7 @@ public:
 
   /// called when a step begins, by the thread that called `CGAL::bspline_shell_3()`. The steps come in the order of
   /// `CGAL::Bspline_shells::Shell_step`; where the shell runs out of the cells and more are added, those from `CELLS` on
-  /// are repeated.
+  /// are repeated, and those from `DISTANCE` on in each round of refinement.
   /// \return whether to go on; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool start_step(CGAL::Bspline_shells::Shell_step step);
 

@@ -1,0 +1,47 @@
+// A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another mesh in
+// the shell, here the input with its vertices moved along the normals, is certified by the same claims.
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: certified_shell MESH [THICKNESS, of the box, default 0.01]\n";
+    return EXIT_FAILURE;
+  }
+  const double thickness = argc > 2 ? std::atof(argv[2]) : 0.01;
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+  const BS::Shell_report& report = shell.report();
+  std::cout << message(report.refinement) << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
+            << report.unknowns << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
+            << 100 * report.narrowed_area << " % of the mesh\n";
+  for(const BS::Certificate_witness& w : report.certificate.witnesses)
+    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
+
+  // another mesh: is it in the shell, does it face the right way, is it met once by every curve?
+  Mesh moved = mesh;
+  for(Mesh::Vertex_index v : moved.vertices()) {
+    const auto gradient = shell.field().gradient(moved.point(v));
+    moved.point(v) = moved.point(v) + shell.thickness() / 100 * *gradient;
+  }
+  BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(shell);
+  std::cout << "the moved mesh is " << (certificate.verify(moved) ? "" : "not ") << "certified" << std::endl;
+  return shell.is_certified() ? EXIT_SUCCESS : 2;
+}
