@@ -132,13 +132,14 @@ public:
         fewest_facets = (std::min)(fewest_facets, facets);
         if(rounds_in_vain == max_rounds_in_vain) return Refinement_status::NOTHING_TO_REFINE;
       }
+      // before the memory is taken
+      cells = m_marked.empty() ? m_field->cells() : m_field->cells().refined(m_marked);
       const bool over = round + 1 >= m_parameters.max_rounds || total.time() >= m_parameters.max_seconds
-                     || estimated_bytes() > m_parameters.max_bytes;
+                     || exceeds_limits(cells.number_of_cells());
       if((m_marked.empty() && !m_new_conditions) || over) {
         if(!m_certificate) certify(thickness);
         return m_marked.empty() && !m_new_conditions ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
       }
-      cells = m_marked.empty() ? m_field->cells() : m_field->cells().refined(m_marked);
     }
   }
 
@@ -195,9 +196,13 @@ private:
     return volume;
   }
 
-  double estimated_bytes() const
+  // whether so many cells would take too much memory, or more unknowns than can be numbered; they have about as many points
+  // each as those of the last field
+  bool exceeds_limits(std::size_t cells) const
   {
-    return 2500. * double(m_field->number_of_cells()) + 7000. * double(m_field->number_of_points());
+    const double points = double(m_field->number_of_points()) / double(m_field->number_of_cells()) * double(cells);
+    return !(2500. * double(cells) + 7000. * points <= m_parameters.max_bytes)
+        || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
   }
 
   void find_wanted_slopes()
