@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -240,6 +241,7 @@ public:
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
   static constexpr int max_border_depth = 4;
+  static constexpr int max_steps_of_direction = 12;
 
   // the field and, unless the thresholds are constant, its differences to both
   typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
@@ -393,23 +395,64 @@ private:
       meets_inner = !(inner.min > 0);       // so written that what is not a number meets
       meets_outer = !(outer.max < 0);
     }
-    // the mean gradient: any direction would do
-    direction = {};
-    for(int n = 0; n < 64; ++n)
-      for(int a = 0, stride = 1; a < 3; ++a, stride *= 4)
-        direction[a] += f.coefficients[n] * ((n / stride) % 4 == 3 ? 1 : (n / stride) % 4 == 0 ? -1 : 0);
-    const double largest = (std::max)({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
-    if(!(largest > 0)) return Box_kind::UNDECIDED;
-    for(double& d : direction) d /= largest;
-    const double slope = enclosed_derivative(f, direction).range().min;
-    if(!(slope > 0)) return Box_kind::UNDECIDED;
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
+    double steepest = 0;
     if constexpr(!Threshold::is_constant) {
-      const double steepness = slope / 2;      // of the field at least, as the direction is at most sqrt(3) long
-      if((meets_inner && !(steepest_threshold(f, functions[1]) < steepness)) ||
-         (meets_outer && !(steepest_threshold(f, functions[2]) < steepness))) return Box_kind::UNDECIDED;
+      if(meets_inner) steepest = (std::max)(steepest, steepest_threshold(f, functions[1]));
+      if(meets_outer) steepest = (std::max)(steepest, steepest_threshold(f, functions[2]));
     }
-    return Box_kind::MONOTONE;
+    // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull
+    // is the best one. It is approached from their mean, towards the worst of them.
+    const std::array<std::array<double, 64>, 3> gradient = control_vectors_of_gradient(f);
+    std::array<double, 3> nearest = {};
+    for(int a = 0; a < 3; ++a) nearest[a] = std::accumulate(gradient[a].begin(), gradient[a].end(), 0.) / 64;
+    for(int step = 0; step < max_steps_of_direction; ++step) {
+      std::array<double, 64> along;
+      for(int n = 0; n < 64; ++n) along[n] = nearest[0] * gradient[0][n] + nearest[1] * gradient[1][n] + nearest[2] * gradient[2][n];
+      const std::size_t worst = std::size_t(std::min_element(along.begin(), along.end()) - along.begin());
+      const double squared = nearest[0] * nearest[0] + nearest[1] * nearest[1] + nearest[2] * nearest[2];
+      if(along[worst] > 0 && along[worst] > steepest * std::sqrt(squared)) {
+        const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
+        for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
+        const double slope = enclosed_derivative(f, direction).range().min;
+        if(slope > 0 && slope > steepest * length(direction)) return Box_kind::MONOTONE;
+        return Box_kind::UNDECIDED;       // by rounding only
+      }
+      std::array<double, 3> to_worst;
+      double distance = 0;
+      for(int a = 0; a < 3; ++a) {
+        to_worst[a] = gradient[a][worst] - nearest[a];
+        distance += to_worst[a] * to_worst[a];
+      }
+      const double part = (squared - along[worst]) / distance;
+      if(!(part > 0)) return Box_kind::UNDECIDED;
+      for(int a = 0; a < 3; ++a) nearest[a] += (std::min)(part, 1.) * to_worst[a];
+    }
+    return Box_kind::UNDECIDED;
+  }
+
+  // an upper bound
+  static double length(const std::array<double, 3>& v)
+  {
+    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (1 + 8 * internal::rounding);
+  }
+
+  // by axis, the coefficients of the partial derivatives raised to degree three; not rigorous
+  static std::array<std::array<double, 64>, 3> control_vectors_of_gradient(const Enclosed_tricubic& f)
+  {
+    std::array<std::array<double, 64>, 3> gradient;
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
+      for(int n = 0; n < 64; ++n) {
+        if((n / stride) % 4 != 0) continue;
+        const double* b = &f.coefficients[n];
+        double* g = &gradient[axis][n];
+        const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+        g[0] = 3 * s0;
+        g[stride] = s0 + 2 * s1;
+        g[2*stride] = 2 * s1 + s2;
+        g[3*stride] = 3 * s2;
+      }
+    return gradient;
   }
 
   // an upper bound of the length of the gradient of the threshold f - (f - threshold)
