@@ -428,8 +428,9 @@ private:
   static double coordinate(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator,
                            int depth, int a)
   {
+    const double unit = 1 / double(std::int64_t(1) << depth);
     double sum = 0;
-    for(std::size_t v = 0; v < size; ++v) sum += std::ldexp(double(numerator[v]), -depth) * simplex[v][a];
+    for(std::size_t v = 0; v < size; ++v) sum += double(numerator[v]) * unit * simplex[v][a];
     return sum;
   }
 
@@ -438,6 +439,7 @@ private:
                     const typename Field::Cell& cell) const
   {
     std::array<std::array<double, 3>, size> t;
+    const double unit = 1 / double(std::int64_t(1) << part.depth);
     double largest = 0;
     for(int a = 0; a < 3; ++a) {
       std::array<double, size> local;
@@ -447,7 +449,7 @@ private:
       }
       for(std::size_t v = 0; v < size; ++v) {
         double sum = 0;
-        for(std::size_t u = 0; u < size; ++u) sum += std::ldexp(double(part.corner[v][u]), -part.depth) * local[u];
+        for(std::size_t u = 0; u < size; ++u) sum += double(part.corner[v][u]) * unit * local[u];
         t[v][a] = sum;
       }
     }

@@ -232,11 +232,21 @@ public:
   void set_coefficients(Eigen::VectorXd x)
   {
     m_coefficients = std::move(x);
+    // with the largest free one that each depends on
     const Eigen::VectorXd all = extend(m_coefficients);
+    Eigen::VectorXd largest = all.cwiseAbs();
+    for(int l = 0; l < number_of_levels(); ++l)
+      for(Cell_index n = 0; n < points(l).size(); ++n) {
+        const Cell_index point = first_point(l) + n;
+        if(m_coefficient_of_point[point] == npos)
+          visit_parents(l, points(l).point(n), [&](Cell_index parent, double) {
+            largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
+          });
+      }
     m_bernstein.resize(64 * number_of_cells());
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c), all);
+      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c), all, largest);
     });
   }
   /// @}
@@ -290,7 +300,7 @@ private:
     }
   }
 
-  void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all)
+  void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all, const Eigen::VectorXd& largest_at)
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
     double* b = &m_bernstein[64 * std::size_t(c)];
@@ -300,12 +310,8 @@ private:
       const Cell_index point = rows[n / 4] + n % 4;
       b[n] = all[point];
       finite = finite && std::isfinite(b[n]);
-      if(m_coefficient_of_point[point] != npos) { largest = (std::max)(largest, std::abs(b[n])); continue; }
-      is_free = false;
-      const int l = m_cells.level(c);
-      visit_parents(l, points(l).point(point - first_point(l)), [&](Cell_index parent, double) {
-        largest = (std::max)(largest, std::abs(m_coefficients[parent]));
-      });
+      largest = (std::max)(largest, largest_at[point]);
+      is_free = is_free && m_coefficient_of_point[point] != npos;
     }
     internal::to_bernstein(b);
     // As for uniform splines, 5 eps times the largest coefficient; a dependent one is an average of at most 27 with weights

@@ -53,9 +53,10 @@ struct Refinement_round
   std::size_t thick_cells = 0;          ///< where the field exceeds half of the thickness on the mesh
   std::size_t sloping_cells = 0;        ///< with a slope that is too small, before and
   std::size_t sloping_cells_left = 0;   ///< after it was enforced
+  std::size_t failing_facets = 0;       ///< that did not certainly cross the field upwards afterwards
   std::size_t undecided_cells = 0;      ///< that keep the gradient claim from being proved, and no threshold can avoid
   std::size_t marked_cells = 0;
-  bool examined = false;                ///< by the certificate
+  bool examined = false;                ///< for thresholds, and by the certificate if nothing was found wanting
   std::array<double, 7> seconds = {};   ///< cells, distance, assembly, solver, slopes, bounds, certificate
 };
 

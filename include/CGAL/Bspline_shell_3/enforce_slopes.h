@@ -53,6 +53,7 @@ struct Slope_report
   std::size_t patches = 0;                    ///< systems that were solved
   bool enforced = true;                       ///< `false` if there were too many
   std::vector<std::uint32_t> violated_cells;  ///< at the end: cells with a condition that no small change of the field meets
+  std::vector<std::uint32_t> changed_cells;   ///< where the field is another one, among those with conditions; ascending
 };
 
 /*!
@@ -82,13 +83,20 @@ public:
   /// \param field gives cells and functions; its coefficients are not looked at
   /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$
   /// \param b right-hand side
-  /// \param conditions ascending by cell
   /// \pre all of them outlive this object
-  Slope_enforcement(const Field& field, const Matrix& A, const Vector& b, const std::vector<Slope_condition>& conditions)
-    : m_field(field), m_A(A), m_b(b), m_conditions(conditions)
+  Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
   {
     m_first.assign(field.number_of_cells() + 1, 0);
-    for(const Slope_condition& c : conditions) ++m_first[c.cell + 1];
+  }
+
+  /// adds conditions
+  void insert(const std::vector<Slope_condition>& conditions)
+  {
+    m_conditions.insert(m_conditions.end(), conditions.begin(), conditions.end());
+    std::stable_sort(m_conditions.begin(), m_conditions.end(),
+                     [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
+    m_first.assign(m_field.number_of_cells() + 1, 0);
+    for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
     for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
   }
 
@@ -99,6 +107,7 @@ public:
     Slope_report report;
     m_points = m_field.extend(x);
     m_hopeless.assign(m_field.number_of_cells(), 0);
+    m_changed.assign(m_field.number_of_cells(), 0);
     for(int sweep = 0; sweep < max_sweeps; ++sweep) {
       std::vector<std::pair<double, Index> > violated;      // worst first
       for(Index c = 0; c < m_field.number_of_cells(); ++c) {
@@ -106,7 +115,7 @@ public:
         if(s < 0) violated.emplace_back(s, c);
       }
       if(sweep == 0) report.violated_before = violated.size();
-      if(violated.empty()) return report;
+      if(violated.empty()) break;
       if(sweep == 0 && violated.size() > most_violated) {
         report.enforced = false;
         for(const std::pair<double, Index>& v : violated) report.violated_cells.push_back(v.second);
@@ -114,7 +123,7 @@ public:
         return report;
       }
       std::sort(violated.begin(), violated.end());
-      if(sweep == 0) prepare(x);
+      if(m_place.empty()) prepare(x);
       for(const std::pair<double, Index>& v : violated) {
         const double before = least_slack(v.second);
         if(m_hopeless[v.second] || !(before < 0)) continue;
@@ -123,8 +132,10 @@ public:
         m_hopeless[v.second] = least_slack(v.second) < helps * before;
       }
     }
-    for(Index c = 0; c < m_field.number_of_cells(); ++c)
+    for(Index c = 0; c < m_field.number_of_cells(); ++c) {
       if(least_slack(c) < 0) report.violated_cells.push_back(c);
+      if(m_changed[c]) report.changed_cells.push_back(c);
+    }
     return report;
   }
 
@@ -190,7 +201,7 @@ private:
     return least;
   }
 
-  // the residual, and the strictly lower triangle by rows
+  // the residual, which is kept up to date from now on, and the strictly lower triangle by rows
   void prepare(const Vector& x)
   {
     m_residual = m_b - m_A.template selfadjointView<Eigen::Lower>() * x;
@@ -261,6 +272,7 @@ private:
     // points are shared by cells: read all before any is written
     std::vector<std::pair<Index, double> > moved;
     for(const Patch_cell& cell : cells) {
+      m_changed[cell.cell] = 1;
       const std::array<Index, 16> rows = m_field.coefficient_rows(cell.cell);
       const std::array<double, 64> change = cell.change(step);
       for(int n = 0; n < 64; ++n) {
@@ -369,12 +381,12 @@ private:
   const Field& m_field;
   const Matrix& m_A;
   const Vector& m_b;
-  const std::vector<Slope_condition>& m_conditions;
+  std::vector<Slope_condition> m_conditions;                // by cell
   std::vector<std::size_t> m_first;                         // condition of each cell
   Vector m_points, m_residual;
   std::vector<std::size_t> m_row_begin;
   std::vector<std::pair<int, int> > m_row_entries;          // column, and place among the values
-  std::vector<char> m_hopeless;                             // of a cell
+  std::vector<char> m_hopeless, m_changed;                  // of a cell
   std::vector<int> m_place;                                 // of a coefficient in the patch, or -1
 };
 

@@ -7,22 +7,28 @@
 #define CGAL_BSPLINE_SHELL_3_REFINE_UNTIL_CERTIFIED_H
 
 #include <CGAL/Bspline_shell_3/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Fit_energy.h>
 #include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Solver_status.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Unknown_blocks.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
 #include <CGAL/Bspline_shell_3/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/vertex_cone.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/enum.h>
 
@@ -92,6 +98,7 @@ public:
     : m_input(std::move(input)), m_oracle(oracle), m_parameters(parameters)
   {
     find_wanted_slopes();
+    find_seeds();
   }
 
   /// \param cells to begin with; they contain the mesh
@@ -115,30 +122,27 @@ public:
       const std::optional<Refinement_status> failure = fit(std::move(cells), thickness, solver, start);
       if(failure) return *failure;
       Refinement_round& log = m_rounds.back();
-      if(m_marked.empty()) {
+      if(m_is_thin) {
         if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
-        if(certify(thickness)) return Refinement_status::CERTIFIED;
+        choose_field_and_thresholds(thickness);
+        if(m_marked.empty() && certify()) return Refinement_status::CERTIFIED;
+        const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
+        rounds_in_vain = better ? 0 : rounds_in_vain + 1;
+        least_volume = (std::min)(least_volume, m_undecided_volume);
+        fewest_facets = (std::min)(fewest_facets, log.failing_facets);
       }
       std::sort(m_marked.begin(), m_marked.end());
       m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
       log.marked_cells = m_marked.size();
-      if(log.examined) {
-        const double volume = undecided_volume();
-        const std::size_t facets = std::size_t(std::count_if(m_certificate->witnesses().begin(), m_certificate->witnesses().end(),
-          [](const Certificate_witness& w) { return w.claim == Claim::TRANSVERSALITY; }));
-        const bool better = volume < progress * least_volume || facets < fewest_facets;
-        rounds_in_vain = better ? 0 : rounds_in_vain + 1;
-        least_volume = (std::min)(least_volume, volume);
-        fewest_facets = (std::min)(fewest_facets, facets);
-        if(rounds_in_vain == max_rounds_in_vain) return Refinement_status::NOTHING_TO_REFINE;
-      }
+      const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
+      if(!in_vain) cells = m_field->cells().refined(m_marked);
       // before the memory is taken
-      cells = m_marked.empty() ? m_field->cells() : m_field->cells().refined(m_marked);
       const bool over = round + 1 >= m_parameters.max_rounds || total.time() >= m_parameters.max_seconds
-                     || exceeds_limits(cells.number_of_cells());
-      if((m_marked.empty() && !m_new_conditions) || over) {
-        if(!m_certificate) certify(thickness);
-        return m_marked.empty() && !m_new_conditions ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
+                     || (!in_vain && exceeds_limits(cells.number_of_cells()));
+      if(in_vain || over) {
+        if(!m_inner) choose_thresholds(thickness);
+        if(!m_certificate && certify()) return Refinement_status::CERTIFIED;
+        return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
       }
     }
   }
@@ -157,7 +161,7 @@ public:
   std::pair<double, double> thickness_on_mesh(const Thickness& thickness) const
   {
     constexpr double narrower = 0.99;
-    const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(*m_input, m_field->cells());
+    const Clipped_mesh_3& clipped = *m_clipped;
     double largest = 0, narrow_area = 0, area = 0;
     for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
       const Index c = clipped.pieces()[n].cell;
@@ -186,14 +190,9 @@ private:
     m_timer.reset();
   }
 
-  double undecided_volume() const
+  void mark(Index c)
   {
-    double volume = 0;
-    if(m_certificate->cover())
-      for(const Cover_box& box : m_certificate->cover()->boxes())
-        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED)
-          volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
-    return volume;
+    if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
   // whether so many cells would take too much memory, or more unknowns than can be numbered; they have about as many points
@@ -218,13 +217,31 @@ private:
     m_refinements.assign(m_wanted.size(), 0);
   }
 
+  void find_seeds()
+  {
+    typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
+    Triangle_mesh mesh = m_input->mesh();
+    const auto component = mesh.add_property_map<Triangle_mesh::Face_index, std::size_t>("f:component_of_seed", 0).first;
+    std::vector<char> seen(Polygon_mesh_processing::connected_components(mesh, component), 0);
+    for(Triangle_mesh::Face_index f : mesh.faces()) {
+      if(seen[component[f]]) continue;
+      seen[component[f]] = 1;
+      const auto& p = mesh.point(mesh.target(mesh.halfedge(f)));
+      m_seeds.emplace_back(p.x(), p.y(), p.z());
+    }
+  }
+
   // Fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
   template <typename Thickness, typename Solver, typename Start>
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
   {
     Refinement_round& log = m_rounds.back();
+    m_enforcement.reset();
     m_certificate.reset();
+    m_inner.reset();
+    m_outer.reset();
     m_marked.clear();
+    m_is_thin = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
     sample(cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
@@ -235,39 +252,102 @@ private:
     log.cells = field.number_of_cells();
     log.unknowns = field.number_of_coefficients();
     log.levels = field.number_of_levels();
-    const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells());
+    m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
     lap(CELLS);
 
     if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
     const double width = field.cells().lattice().spacing();
-    const Fit_energy<Field> energy(field, m_samples, clipped, m_input->unit() / width, m_parameters.weights);
-    Fit_energy<Field>::Matrix A;
-    Eigen::VectorXd b;
-    energy.template assemble<ConcurrencyTag>(A, b);
+    const Fit_energy<Field> energy(field, m_samples, *m_clipped, m_input->unit() / width, m_parameters.weights);
+    energy.template assemble<ConcurrencyTag>(m_A, m_b);
     lap(ASSEMBLY);
-    Eigen::VectorXd x = energy.template initial_guess<ConcurrencyTag>();
+    m_x = energy.template initial_guess<ConcurrencyTag>();
     const Unknown_blocks blocks = overlapping_blocks(field);
-    Solver_status solved = solver.compute(A, blocks);
-    if(solved == Solver_status::SUCCESS) solved = solver.solve(b, x);
+    Solver_status solved = solver.compute(m_A, blocks);
+    if(solved == Solver_status::SUCCESS) solved = solver.solve(m_b, m_x);
     lap(SOLVER);
-    if(solved != Solver_status::SUCCESS || !x.allFinite()) return Refinement_status::SOLVER_FAILED;
-    field.template set_coefficients<ConcurrencyTag>(x * width);
+    if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
+    field.template set_coefficients<ConcurrencyTag>(m_x * width);
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
-    mark_thick_cells(clipped, thickness);
+    mark_thick_cells(thickness);
     if(!m_marked.empty()) return std::nullopt;
 
-    const std::vector<Slope_condition> conditions = slope_conditions(clipped);
-    lap(BOUNDS);
-    const std::size_t few = (std::max)(least_violated_cells, clipped.cells().size() / 32);
-    const Slope_report slopes = Slope_enforcement<Field>(field, A, b, conditions)(x, few);
-    if(!slopes.enforced)
-      for(Index c : slopes.violated_cells) mark(c);
-    log.sloping_cells = slopes.violated_before;
-    log.sloping_cells_left = slopes.violated_cells.size();
-    if(slopes.patches > 0) field.template set_coefficients<ConcurrencyTag>(x * width);
+    m_enforcement.emplace(field, m_A, m_b);
+    m_enforcement->insert(slope_conditions());
+    m_is_thin = enforce_slopes();
     lap(SLOPES);
-    if(slopes.patches > 0) mark_thick_cells(clipped, thickness);
+    if(m_is_thin && log.sloping_cells > 0) {
+      mark_thick_cells(thickness);
+      m_is_thin = log.thick_cells == 0;
+    }
     return std::nullopt;
+  }
+
+  // Changes the field where facets have too small a slope, until all certainly cross the field upwards, or nothing helps; marks
+  // cells where it does not. Returns false, and only marks cells, if there are too many.
+  bool enforce_slopes()
+  {
+    constexpr int max_exchanges = 6;
+    Refinement_round& log = m_rounds.back();
+    const double width = m_field->cells().lattice().spacing();
+    const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 32);
+    std::vector<Failure> failures;
+    std::vector<char> examine(m_wanted.size(), 1);
+    for(int exchange = 0; ; ++exchange) {
+      const Slope_report slopes = (*m_enforcement)(m_x, few);
+      if(exchange == 0) log.sloping_cells = slopes.violated_before;
+      log.sloping_cells_left = slopes.violated_cells.size();
+      if(!slopes.enforced) {
+        for(Index c : slopes.violated_cells) mark(c);
+        return false;
+      }
+      if(slopes.patches > 0) m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
+      else if(exchange > 0) break;
+      for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
+        if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) examine[piece.facet] = 1;
+      failures = failing_facets(examine);
+      if(failures.empty() || exchange + 1 == max_exchanges) break;
+      std::vector<Slope_condition> conditions;
+      std::fill(examine.begin(), examine.end(), 0);
+      for(const Failure& f : failures) {
+        examine[f.triangle] = 1;
+        if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
+          conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle), m_wanted[f.triangle] });
+      }
+      m_enforcement->insert(conditions);
+    }
+    log.failing_facets = failures.size();
+    for(const Failure& f : failures)
+      // what a few refinements do not mend, more of them will not
+      if(f.cell != Field::npos && m_wanted[f.triangle] > 0 && m_refinements[f.triangle] < max_refinements_of_a_facet) {
+        ++m_refinements[f.triangle];
+        mark(f.cell);
+      }
+    return true;
+  }
+
+  // a triangle that does not certainly cross the field upwards, and a point where it does not
+  struct Failure { std::uint32_t triangle; Index cell; std::array<double, 3> point; };
+
+  std::vector<Failure> failing_facets(const std::vector<char>& examine) const
+  {
+    constexpr std::size_t chunk = 64;
+    const Field_predicates_3<Field> predicates(*m_field);
+    std::vector<std::uint32_t> triangles;
+    for(auto f : m_input->mesh().faces())
+      if(examine[f]) triangles.push_back(std::uint32_t(f));
+    std::vector<std::vector<Failure> > failures((triangles.size() + chunk - 1) / chunk);
+    internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto t = m_input->triangle(Input_mesh_3::Triangle_mesh::Face_index(triangles[n]));
+        const auto point = [&](int v) { return Field::Point_3(t[v].x(), t[v].y(), t[v].z()); };
+        Witness w;
+        if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
+          failures[begin / chunk].push_back({ triangles[n], m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2])), w.point });
+      }
+    });
+    std::vector<Failure> all;
+    for(const std::vector<Failure>& part : failures) all.insert(all.end(), part.begin(), part.end());
+    return all;
   }
 
   // the samples of leaves that were there before are kept
@@ -299,9 +379,9 @@ private:
   }
 
   template <typename Thickness>
-  void mark_thick_cells(const Clipped_mesh_3& clipped, const Thickness& thickness)
+  void mark_thick_cells(const Thickness& thickness)
   {
-    m_ranges = facet_ranges<ConcurrencyTag>(*m_field, clipped);
+    m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
     Refinement_round& log = m_rounds.back();
     log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
     log.thick_cells = 0;
@@ -320,43 +400,96 @@ private:
     lap(BOUNDS);
   }
 
-  void mark(Index c)
-  {
-    if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
-  }
-
-  // at the corners and in the middle of the clipped mesh's pieces, and at the places where the certificate saw a facet fail
-  std::vector<Slope_condition> slope_conditions(const Clipped_mesh_3& clipped)
+  // at the corners and in the middle of the clipped mesh's pieces
+  std::vector<Slope_condition> slope_conditions() const
   {
     std::vector<Slope_condition> conditions;
     const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
-      conditions.push_back({ c, facet, cell.local_coordinates(p), clipped.normal(facet), m_wanted[facet] });
+      conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet] });
     };
-    for(const Clipped_mesh_3::Piece& piece : clipped.pieces()) {
+    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) {
       if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
       const Tricubic_cell_3 cell = m_field->cell(piece.cell);
       std::array<double, 3> middle = {};
       for(std::uint32_t v = 0; v < piece.size; ++v) {
-        const std::array<double, 3>& p = clipped.point(piece.first + v);
+        const std::array<double, 3>& p = m_clipped->point(piece.first + v);
         add(cell, piece.cell, piece.facet, p);
         for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
       }
       add(cell, piece.cell, piece.facet, middle);
     }
-    for(const auto& w : m_failed_at) {
-      const Index c = m_field->locate(Field::Point_3(w.second[0], w.second[1], w.second[2]));
-      if(c != Field::npos) add(m_field->cell(c), c, w.first, w.second);
-    }
-    m_new_conditions = false;
-    std::stable_sort(conditions.begin(), conditions.end(), [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
     return conditions;
   }
 
-  // Chooses thresholds, and marks cells that keep the claims from being proved.
+  // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
+  struct Obstacle { Index cell; std::array<double, 3> point; };
+
+  // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
+  // in common; if it still is not, cells are marked.
   template <typename Thickness>
-  bool certify(const Thickness& thickness)
+  void choose_field_and_thresholds(const Thickness& thickness)
   {
-    constexpr int max_passes = 6;
+    constexpr int max_exchanges = 3;
+    std::vector<Obstacle> obstacles = choose_thresholds(thickness);
+    for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
+      std::vector<Slope_condition> conditions;
+      for(const Obstacle& o : obstacles)
+        if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
+      if(conditions.empty()) break;
+      m_enforcement->insert(conditions);
+      lap(CERTIFICATE);
+      if(!enforce_slopes()) break;
+      lap(SLOPES);
+      mark_thick_cells(thickness);
+      if(!m_marked.empty()) break;
+      obstacles = choose_thresholds(thickness);
+    }
+    m_rounds.back().undecided_cells = obstacles.size();
+    for(const Obstacle& o : obstacles) mark(o.cell);
+    lap(CERTIFICATE);
+  }
+
+  // of the facets near a box, if they have a direction in common
+  std::optional<Slope_condition> common_slope(const Obstacle& o) const
+  {
+    constexpr double least_margin = 0.01;
+    const typename Field::Cell cell = m_field->cell(o.cell);
+    const double distance = std::abs(m_oracle(typename Oracle::Point_3(o.point[0], o.point[1], o.point[2])));
+    for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
+      const Bbox_3 box(o.point[0] - reach, o.point[1] - reach, o.point[2] - reach, o.point[0] + reach, o.point[1] + reach, o.point[2] + reach);
+      std::vector<std::uint32_t> facets;
+      m_field->visit_cells(box, [&](Index c) {
+        const auto& pieces = m_clipped->pieces();
+        for(auto piece = std::lower_bound(pieces.begin(), pieces.end(), c, [](const auto& p, Index cell) { return p.cell < cell; });
+            piece != pieces.end() && piece->cell == c; ++piece) {
+          Bbox_3 b;
+          for(std::uint32_t v = 0; v < piece->size; ++v) {
+            const auto& p = m_clipped->point(piece->first + v);
+            b += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+          }
+          if(do_overlap(b, box)) facets.push_back(piece->facet);
+        }
+      });
+      std::sort(facets.begin(), facets.end());
+      facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+      if(facets.empty()) continue;
+      std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
+      for(std::uint32_t f : facets) normals.emplace_back(m_clipped->normal(f)[0], m_clipped->normal(f)[1], m_clipped->normal(f)[2]);
+      std::array<double, 3> axis = cone_axis(normals);
+      const double margin = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+      if(!(margin > least_margin)) continue;
+      for(double& x : axis) x /= margin;
+      return Slope_condition{ o.cell, facets.front(), cell.local_coordinates(o.point), axis, m_parameters.slope_fraction * margin };
+    }
+    return std::nullopt;
+  }
+
+  // Narrows thresholds where the shell may have a critical point, or reaches the end of the domain. Returns where the mesh needs
+  // them wider than that.
+  template <typename Thickness>
+  std::vector<Obstacle> choose_thresholds(const Thickness& thickness)
+  {
+    constexpr int max_passes = 8;
     constexpr double margin = 0.98;       // of a cap that makes a difference
     Refinement_round& log = m_rounds.back();
     log.examined = true;
@@ -365,58 +498,55 @@ private:
     for(int pass = 0; ; ++pass) {
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
-      m_certificate.emplace(*m_field, *m_inner, *m_outer);
-      m_certificate->template verify<ConcurrencyTag>(m_input);
-      if(m_certificate->is_certified()) { lap(CERTIFICATE); return true; }
-      // how near to the mesh's level the undecided boxes come, on either side
-      std::map<std::pair<Index, int>, double> nearest;
-      std::vector<Index> hopeless;
-      if(m_certificate->cover())
-        for(const Cover_box& box : m_certificate->cover()->boxes()) {
+      Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
+      for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
+      // how near to the mesh's level the boxes come that are in the way, on either side
+      struct Nearest { double size; std::array<double, 3> point; };
+      std::map<std::pair<Index, int>, Nearest> nearest;
+      m_undecided_volume = 0;
+      std::vector<Obstacle> hopeless;
+      const auto note = [&](const Cover_box& box) {
+        const Level_range f = cover.function(box).range();
+        const Bbox_3 b = cover.bbox(box);
+        const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+        const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
+        if(side == 0) { hopeless.push_back({ box.cell, middle }); return; }
+        const double size = side > 0 ? f.min : -f.max;
+        const auto it = nearest.insert({ { box.cell, side }, { size, middle } }).first;
+        if(size < it->second.size) it->second = { size, middle };
+      };
+      if(cover.number_of_undecided_boxes() > 0)
+        for(const Cover_box& box : cover.boxes()) {
           if(box.component == Cover_box::no_component || box.kind != Box_kind::UNDECIDED) continue;
-          const Level_range f = m_certificate->cover()->function(box).range();
-          const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
-          if(side == 0) { hopeless.push_back(box.cell); continue; }
-          const double size = side > 0 ? f.min : -f.max;
-          const auto it = nearest.insert({ { box.cell, side }, size }).first;
-          it->second = (std::min)(it->second, size);
+          m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
+          note(box);
         }
+      for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
       bool narrowed = false;
       for(const auto& n : nearest) {
         const Sign side = n.first.second > 0 ? POSITIVE : NEGATIVE;
-        const double needed = n.first.second * thresholds.needed(n.first.first, side);
-        if(m_parameters.constant_thresholds || !(needed < margin * n.second)) { hopeless.push_back(n.first.first); continue; }
-        thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + n.second) / 2);
+        const double needed = n.first.second * thresholds.needed(n.first.first, side), size = n.second.size;
+        if(m_parameters.constant_thresholds || !(needed < margin * size)) { hopeless.push_back({ n.first.first, n.second.point }); continue; }
+        thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
         narrowed = true;
       }
       if(narrowed && pass + 1 < max_passes) continue;
-      std::sort(hopeless.begin(), hopeless.end());
-      hopeless.erase(std::unique(hopeless.begin(), hopeless.end()), hopeless.end());
-      log.undecided_cells = hopeless.size();
-      for(Index c : hopeless) mark(c);
-      break;
+      return hopeless;
     }
-    for(const Certificate_witness& w : m_certificate->witnesses()) {
-      if(w.claim == Claim::TRANSVERSALITY && w.triangle != w.none) {
-        const std::pair<std::uint32_t, std::array<double, 3> > place(std::uint32_t(w.triangle), w.point);
-        if(std::find(m_failed_at.begin(), m_failed_at.end(), place) == m_failed_at.end()) {
-          m_failed_at.push_back(place);
-          m_new_conditions = m_new_conditions || m_wanted[w.triangle] > 0;
-        }
-        // what a few refinements do not mend, more of them will not
-        const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
-        if(c != Field::npos && m_wanted[w.triangle] > 0 && m_refinements[w.triangle] < max_refinements_of_a_facet) {
-          ++m_refinements[w.triangle];
-          mark(c);
-        }
-      }
-      if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::END_OF_DOMAIN) {
+  }
+
+  // Asks the certificate, and marks cells that keep the claims from being proved.
+  bool certify()
+  {
+    m_certificate.emplace(*m_field, *m_inner, *m_outer);
+    m_certificate->template verify<ConcurrencyTag>(m_input);
+    for(const Certificate_witness& w : m_certificate->witnesses())
+      if(w.reason == Certificate_witness::TWO_SHEETS) {
         const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
         if(c != Field::npos) mark(c);
       }
-    }
     lap(CERTIFICATE);
-    return false;
+    return m_certificate->is_certified();
   }
 
   std::shared_ptr<const Input_mesh_3> m_input;
@@ -424,14 +554,19 @@ private:
   Refinement_parameters m_parameters;
   std::vector<double> m_wanted;                       // of each triangle: its slope, per user unit
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
-  std::vector<std::pair<std::uint32_t, std::array<double, 3> > > m_failed_at;     // triangles and points
-  bool m_new_conditions = false;
+  std::vector<Field::Point_3> m_seeds;                // a point of each component of the mesh
   std::unique_ptr<Field> m_field;
   std::vector<double> m_samples;
+  std::optional<Clipped_mesh_3> m_clipped;
+  Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x
+  Eigen::VectorXd m_b, m_x;                           // in units of the width of root cells
+  std::optional<Slope_enforcement<Field> > m_enforcement;
   Facet_ranges m_ranges;
   std::unique_ptr<Threshold> m_inner, m_outer;
   std::optional<Certificate> m_certificate;
   std::vector<Index> m_marked;
+  bool m_is_thin = false;
+  double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
   Real_timer m_timer;
 };

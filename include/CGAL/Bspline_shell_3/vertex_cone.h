@@ -20,6 +20,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -102,16 +103,32 @@ auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief how much room the facets at a vertex leave for a common direction: the largest \f$\min_i n_i \cdot g\f$ over unit vectors
- * \f$g\f$, for unit normals \f$n_i\f$; one on a plane, zero at a singular vertex.
+ * \brief the direction that unit vectors have most in common: that of the largest \f$\min_i n_i \cdot g\f$ over unit vectors
+ * \f$g\f$. Its length is that minimum, if it is positive; none have a direction in common if it is (nearly) zero.
  *
- * It is the distance from the origin to the convex hull of the normals, and so the norm of the centre of the smallest ball around
- * them. Computed in `double`s, to about 1e-12; whether it is zero, `vertex_cone()` decides exactly.
+ * It is the point of their convex hull nearest to the origin, and so the centre of the smallest ball around them. Computed in
+ * `double`s, to about 1e-12.
+ *
+ * \pre there is at least one
+ */
+inline std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors)
+{
+  typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
+  Min_sphere_of_spheres_d<Traits> ball(unit_vectors.begin(), unit_vectors.end());
+  std::array<double, 3> axis;
+  std::copy(ball.center_cartesian_begin(), ball.center_cartesian_end(), axis.begin());
+  return axis;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief how much room the facets at a vertex leave for a common direction: the length of `cone_axis()` of their unit
+ * normals; one on a plane, zero at a singular vertex. Whether it is zero, `vertex_cone()` decides exactly.
  */
 template <typename TriangleMesh>
 double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
-  typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
   const auto vpm = get(CGAL::vertex_point, mesh);
   std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
   for(auto h : CGAL::halfedges_around_target(v, mesh)) {
@@ -119,10 +136,8 @@ double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits
     const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
     normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
   }
-  Min_sphere_of_spheres_d<Traits> ball(normals.begin(), normals.end());
-  double squared = 0;
-  for(auto c = ball.center_cartesian_begin(); c != ball.center_cartesian_end(); ++c) squared += *c * *c;
-  return std::sqrt(squared);
+  const std::array<double, 3> axis = cone_axis(normals);
+  return std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
 }
 
 } // namespace Bspline_shells
