@@ -41,16 +41,14 @@ class Shell_thresholds_3
   typedef typename Field::Cell_index Index;
 public:
   /// \param field the field; its values are not looked at
-  /// \param mesh_ranges encloses the field on the part of the mesh in each cell (`Facet_ranges::cell`)
   /// \param thickness asked for, half of it on either side: a function of points, user units
   /// \param slope of a threshold beyond a cap, less than that of the field, which is about one
   /// \pre `field` outlives this object
   template <typename Thickness>
-  Shell_thresholds_3(const Field& field, const std::vector<Level_range>& mesh_ranges, const Thickness& thickness, double slope = 0.2)
+  Shell_thresholds_3(const Field& field, const Thickness& thickness, double slope = 0.2)
     : m_field(&field), m_slope(slope)
   {
     const Eigen::Index size = Eigen::Index(field.number_of_coefficients());
-    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(size, -std::numeric_limits<double>::infinity());
     m_cap[0].resize(size);
     for(Eigen::Index u = 0; u < size; ++u) {
       const Bbox_3 b = field.support(Index(u));
@@ -58,10 +56,17 @@ public:
     }
     m_cap[1] = m_cap[0];
     m_highest = size > 0 ? m_cap[0].maxCoeff() : 0;
-    for(Index c = 0; c < field.number_of_cells(); ++c) {
+    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(size, -std::numeric_limits<double>::infinity());
+  }
+
+  /// \param mesh_ranges encloses the field on the part of the mesh in each cell (`Facet_ranges::cell`)
+  void set_mesh_ranges(const std::vector<Level_range>& mesh_ranges)
+  {
+    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(-std::numeric_limits<double>::infinity());
+    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
       const Level_range& range = mesh_ranges[c];
       if(!(range.min <= range.max)) continue;
-      field.visit_coefficients(c, [&](int, Index u, double) {
+      m_field->visit_coefficients(c, [&](int, Index u, double) {
         m_needed[0][u] = (std::max)(m_needed[0][u], -range.min);
         m_needed[1][u] = (std::max)(m_needed[1][u], range.max);
       });

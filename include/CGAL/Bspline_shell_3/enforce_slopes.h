@@ -67,7 +67,8 @@ struct Slope_report
  * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
  * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
  * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
- * Patches are solved one after the other, worst first, in a few sweeps; a cell whose patch did not help is not tried again.
+ * Patches are solved one after the other, worst first, in a few sweeps; a cell whose patch did not help is not tried again,
+ * unless conditions are added.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -87,6 +88,7 @@ public:
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
   {
     m_first.assign(field.number_of_cells() + 1, 0);
+    m_hopeless.assign(field.number_of_cells(), 0);
   }
 
   /// adds conditions
@@ -97,17 +99,19 @@ public:
                      [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
     m_first.assign(m_field.number_of_cells() + 1, 0);
     for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
+    for(const Slope_condition& c : conditions) m_hopeless[c.cell] = 0;
     for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
   }
 
   /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`)
-  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair
+  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are they if
+  /// a sweep leaves most of many.
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
     Slope_report report;
     m_points = m_field.extend(x);
-    m_hopeless.assign(m_field.number_of_cells(), 0);
     m_changed.assign(m_field.number_of_cells(), 0);
+    std::size_t violated_before = 0;        // the sweep
     for(int sweep = 0; sweep < max_sweeps; ++sweep) {
       std::vector<std::pair<double, Index> > violated;      // worst first
       for(Index c = 0; c < m_field.number_of_cells(); ++c) {
@@ -116,7 +120,10 @@ public:
       }
       if(sweep == 0) report.violated_before = violated.size();
       if(violated.empty()) break;
-      if(sweep == 0 && violated.size() > most_violated) {
+      const bool too_many = sweep == 0 ? violated.size() > most_violated
+                                       : violated.size() > few && double(violated.size()) > progress * double(violated_before);
+      violated_before = violated.size();
+      if(too_many) {
         report.enforced = false;
         for(const std::pair<double, Index>& v : violated) report.violated_cells.push_back(v.second);
         std::sort(report.violated_cells.begin(), report.violated_cells.end());
@@ -141,12 +148,14 @@ public:
 
 private:
   static constexpr int max_sweeps = 3;
+  static constexpr std::size_t few = 64;                // violated cells that are left, whatever the progress of a sweep
+  static constexpr double progress = 0.7;               // of a sweep: what remains of them at most
   static constexpr std::size_t max_unknowns = 500;      // of a patch
   static constexpr int max_exchanges = 8;
   static constexpr std::size_t max_rows = 160, max_new_rows = 32;
   static constexpr double helps = 0.5;                  // what remains of a violation, if a patch is of use
   static constexpr double largest_multiplier = 1e2;     // the weights make one near ten
-  static constexpr double slack_for_all = 1e-6;         // a condition met but for rounding is met
+  static constexpr double excess = 0.05;                // part by which a solution is to exceed what is wanted, as it is not exact
   static constexpr int max_dual_sweeps = 100;
   static constexpr double dual_tolerance = 1e-4;        // of slopes
 
@@ -191,7 +200,7 @@ private:
     const std::array<Index, 16> rows = m_field.coefficient_rows(condition.cell);
     std::array<double, 64> local;
     for(int n = 0; n < 64; ++n) local[n] = m_points[rows[n / 4] + n % 4];
-    return slope(condition, local.data()) - condition.least + slack_for_all;
+    return slope(condition, local.data()) - condition.least;
   }
 
   double least_slack(Index c) const
@@ -345,7 +354,7 @@ private:
         const std::array<double, 64> local = local_row(m_conditions[v.condition]);
         for(const typename Patch_cell::Entry& e : cells[v.cell].entries) g[e.place] += e.weight * local[e.n];
         W.col(old + Eigen::Index(m)) = factor.matrixL().solve(g);
-        wanted[old + Eigen::Index(m)] = 2 * slack_for_all - slacks[v.number];
+        wanted[old + Eigen::Index(m)] = excess * m_conditions[v.condition].least - slacks[v.number];
         multipliers[old + Eigen::Index(m)] = 0;
       }
       // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other

@@ -140,7 +140,7 @@ public:
       const bool over = round + 1 >= m_parameters.max_rounds || total.time() >= m_parameters.max_seconds
                      || (!in_vain && exceeds_limits(cells.number_of_cells()));
       if(in_vain || over) {
-        if(!m_inner) choose_thresholds(thickness);
+        if(!m_inner) choose_field_and_thresholds(thickness);
         if(!m_certificate && certify()) return Refinement_status::CERTIFIED;
         return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
       }
@@ -200,7 +200,7 @@ private:
   bool exceeds_limits(std::size_t cells) const
   {
     const double points = double(m_field->number_of_points()) / double(m_field->number_of_cells()) * double(cells);
-    return !(2500. * double(cells) + 7000. * points <= m_parameters.max_bytes)
+    return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
         || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
   }
 
@@ -289,7 +289,7 @@ private:
     constexpr int max_exchanges = 6;
     Refinement_round& log = m_rounds.back();
     const double width = m_field->cells().lattice().spacing();
-    const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 32);
+    const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     std::vector<Failure> failures;
     std::vector<char> examine(m_wanted.size(), 1);
     for(int exchange = 0; ; ++exchange) {
@@ -430,7 +430,8 @@ private:
   void choose_field_and_thresholds(const Thickness& thickness)
   {
     constexpr int max_exchanges = 3;
-    std::vector<Obstacle> obstacles = choose_thresholds(thickness);
+    Shell_thresholds_3<Field> thresholds(*m_field, thickness);
+    std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
     for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
       std::vector<Slope_condition> conditions;
       for(const Obstacle& o : obstacles)
@@ -442,7 +443,7 @@ private:
       lap(SLOPES);
       mark_thick_cells(thickness);
       if(!m_marked.empty()) break;
-      obstacles = choose_thresholds(thickness);
+      obstacles = choose_thresholds(thresholds);
     }
     m_rounds.back().undecided_cells = obstacles.size();
     for(const Obstacle& o : obstacles) mark(o.cell);
@@ -486,14 +487,13 @@ private:
 
   // Narrows thresholds where the shell may have a critical point, or reaches the end of the domain. Returns where the mesh needs
   // them wider than that.
-  template <typename Thickness>
-  std::vector<Obstacle> choose_thresholds(const Thickness& thickness)
+  std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds)
   {
     constexpr int max_passes = 8;
     constexpr double margin = 0.98;       // of a cap that makes a difference
     Refinement_round& log = m_rounds.back();
     log.examined = true;
-    Shell_thresholds_3<Field> thresholds(*m_field, m_ranges.cell, thickness);
+    thresholds.set_mesh_ranges(m_ranges.cell);
     if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
     for(int pass = 0; ; ++pass) {
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
