@@ -31,7 +31,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the wish that a field increases along a direction at a point: \f$d \cdot \nabla f \ge \delta\f$.
+ * \brief the wish that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that it is
+ * near zero there.
  */
 struct Slope_condition
 {
@@ -40,6 +41,7 @@ struct Slope_condition
   std::array<double, 3> position;       ///< in the cell, in [0, 1]^3
   std::array<double, 3> direction;      ///< unit vector
   double least;                         ///< \f$\delta\f$, per user unit
+  double largest = std::numeric_limits<double>::infinity();   ///< that \f$|f|\f$ may be there, in units of the width of root cells
 };
 
 /*!
@@ -161,8 +163,12 @@ private:
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
 
-  // the derivative of the slope by the 64 coefficients of the cell, which are in root units
-  std::array<double, 64> local_row(const Slope_condition& condition) const
+  // A condition bounds three numbers from below: the slope, the value, and minus the value.
+  static constexpr int numbers = 3;
+  typedef std::array<double, numbers> Slacks;
+
+  // the derivative of such a number by the 64 coefficients of the cell, which are in root units
+  std::array<double, 64> local_row(const Slope_condition& condition, int number) const
   {
     std::array<std::array<double, 4>, 3> value, slope;
     for(int a = 0; a < 3; ++a) {
@@ -174,39 +180,46 @@ private:
     std::array<double, 64> row;
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j) {
+        const double of_value = (number == 1 ? 1 : -1) * value[1][j] * value[2][k];
         const double with_slope = s * d[0] * value[1][j] * value[2][k];
         const double with_value = s * (d[1] * slope[1][j] * value[2][k] + d[2] * value[1][j] * slope[2][k]);
-        for(int i = 0; i < 4; ++i) row[16*k + 4*j + i] = with_slope * slope[0][i] + with_value * value[0][i];
+        for(int i = 0; i < 4; ++i)
+          row[16*k + 4*j + i] = number == 0 ? with_slope * slope[0][i] + with_value * value[0][i] : of_value * value[0][i];
       }
     return row;
   }
 
-  // the derivative along the condition's direction, for 64 coefficients of its cell
-  double slope(const Slope_condition& condition, const double* local) const
+  // these numbers, for 64 coefficients of the condition's cell
+  Slacks evaluate(const Slope_condition& condition, const double* local) const
   {
     internal::Basis_jet<double, 2> basis;
     for(int a = 0; a < 3; ++a) {
       basis[0][a] = Cubic_bspline<>::values(condition.position[a]);
       basis[1][a] = Cubic_bspline<>::first_derivatives(condition.position[a]);
     }
-    const std::array<double, 3> g = internal::first_order_jet<double>(local, basis).gradient;
-    const std::array<double, 3>& d = condition.direction;
-    return scale(condition.cell) * (g[0]*d[0] + g[1]*d[1] + g[2]*d[2]);
+    const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local, basis);
+    const std::array<double, 3>&g = jet.gradient, &d = condition.direction;
+    return { scale(condition.cell) * (g[0]*d[0] + g[1]*d[1] + g[2]*d[2]), jet.value, -jet.value };
   }
 
-  // by how much the slope exceeds what is wanted
-  double slack(const Slope_condition& condition) const
+  static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }
+
+  // by how much they exceed their bounds
+  Slacks slacks(const Slope_condition& condition) const
   {
     const std::array<Index, 16> rows = m_field.coefficient_rows(condition.cell);
     std::array<double, 64> local;
     for(int n = 0; n < 64; ++n) local[n] = m_points[rows[n / 4] + n % 4];
-    return slope(condition, local.data()) - condition.least;
+    Slacks slacks = evaluate(condition, local.data());
+    for(int k = 0; k < numbers; ++k) slacks[k] -= bound(condition, k);
+    return slacks;
   }
 
   double least_slack(Index c) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n) least = (std::min)(least, slack(m_conditions[n]));
+    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n)
+      for(double s : slacks(m_conditions[n])) least = (std::min)(least, s);
     return least;
   }
 
@@ -315,29 +328,30 @@ private:
     const Eigen::Index size = r.size();
     const Vector free = factor.matrixL().solve(r);
     Vector step = factor.matrixU().solve(free);
-    std::vector<char> used;                       // by condition of the cells
-    std::vector<double> slacks;
+    std::vector<Slacks> before;                   // by condition of the cells
     for(const Patch_cell& cell : cells)
-      for(std::size_t n = m_first[cell.cell]; n < m_first[cell.cell + 1]; ++n) slacks.push_back(slack(m_conditions[n]));
-    used.assign(slacks.size(), 0);
+      for(std::size_t n = m_first[cell.cell]; n < m_first[cell.cell + 1]; ++n) before.push_back(slacks(m_conditions[n]));
+    std::vector<std::array<char, numbers> > used(before.size(), std::array<char, numbers>{});
     struct Violation
     {
       double slack;
-      std::size_t cell, condition, number;        // among the cells, all conditions, those of the cells
-      bool operator<(const Violation& o) const { return std::tie(slack, number) < std::tie(o.slack, o.number); }
+      std::size_t cell, condition, place;         // among the cells, all conditions, those of the cells
+      int number;
+      bool operator<(const Violation& o) const { return std::tie(slack, place, number) < std::tie(o.slack, o.place, o.number); }
     };
     std::vector<Violation> violated;
     Eigen::MatrixXd W(size, 0);                   // L^-1 G^T, for the conditions G in the program
     Vector wanted(0), multipliers(0);             // of G x, beyond what x has
     for(int exchange = 0; exchange < max_exchanges; ++exchange) {
       violated.clear();
-      std::size_t number = 0;
+      std::size_t place = 0;
       for(std::size_t c = 0; c < cells.size(); ++c) {
         const std::array<double, 64> change = cells[c].change(step);
-        for(std::size_t n = m_first[cells[c].cell]; n < m_first[cells[c].cell + 1]; ++n, ++number) {
-          if(used[number]) continue;
-          const double s = slacks[number] + slope(m_conditions[n], change.data());
-          if(s < 0) violated.push_back({ s, c, n, number });
+        for(std::size_t n = m_first[cells[c].cell]; n < m_first[cells[c].cell + 1]; ++n, ++place) {
+          const Slacks changes = evaluate(m_conditions[n], change.data());
+          for(int k = 0; k < numbers; ++k)
+            if(!used[place][k] && before[place][k] + changes[k] < 0)
+              violated.push_back({ before[place][k] + changes[k], c, n, place, k });
         }
       }
       const std::size_t more = (std::min)({ violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
@@ -349,12 +363,12 @@ private:
       multipliers.conservativeResize(old + Eigen::Index(more));
       for(std::size_t m = 0; m < more; ++m) {
         const Violation& v = violated[m];
-        used[v.number] = 1;
+        used[v.place][v.number] = 1;
         Vector g = Vector::Zero(size);
-        const std::array<double, 64> local = local_row(m_conditions[v.condition]);
+        const std::array<double, 64> local = local_row(m_conditions[v.condition], v.number);
         for(const typename Patch_cell::Entry& e : cells[v.cell].entries) g[e.place] += e.weight * local[e.n];
         W.col(old + Eigen::Index(m)) = factor.matrixL().solve(g);
-        wanted[old + Eigen::Index(m)] = excess * m_conditions[v.condition].least - slacks[v.number];
+        wanted[old + Eigen::Index(m)] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - before[v.place][v.number];
         multipliers[old + Eigen::Index(m)] = 0;
       }
       // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other

@@ -181,6 +181,7 @@ private:
   typedef Field::Cell_index Index;
   static constexpr int max_refinements_of_a_facet = 3;
   static constexpr std::size_t least_violated_cells = 64;
+  static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
   static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
@@ -268,14 +269,15 @@ private:
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
-    mark_thick_cells(thickness);
+    mark_thick_cells(thickness, m_clipped->cells().size() / thick_cells_to_refine);
     if(!m_marked.empty()) return std::nullopt;
 
     m_enforcement.emplace(field, m_A, m_b);
-    m_enforcement->insert(slope_conditions());
+    m_unexamined.assign(m_wanted.size(), 1);
+    m_enforcement->insert(slope_conditions(thickness));
     m_is_thin = enforce_slopes();
     lap(SLOPES);
-    if(m_is_thin && log.sloping_cells > 0) {
+    if(m_is_thin) {
       mark_thick_cells(thickness);
       m_is_thin = log.thick_cells == 0;
     }
@@ -291,7 +293,6 @@ private:
     const double width = m_field->cells().lattice().spacing();
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     std::vector<Failure> failures;
-    std::vector<char> examine(m_wanted.size(), 1);
     for(int exchange = 0; ; ++exchange) {
       const Slope_report slopes = (*m_enforcement)(m_x, few);
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
@@ -303,13 +304,11 @@ private:
       if(slopes.patches > 0) m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
       else if(exchange > 0) break;
       for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
-        if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) examine[piece.facet] = 1;
-      failures = failing_facets(examine);
+        if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
+      failures = failing_facets();
       if(failures.empty() || exchange + 1 == max_exchanges) break;
       std::vector<Slope_condition> conditions;
-      std::fill(examine.begin(), examine.end(), 0);
       for(const Failure& f : failures) {
-        examine[f.triangle] = 1;
         if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
           conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle), m_wanted[f.triangle] });
       }
@@ -328,13 +327,14 @@ private:
   // a triangle that does not certainly cross the field upwards, and a point where it does not
   struct Failure { std::uint32_t triangle; Index cell; std::array<double, 3> point; };
 
-  std::vector<Failure> failing_facets(const std::vector<char>& examine) const
+  // among those that were not examined since the field changed there
+  std::vector<Failure> failing_facets()
   {
     constexpr std::size_t chunk = 64;
     const Field_predicates_3<Field> predicates(*m_field);
     std::vector<std::uint32_t> triangles;
     for(auto f : m_input->mesh().faces())
-      if(examine[f]) triangles.push_back(std::uint32_t(f));
+      if(m_unexamined[f]) triangles.push_back(std::uint32_t(f));
     std::vector<std::vector<Failure> > failures((triangles.size() + chunk - 1) / chunk);
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) {
@@ -347,6 +347,8 @@ private:
     });
     std::vector<Failure> all;
     for(const std::vector<Failure>& part : failures) all.insert(all.end(), part.begin(), part.end());
+    std::fill(m_unexamined.begin(), m_unexamined.end(), 0);
+    for(const Failure& f : all) m_unexamined[f.triangle] = 1;
     return all;
   }
 
@@ -378,8 +380,9 @@ private:
     return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
   }
 
+  // marks cells where the field is too large on the mesh, if these are more than `few`
   template <typename Thickness>
-  void mark_thick_cells(const Thickness& thickness)
+  void mark_thick_cells(const Thickness& thickness, std::size_t few = 0)
   {
     m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
     Refinement_round& log = m_rounds.back();
@@ -395,21 +398,29 @@ private:
       if(size > half) ++log.thick_cells;
       if(size > nearly * half) nearly_thick.push_back(c);
     }
-    if(log.thick_cells > 0)
+    if(log.thick_cells > few)
       for(Index c : nearly_thick) mark(c);
     lap(BOUNDS);
   }
 
   // at the corners and in the middle of the clipped mesh's pieces
-  std::vector<Slope_condition> slope_conditions() const
+  template <typename Thickness>
+  std::vector<Slope_condition> slope_conditions(const Thickness& thickness) const
   {
+    constexpr double nearly = 0.95;
     std::vector<Slope_condition> conditions;
+    Index last = Field::npos;
+    double largest = 0;
     const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
-      conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet] });
+      conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet], largest });
     };
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) {
       if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
       const Tricubic_cell_3 cell = m_field->cell(piece.cell);
+      if(piece.cell != last) {
+        last = piece.cell;
+        largest = nearly * half_thickness(last, thickness) / m_field->cells().lattice().spacing();
+      }
       std::array<double, 3> middle = {};
       for(std::uint32_t v = 0; v < piece.size; ++v) {
         const std::array<double, 3>& p = m_clipped->point(piece.first + v);
@@ -561,6 +572,7 @@ private:
   Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x
   Eigen::VectorXd m_b, m_x;                           // in units of the width of root cells
   std::optional<Slope_enforcement<Field> > m_enforcement;
+  std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
   Facet_ranges m_ranges;
   std::unique_ptr<Threshold> m_inner, m_outer;
   std::optional<Certificate> m_certificate;
