@@ -89,6 +89,23 @@ public:
 
   const Field& field() const { return *m_field; }
 
+  /// takes over what another cover found out about cells
+  /// \param changed whether the field or a threshold is another one on a cell: a function of cells
+  /// \pre `other` is of the same cells, and no cell of this cover has been subdivided
+  template <typename Changed>
+  void reuse(const Shell_cover_3& other, const Changed& changed)
+  {
+    for(const Cell_boxes& known : other.m_cells) {
+      if(changed(known.cell)) continue;
+      m_first[known.cell] = m_cells.size();
+      m_cells.push_back({ known.cell, m_boxes.size(), m_boxes.size() + (known.end - known.begin) });
+      for(std::size_t b = known.begin; b < known.end; ++b) {
+        m_boxes.push_back(other.m_boxes[b]);
+        m_boxes.back().component = Cover_box::no_component;
+      }
+    }
+  }
+
   /// subdivides cells that are known to be needed, several at a time
   template <typename ConcurrencyTag>
   void prepare(std::vector<std::uint32_t> cells)

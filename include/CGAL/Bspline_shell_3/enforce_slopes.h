@@ -7,9 +7,11 @@
 #define CGAL_BSPLINE_SHELL_3_ENFORCE_SLOPES_H
 
 #include <CGAL/Bspline_shell_3/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/internal/tensor_contraction.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -91,6 +93,8 @@ public:
   {
     m_first.assign(field.number_of_cells() + 1, 0);
     m_hopeless.assign(field.number_of_cells(), 0);
+    m_is_known.assign(field.number_of_cells(), 0);
+    m_least_slack.resize(field.number_of_cells());
   }
 
   /// adds conditions
@@ -101,24 +105,29 @@ public:
                      [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
     m_first.assign(m_field.number_of_cells() + 1, 0);
     for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
-    for(const Slope_condition& c : conditions) m_hopeless[c.cell] = 0;
+    for(const Slope_condition& c : conditions) {
+      m_hopeless[c.cell] = 0;
+      m_is_known[c.cell] = 0;
+    }
     for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
   }
 
-  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`)
+  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); those that the last call left, if there
+  /// was one
   /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are they if
   /// a sweep leaves most of many.
+  template <typename ConcurrencyTag = Sequential_tag>
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
     Slope_report report;
-    m_points = m_field.extend(x);
+    if(m_points.size() == 0) m_points = m_field.extend(x);
     m_changed.assign(m_field.number_of_cells(), 0);
     std::size_t violated_before = 0;        // the sweep
     for(int sweep = 0; sweep < max_sweeps; ++sweep) {
+      find_slacks<ConcurrencyTag>();
       std::vector<std::pair<double, Index> > violated;      // worst first
       for(Index c = 0; c < m_field.number_of_cells(); ++c) {
-        const double s = least_slack(c);
-        if(s < 0) violated.emplace_back(s, c);
+        if(m_least_slack[c] < 0) violated.emplace_back(m_least_slack[c], c);
       }
       if(sweep == 0) report.violated_before = violated.size();
       if(violated.empty()) break;
@@ -141,8 +150,9 @@ public:
         m_hopeless[v.second] = least_slack(v.second) < helps * before;
       }
     }
+    find_slacks<ConcurrencyTag>();
     for(Index c = 0; c < m_field.number_of_cells(); ++c) {
-      if(least_slack(c) < 0) report.violated_cells.push_back(c);
+      if(m_least_slack[c] < 0) report.violated_cells.push_back(c);
       if(m_changed[c]) report.changed_cells.push_back(c);
     }
     return report;
@@ -223,6 +233,18 @@ private:
     return least;
   }
 
+  template <typename ConcurrencyTag>
+  void find_slacks()
+  {
+    internal::for_each_chunk<ConcurrencyTag>(m_field.number_of_cells(), 1024, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c)
+        if(!m_is_known[c]) {
+          m_least_slack[c] = least_slack(Index(c));
+          m_is_known[c] = 1;
+        }
+    });
+  }
+
   // the residual, which is kept up to date from now on, and the strictly lower triangle by rows
   void prepare(const Vector& x)
   {
@@ -295,6 +317,7 @@ private:
     std::vector<std::pair<Index, double> > moved;
     for(const Patch_cell& cell : cells) {
       m_changed[cell.cell] = 1;
+      m_is_known[cell.cell] = 0;
       const std::array<Index, 16> rows = m_field.coefficient_rows(cell.cell);
       const std::array<double, 64> change = cell.change(step);
       for(int n = 0; n < 64; ++n) {
@@ -409,7 +432,8 @@ private:
   Vector m_points, m_residual;
   std::vector<std::size_t> m_row_begin;
   std::vector<std::pair<int, int> > m_row_entries;          // column, and place among the values
-  std::vector<char> m_hopeless, m_changed;                  // of a cell
+  std::vector<char> m_hopeless, m_changed, m_is_known;      // of a cell: the last one, whether its least slack is
+  std::vector<double> m_least_slack;
   std::vector<int> m_place;                                 // of a coefficient in the patch, or -1
 };
 

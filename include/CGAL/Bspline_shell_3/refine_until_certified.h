@@ -294,7 +294,7 @@ private:
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     std::vector<Failure> failures;
     for(int exchange = 0; ; ++exchange) {
-      const Slope_report slopes = (*m_enforcement)(m_x, few);
+      const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
       log.sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
@@ -504,12 +504,18 @@ private:
     constexpr double margin = 0.98;       // of a cap that makes a difference
     Refinement_round& log = m_rounds.back();
     log.examined = true;
+    std::optional<Shell_cover_3<Field, Threshold> > last_cover;
+    std::unique_ptr<Threshold> last_inner, last_outer;
     thresholds.set_mesh_ranges(m_ranges.cell);
     if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
     for(int pass = 0; ; ++pass) {
+      last_inner = std::move(m_inner);
+      last_outer = std::move(m_outer);
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
       Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
+      if(last_cover)
+        cover.reuse(*last_cover, [&](Index c) { return has_changed(*last_inner, *m_inner, c) || has_changed(*last_outer, *m_outer, c); });
       for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
       // how near to the mesh's level the boxes come that are in the way, on either side
       struct Nearest { double size; std::array<double, 3> point; };
@@ -541,9 +547,17 @@ private:
         thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
         narrowed = true;
       }
-      if(narrowed && pass + 1 < max_passes) continue;
+      if(narrowed && pass + 1 < max_passes) {
+        last_cover.emplace(std::move(cover));
+        continue;
+      }
       return hopeless;
     }
+  }
+
+  static bool has_changed(const Threshold& before, const Threshold& now, Index c)
+  {
+    return !std::equal(before.field().cell(c).coefficients(), before.field().cell(c).coefficients() + 64, now.field().cell(c).coefficients());
   }
 
   // Asks the certificate, and marks cells that keep the claims from being proved.
