@@ -135,6 +135,23 @@ public:
     const Index n = l.cells.index(p);
     return n == npos ? npos : l.leaf[n];
   }
+  /// whether the cell of a level with that lattice point exists and is split
+  bool is_split(int level, const Lattice_3::Point& p) const
+  {
+    const Level& l = m_levels[std::size_t(level)];
+    const Index n = l.cells.index(p);
+    return n != npos && l.leaf[n] == npos;
+  }
+  /// the leaf that the cell of a level with that lattice point is, or is a part of; `npos` if there is none
+  Index leaf_around(int level, Lattice_3::Point p) const
+  {
+    for(int l = level; l >= 0; --l) {
+      const Index n = m_levels[std::size_t(l)].cells.index(p);
+      if(n != npos) return m_levels[std::size_t(l)].leaf[n];
+      for(int& i : p) i = floor_shift(i, 1);
+    }
+    return npos;
+  }
   /// whether the cell of a level with that lattice point is part of the domain, be it larger or smaller leaves
   bool is_in_domain(int level, Lattice_3::Point p) const
   {
