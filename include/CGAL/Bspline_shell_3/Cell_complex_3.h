@@ -209,6 +209,7 @@ public:
   int number_of_levels() const { return 1; }
   int level(Index) const { return 0; }
   bool is_split(int, const Lattice_3::Point&) const { return false; }
+  Index leaf(int, const Lattice_3::Point& p) const { return cell(p); }
   Index leaf_around(int, const Lattice_3::Point& p) const { return cell(p); }
   /// @}
   const Lattice_3::Point& lattice_point(Index cell) const { return m_cells.point(cell); }
