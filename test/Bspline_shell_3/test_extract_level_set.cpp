@@ -509,7 +509,20 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
   CHECK(2 * left.number_of_faces() == both.number_of_faces());
   for(auto v : left.vertices()) CHECK(left.point(v).x() < 0);
 
+  // the cells of the left one and some of the other
+  const auto most = [&](Field::Cell_index c) { return is_left[c] || is_low[c]; };
+  namespace P = CGAL::Bspline_shells::parameters;
+  Mesh closed;
+  CHECK(extract_level_set(field, 0, closed, P::filter(most)) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+  REQUIRE(extract_level_set(field, 0, closed, P::filter(most).skip_open_components(true)) == Level_set_status::SUCCESS);
+  check_closed_manifold(closed);
+  CHECK(closed.number_of_vertices() == left.number_of_vertices());
+  CHECK(closed.number_of_faces() == left.number_of_faces());
+  for(auto v : closed.vertices()) CHECK(closed.point(v).x() < 0);
+
   Mesh low;
+  CHECK(extract_level_set(field, 0, low, P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS);      // all of it is open
   CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([&](Field::Cell_index c) { return is_low[c] != 0; }))
         == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   CHECK(low.is_empty());

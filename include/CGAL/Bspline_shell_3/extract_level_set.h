@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EXTRACT_LEVEL_SET_H
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
@@ -22,7 +23,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -253,16 +256,18 @@ public:
   typedef std::array<std::size_t, 3> Triangle;
 
   template <typename ConcurrencyTag, typename Cell_filter>
-  static Level_set_status extract(const Field& field, const Threshold& threshold, int n, Cell_filter& filter,
+  static Level_set_status extract(const Field& field, const Threshold& threshold, int n, Cell_filter& filter, bool skip_open,
                                   std::vector<Point>& points, std::vector<Triangle>& triangles)
   {
     Level_set_soup soup(field, threshold, n);
     soup.template find_candidates<ConcurrencyTag>(filter);
-    if(soup.template find_vertices<ConcurrencyTag>()) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
+    const bool leaves = soup.template find_vertices<ConcurrencyTag>();
+    if(leaves && !skip_open) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
     if(soup.m_edges.empty()) return Level_set_status::LEVEL_SET_EMPTY;
     soup.template place_vertices<ConcurrencyTag>(points);
     soup.template make_triangles<ConcurrencyTag>(triangles);
-    return Level_set_status::SUCCESS;
+    if(leaves) remove_open_components(points, triangles);
+    return triangles.empty() ? Level_set_status::LEVEL_SET_LEAVES_CELLS : Level_set_status::SUCCESS;
   }
 
 private:
@@ -568,6 +573,44 @@ private:
     return p;
   }
 
+  // those with an edge that only one triangle has
+  static void remove_open_components(std::vector<Point>& points, std::vector<Triangle>& triangles)
+  {
+    std::vector<std::size_t> parent(points.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    const auto root = [&](std::size_t v) {
+      while(parent[v] != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    typedef std::array<std::size_t, 2> Halfedge;
+    std::vector<Halfedge> halfedges, opposites;
+    for(const Triangle& t : triangles)
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t v = t[i], w = t[(i + 1) % 3];
+        parent[root(v)] = root(w);
+        halfedges.push_back({ v, w });
+        opposites.push_back({ w, v });
+      }
+    std::sort(halfedges.begin(), halfedges.end());
+    std::sort(opposites.begin(), opposites.end());
+    std::vector<Halfedge> border;
+    std::set_difference(halfedges.begin(), halfedges.end(), opposites.begin(), opposites.end(), std::back_inserter(border));
+    std::vector<char> is_open(points.size(), 0);       // of roots
+    for(const Halfedge& h : border) is_open[root(h[0])] = 1;
+
+    std::vector<std::size_t> number(points.size());
+    std::size_t kept = 0;
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      number[v] = kept;
+      if(!is_open[root(v)]) points[kept++] = points[v];
+    }
+    points.resize(kept);
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const Triangle& t) { return is_open[root(t[0])] != 0; }),
+                    triangles.end());
+    for(Triangle& t : triangles)
+      for(std::size_t& v : t) v = number[v];
+  }
+
   const Field& m_field;
   const Threshold& m_threshold;
   const Subdivision m_subdivision;
@@ -614,6 +657,9 @@ struct All_cells
  * \param np optional named parameters:
  *   - `filter(F)`: which cells to use, a functor `bool(Field::Cell_index)`; default all. It selects the components of a
  *     level set by the cells that they pass. Pass `std::cref(filter)` not to copy it
+ *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so that only
+ *     if all do there is none; default `false`. The surfaces of a certified shell do not leave its cells, but other parts of
+ *     the level set may pass these cells
  *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2
  *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
  *
@@ -637,6 +683,7 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, out));
   const int ratio = choose_parameter(get_parameter(np, internal_np::subdivision_ratio), 2);
+  const bool skip_open = choose_parameter(get_parameter(np, parameter_tags::skip_open_components), false);
   internal::All_cells all_cells;
   Cell_filter filter = choose_parameter(get_parameter_reference(np, internal_np::filter), all_cells);
   CGAL_precondition(ratio >= 1 && ratio <= 256);
@@ -646,7 +693,7 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
   std::vector<typename Soup::Point> points;
   std::vector<typename Soup::Triangle> triangles;
   const Level_set_status status =
-    Soup::template extract<ConcurrencyTag>(field, Threshold(level), ratio, filter, points, triangles);
+    Soup::template extract<ConcurrencyTag>(field, Threshold(level), ratio, filter, skip_open, points, triangles);
   if(status == Level_set_status::SUCCESS)
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                           CGAL::parameters::vertex_point_map(vpm));
