@@ -88,7 +88,7 @@ struct Mesh
     return edge == opposite && std::adjacent_find(edge.begin(), edge.end()) == edge.end();
   }
 
-  static const std::size_t none = std::size_t(-1);
+  static constexpr std::size_t none = std::size_t(-1);
   std::vector<Point> point;
   std::vector<std::array<std::uint32_t, 3>> facet;
   std::vector<std::size_t> component; // of each vertex
