@@ -14,12 +14,16 @@
 #include <sstream>
 #include <string>
 
+namespace {
+
 // the uniform cubic B-spline
 double b(double t)
 {
   t = std::abs(t);
   return t >= 2 ? 0 : t >= 1 ? std::pow(2 - t, 3) / 6 : 2. / 3 - t * t + t * t * t / 2;
 }
+
+} // namespace
 
 TEST_CASE("files: the text is what the format says")
 {
