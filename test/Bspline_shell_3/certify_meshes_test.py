@@ -38,6 +38,14 @@ with tempfile.TemporaryDirectory() as folder:
         assert proved or line["places"]                 # what is not proved names its place
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
+    # cells are refined unless told otherwise, and the files of such shells are written, too
+    for name in os.listdir(folder):
+        if name.startswith("eight."):
+            os.remove(os.path.join(folder, name))
+    refined, = run(eight, "--write-shells", folder)
+    assert refined["status"] == "certified" and refined["rounds"] > 0, refined
+    assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
+
     # limits end one mesh, not the run
     late, after = run(os.path.join(meshes, "elephant.off"), opened, "--gamma", "400", "--max-seconds", "1")
     assert late["status"] == "refused" and "time" in late["reason"], late

@@ -4,8 +4,9 @@
    check_certificate_test.py CHECKER PREFIX
 
 PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a connected mesh whose five claims are proved; the mesh
-should be small. Exit code 0 if all went as it should.
+should be small. Changes that only make sense for some kinds of shells are tried on these. Exit code 0 if all went as it should.
 """
+import itertools
 import os
 import struct
 import subprocess
@@ -46,6 +47,16 @@ class Files:
         indices = [int(i) for i in numbers[3 + 3 * vertices:]]
         self.facets = [indices[4 * f + 1:4 * f + 4] for f in range(facets)]
 
+    @classmethod
+    def of(cls, shell, certificate, points, facets):
+        """from lines, without checksums, and lists"""
+        files = cls.__new__(cls)
+        files.shell, files.certificate, files.points, files.facets = shell, certificate, points, facets
+        files.update_shell()
+        files.update_mesh()
+        files.update_certificate()
+        return files
+
     @staticmethod
     def read(name):
         lines = open(name).read().split("\n")
@@ -80,6 +91,29 @@ class Files:
         change(words)
         lines[line] = " ".join(words)
 
+    def leaf_at(self, point):
+        """words of the line of a leaf that contains a point"""
+        field = self.shell[4].split()
+        origin, spacing = [float(x) for x in field[2:5]], float(field[5])
+        line, count = self.section(self.shell, "leaves")
+        for text_of_leaf in self.shell[line + 1:line + 1 + count]:
+            words = text_of_leaf.split()
+            place = [(point[a] - origin[a]) / spacing * 2**int(words[0]) - int(words[1 + a]) for a in range(3)]
+            if all(0 <= x <= 1 for x in place):
+                return words
+        raise AssertionError("no leaf at the point")
+
+    def function_at(self, point):
+        """line of a function that acts on the leaf at a point, one in the middle of those that do"""
+        words = self.leaf_at(point)
+        line, count = self.section(self.shell, "functions")
+        lines = {tuple(l.split()[:4]): line + 1 + i for i, l in enumerate(self.shell[line + 1:line + 1 + count])}
+        for step in sorted(itertools.product(range(-1, 3), repeat=3), key=lambda d: sum((2 * x - 1)**2 for x in d)):
+            function = (words[0],) + tuple(str(int(words[1 + a]) + step[a]) for a in range(3))
+            if function in lines:
+                return lines[function]
+        raise AssertionError("no function acts on the leaf")
+
     def boxes(self):
         line, count = self.section(self.certificate, "boxes")
         return range(line + 1, line + 1 + count)
@@ -111,10 +145,11 @@ def set_word(n, new):
 TESTS = []
 
 
-def test(code, sentence, update="c"):
-    """registers a change, the exit code and a part of the sentence that it should lead to, and the checksums that follow"""
+def test(code, sentence, update="c", applies=lambda f: True):
+    """registers a change, the exit code and a part of the sentence that it should lead to, the checksums that follow, and whether
+    it applies to some files"""
     def register(function):
-        TESTS.append((function, code, sentence, update))
+        TESTS.append((function, code, sentence, update, applies))
         return function
     return register
 
@@ -151,20 +186,121 @@ add("fewer claims", lambda f: f.certificate.__setitem__(3, "verdicts proved prov
 add("P3 to P5 without P1", lambda f: f.certificate.__setitem__(3, "verdicts undecided proved proved proved proved"), 1, "without P1")
 
 # the shell
-for position in (0, 0.3, 0.6, 1):
-    def change_function(f, position=position):
+def change_at_mesh(word, shift):
+    """moves a number of a function near a vertex, by a part of the unit"""
+    return lambda f: f.words(f.shell, f.function_at(f.points[0]), set_word(word, lambda x: x + shift * float(f.shell[1].split()[1])))
+
+
+for shift in (1, -1, 0.1):
+    add("coefficient of f moved by %g" % shift, change_at_mesh(4, shift), 1, "P", "sc")
+add("coefficient, old checksum", change_at_mesh(4, 1e-9), 2, "checksum", "")
+add("coefficient, old checksum in the certificate", lambda f: (change_at_mesh(4, 1e-9)(f), setattr(
+    f, "shell_sum", "checksum " + crc64(text(f.shell).encode()))), 2, "another shell")
+add("coefficient that is no number", lambda f: f.words(f.shell, 6, set_word(4, "nan")), 2, "finite", "sc")
+add("function removed", lambda f: remove_line(f, f.function_at(f.points[0]), "functions"), 2, "has no coefficient", "sc")
+add("functions out of order", lambda f: f.shell.__setitem__(slice(6, 8), f.shell[7:5:-1]), 2, "order", "sc")
+add("leaves out of order", lambda f: (lambda n: f.shell.__setitem__(slice(n, n + 2), [f.shell[n + 1], f.shell[n]]))(
+    f.section(f.shell, "leaves")[0] + 1), 2, "order", "sc")
+add("leaf removed, and its boxes", lambda f: remove_leaf(f, f.shell.index(" ".join(f.leaf_at(f.points[0])))), 1, "P1", "sc")
+add("leaf of another level", lambda f: f.words(f.shell, f.section(f.shell, "leaves")[0] + 1, set_word(0, "11")), 2, "out of range", "sc")
+
+
+def remove_line(f, line, section):
+    count, number = f.section(f.shell, section)
+    del f.shell[line]
+    f.shell[count] = "%s %d" % (section, number - 1)
+
+
+def remove_leaf(f, line):
+    number = line - f.section(f.shell, "leaves")[0] - 1
+    f.remove_boxes([i for i in f.boxes() if int(f.certificate[i].split()[0]) == number])
+    for i in f.boxes():
+        f.words(f.certificate, i, set_word(0, lambda n: n - (n > number)))
+    remove_line(f, line, "leaves")
+
+
+def levels(name, change, *rest):
+    add(name, lambda f: shell_line("levels", 0, change)(f), *rest, lambda f: f.shell[2].startswith("levels"))
+
+
+levels("inner level inwards", set_word(1, lambda x: x + 1e-6), 1, "P1", "sc")
+levels("outer level inwards", set_word(2, lambda x: x - 1e-6), 1, "P1", "sc")
+levels("outer level inwards a little", set_word(2, lambda x: x - 1e-9), 1, "P1", "sc")
+levels("levels much wider", lambda w: w.__setitem__(slice(1, 3), ["-0.5", "0.5"]), 1, "P3", "sc")
+
+
+def thresholds(name, change, *rest):
+    add(name, change, *rest, lambda f: f.shell[2].startswith("thickness"))
+
+
+def all_thresholds(word, factor):
+    def change(f):
         line, count = f.section(f.shell, "functions")
-        f.words(f.shell, line + 1 + int(position * (count - 1)), set_word(3, lambda x: x + 1e-9))
-    add("function coefficient at %g" % position, change_function, 1, "Leaf", "sc")
-add("Bernstein coefficient", lambda f: shell_line("leaves", 1 + used_leaf(f), set_word(40, lambda x: x + 1e-12))(f), 1, "Leaf", "sc")
-add("Bernstein coefficient, old checksum", shell_line("leaves", 5, set_word(40, lambda x: x + 1e-12)), 2, "checksum", "")
-add("radius zero", shell_line("leaves", 5, set_word(8, "0")), 1, "Leaf 4", "sc")
-add("corner moved by one bit", shell_line("leaves", 9, set_word(5, lambda x: x * (1 + 2**-52))), 2, "corner", "sc")
-add("inner level inwards", shell_line("levels", 0, set_word(1, lambda x: x + 1e-6)), 1, "P1", "sc")
-add("outer level inwards", shell_line("levels", 0, set_word(2, lambda x: x - 1e-6)), 1, "P1", "sc")
-add("outer level inwards a little", shell_line("levels", 0, set_word(2, lambda x: x - 1e-9)), 1, "P1", "sc")
-add("levels much wider", shell_line("levels", 0, lambda w: w.__setitem__(slice(1, 3), ["-0.5", "0.5"])), 1, "P3", "sc")
-add("another spacing", shell_line("field", 0, set_word(5, lambda x: 2 * x)), 2, "corner", "sc")
+        for n in range(line + 1, line + 1 + count):
+            f.words(f.shell, n, set_word(word, lambda x: factor * x))
+    return change
+
+
+thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.1), 1, "P1", "sc")
+thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.1), 1, "P1", "sc")
+thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.1), 1, "P3", "sc")
+thresholds("no room inside", all_thresholds(5, 0.01), 1, "P1", "sc")
+thresholds("far too thick", all_thresholds(6, 30), 1, "P3", "sc")
+thresholds("no coefficient of a threshold", lambda f: f.shell.__setitem__(6, f.shell[6].rsplit(" ", 1)[0]), 2, "a blank is expected", "sc")
+thresholds("thresholds taken for levels", lambda f: f.shell.__setitem__(2, "levels -1 1"), 2, "end where it should", "sc")
+
+
+# leaves of different sizes
+def hierarchy(name, change, *rest):
+    add(name, change, *rest, lambda f: not f.shell[6].startswith("0 "))
+
+
+def insert_line(f, line, new, section):
+    f.shell.insert(line, new)
+    count, number = f.section(f.shell, section)
+    f.shell[count] = "%s %d" % (section, number + 1)
+
+
+def leaf_lines(f):
+    line, count = f.section(f.shell, "leaves")
+    return [l.split() for l in f.shell[line + 1:line + 1 + count]]
+
+
+def overlapping_leaf(f):
+    """a leaf, and an eighth of it"""
+    coarse = leaf_lines(f)[0]
+    fine = [int(coarse[0]) + 1] + [2 * int(i) for i in coarse[1:4]]
+    line, count = f.section(f.shell, "leaves")
+    n = next(n for n in range(line + 1, line + count) if order(f.shell[n]) > (fine[0],) + tuple(fine[:0:-1]))
+    insert_line(f, n, " ".join(str(i) for i in fine + [1]), "leaves")
+
+
+def order(leaf):
+    words = [int(i) for i in leaf.split()[:4]]
+    return (words[0],) + tuple(words[:0:-1])
+
+
+def function_on_coarser_leaf(f):
+    """one with a coefficient of its own, where it should depend on the level above"""
+    leaves = {tuple(int(i) for i in words[:4]) for words in leaf_lines(f)}
+    line, count = f.section(f.shell, "functions")
+    listed = {tuple(int(i) for i in l.split()[:4]) for l in f.shell[line + 1:line + 1 + count]}
+    new = next((l, i + a, j + b, k + c) for l, i, j, k in sorted(leaves) if l > 0
+               for a in range(-1, 3) for b in range(-1, 3) for c in range(-1, 3) if (l, i + a, j + b, k + c) not in listed)
+    def place(key):
+        return (-key[0],) + key[:0:-1]
+    n = next((line + 1 + n for n, l in enumerate(f.shell[line + 1:line + 1 + count])
+              if place(tuple(int(i) for i in l.split()[:4])) > place(new)), line + 1 + count)
+    insert_line(f, n, " ".join(str(i) for i in new) + " 0" * (len(f.shell[line + 1].split()) - 4), "functions")
+
+
+hierarchy("leaf and an eighth of it", overlapping_leaf, 2, "overlaps", "sc")
+hierarchy("function with a coefficient of its own at a coarser leaf", function_on_coarser_leaf, 2, "acts on a coarser leaf", "sc")
+
+add("another spacing", shell_line("field", 0, set_word(5, lambda x: 2 * x)), 1, "P", "sc")
+add("another origin", shell_line("field", 0, set_word(2, lambda x: x + 0.1)), 1, "P", "sc")
+add("no kind of field", shell_line("field", 0, set_word(1, "dense")), 2, "kind", "sc")
+add("version of another time", shell_line("cubic_bspline_shell", 0, set_word(1, "1")), 2, "expected", "sc")
 add("too many leaves", shell_line("leaves", 0, set_word(1, "999999999")), 2, "expected", "sc")
 add("shell of another certificate", lambda f: f.certificate.__setitem__(1, "shell 0123456789abcdef"), 2, "another shell")
 
@@ -280,29 +416,82 @@ add("empty certificate", lambda f: f.certificate.clear(), 2, "missing", "e")
 add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum " + f.certificate_sum[9:].upper()), 2, "checksum", "")
 
 
+# A shell made here: f = |x|^2, which the coefficients |p|^2 - h^2 at lattice points of any spacing h give, on large leaves at the
+# left and small ones at the right, around an octahedron. The outer threshold is 2 and a wave, the more steep the higher it is.
+def ball(wave):
+    inner, outer, roots = 0.3, 2, range(-5, 5)
+    leaves = [(0, i, j, k) for k in roots for j in roots for i in roots if i < 0]
+    leaves += [(1, i, j, k) for k in range(-10, 10) for j in range(-10, 10) for i in range(10)]
+    functions = []
+    for level, size in ((1, 10), (0, 5)):
+        h = 0.5 / 2**level
+        # on small leaves only; on large leaves
+        along_x = range(2, size + 2) if level == 1 else range(-size - 1, 2)
+        for k, j, i in itertools.product(range(-size - 1, size + 2), range(-size - 1, size + 2), along_x):
+            functions.append("%d %d %d %d %.17g %.17g %.17g" % (level, i, j, k, h * h * (i * i + j * j + k * k - 1), inner,
+                                                                outer + wave * (-1)**j))
+    boxes = []
+
+    def divide(leaf, depth, place):
+        level = leaves[leaf][0]
+        h = 0.5 / 2**(level + depth)
+        low = [h * (leaves[leaf][1 + a] * 2**depth + place[a]) for a in range(3)]
+        nearest = [max(0, x, -x - h) for x in low]
+        furthest = [max(abs(x), abs(x + h)) for x in low]
+        center = [x + h / 2 for x in low]
+        start = "%d %d %d %d %d " % ((leaf, depth) + tuple(place))
+        least_product = sum(min(c * x, c * (x + h)) for c, x in zip(center, low))
+        if sum(x * x for x in furthest) < inner or sum(x * x for x in nearest) > outer + wave / 3 + 0.01:
+            boxes.append(start + "x")
+        elif least_product > 0 and (depth > 0 or level > 0):
+            boxes.append(start + "g %.17g %.17g %.17g" % tuple(center))
+        else:
+            for o in range(8):
+                divide(leaf, depth + 1, [2 * place[a] + (o >> a & 1) for a in range(3)])
+
+    for leaf in range(len(leaves)):
+        divide(leaf, 0, [0, 0, 0])
+    points = [[1.2 * (a == b) * sign for b in range(3)] for a in range(3) for sign in (1, -1)]
+    facets = [[x, y, z] if (x + y + z) % 2 == 0 else [x, z, y] for x in (0, 1) for y in (2, 3) for z in (4, 5)]
+    shell = ["cubic_bspline_shell 2 ascii", "unit 2.4", "thickness 3", "triangles 8 components 1", "field hierarchical 0 0 0 0.5",
+             "functions %d" % len(functions)] + functions + ["leaves %d" % len(leaves)]
+    shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0"]
+    certificate = ["cubic_bspline_shell_certificate 1", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
+    certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 0.27 0.28 0.28 0.97 0.95 0.98"]
+    return Files.of(shell, certificate, points, facets)
+
+
+WAVES = [(0, 0, "certified: P1 P2 P3 P4 P5"), (0.3, 0, "certified: P1 P2 P3 P4 P5"), (1.2, 1, "more steeply")]
+
+
 def main():
     checker, prefix = sys.argv[1:]
     files = Files(prefix)
+    cases = [("wave of height %g" % wave, ball(wave), code, sentence) for wave, code, sentence in WAVES]
+    for function, code, sentence, update, applies in TESTS:
+        if not applies(files):
+            continue
+        changed = files.copy()
+        function(changed)
+        if "s" in update:
+            changed.update_shell()
+        if "m" in update:
+            changed.update_mesh()
+        if update:
+            changed.update_certificate()
+        cases.append((function.__name__, changed, code, sentence))
     failures = 0
     with tempfile.TemporaryDirectory() as directory:
         changed_prefix = os.path.join(directory, "changed")
-        for function, code, sentence, update in TESTS:
-            changed = files.copy()
-            function(changed)
-            if "s" in update:
-                changed.update_shell()
-            if "m" in update:
-                changed.update_mesh()
-            if update:
-                changed.update_certificate()
+        for name, changed, code, sentence in cases:
             changed.write(changed_prefix)
             run = subprocess.run([checker] + [changed_prefix + end for end in (".shell.txt", ".mesh.off", ".certificate.txt")],
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
             said = run.stdout + run.stderr
             right = run.returncode == code and sentence in said and (code == 0) == bool(run.stdout)
             failures += not right
-            print("%-5s %s: exit %d, %s" % ("ok" if right else "WRONG", function.__name__, run.returncode, said.strip()))
-    print("%d of %d wrong" % (failures, len(TESTS)))
+            print("%-5s %s: exit %d, %s" % ("ok" if right else "WRONG", name, run.returncode, said.strip()))
+    print("%d of %d wrong" % (failures, len(cases)))
     return 1 if failures else 0
 
 

@@ -7,6 +7,7 @@
 #include <CGAL/Bspline_shell_3/IO/read_shell.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Random.h>
 
@@ -26,6 +27,7 @@
 namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Bspline_shell_3<> Shell;
 typedef Shell::Field Field;
+typedef CGAL::Certified_bspline_shell_3 Varying_shell;
 typedef BS::Shell_file_status Status;
 typedef BS::Shell_format Format;
 
@@ -76,6 +78,37 @@ inline Shell other_shell()
   return shell_on(lattice, { { 0, 0, 0 } }, [](std::size_t n) { return double(n); });
 }
 
+// a row of root cells, of which the first three are split, and thresholds that vary
+inline Varying_shell small_varying_shell()
+{
+  typedef Varying_shell::Field Varying_field;
+  std::vector<std::uint64_t> keys;
+  for(int i = -2; i < 3; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, 1, 0));
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -2, 0, 2, 1, 5), 0.3);
+  Varying_field field(BS::Cell_hierarchy_3(BS::Cell_complex_3(lattice, keys)).refined({ 0 }));
+  CGAL::Random random(7);
+  const auto spline = [&](double least, double most) {
+    Varying_field result = field;
+    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = random.get_double(least, most);
+    result.set_coefficients(x);
+    return result;
+  };
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 3.7;
+  report.gamma = report.unit / lattice.spacing();
+  report.triangles = 20;
+  report.components = 1;
+  report.cells = field.number_of_cells();
+  report.unknowns = field.number_of_coefficients();
+  report.thickness = 0.3;
+  std::vector<char> cells(field.number_of_cells(), 1);
+  cells.front() = 0;
+  return Varying_shell(spline(-1, 1), Varying_shell::Threshold(spline(-0.3, -0.1)), Varying_shell::Threshold(spline(0.1, 0.3)), cells,
+                       std::vector<BS::Level_range>(3, BS::Level_range{ -0.05, 0.3 }), report);
+}
+
 template <typename T>
 bool same_bits(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof(T)) == 0; }
 
@@ -84,25 +117,42 @@ inline bool same_bits(const BS::Level_range& a, const BS::Level_range& b)
   return same_bits(a.min, b.min) && same_bits(a.max, b.max);
 }
 
-inline bool same(const Shell& a, const Shell& b)
+template <typename Any_field>
+bool same_fields(const Any_field& f, const Any_field& g)
 {
-  if(a.status() != b.status()) return false;
-  const Field &f = a.field(), &g = b.field();
   bool equal = f.number_of_cells() == g.number_of_cells() && f.number_of_coefficients() == g.number_of_coefficients()
-            && same_bits(a.inner_level(), b.inner_level()) && same_bits(a.outer_level(), b.outer_level())
-            && a.shell_cells() == b.shell_cells() && a.facet_ranges().size() == b.facet_ranges().size()
+            && f.number_of_levels() == g.number_of_levels()
             && same_bits(f.cells().lattice().origin(), g.cells().lattice().origin())
             && same_bits(f.cells().lattice().spacing(), g.cells().lattice().spacing())
             && f.cells().lattice().is_exact() == g.cells().lattice().is_exact();
-  for(std::size_t n = 0; equal && n < a.facet_ranges().size(); ++n)
-    equal = same_bits(a.facet_ranges()[n], b.facet_ranges()[n]);
   for(Field::Cell_index n = 0; equal && n < f.number_of_coefficients(); ++n)
-    equal = same_bits(f.coefficients()[n], g.coefficients()[n]) && f.functions().point(n) == g.functions().point(n);
+    equal = same_bits(f.coefficients()[n], g.coefficients()[n]) && f.point_of_coefficient(n) == g.point_of_coefficient(n);
+  for(int l = 0; equal && l < f.number_of_levels(); ++l) {
+    equal = f.points(l).size() == g.points(l).size();
+    for(Field::Cell_index n = 0; equal && n < f.points(l).size(); ++n) equal = f.points(l).point(n) == g.points(l).point(n);
+  }
   for(Field::Cell_index c = 0; equal && c < f.number_of_cells(); ++c) {
-    equal = f.cells().lattice_point(c) == g.cells().lattice_point(c) && same_bits(f.cell(c).corner(), g.cell(c).corner())
+    equal = f.cells().lattice_point(c) == g.cells().lattice_point(c) && f.cells().level(c) == g.cells().level(c)
+         && same_bits(f.cell(c).corner(), g.cell(c).corner()) && same_bits(f.cell(c).width(), g.cell(c).width())
          && same_bits(f.cell(c).error_radius(), g.cell(c).error_radius());
     for(int n = 0; n < 64; ++n) equal = equal && same_bits(f.cell(c).coefficients()[n], g.cell(c).coefficients()[n]);
   }
+  return equal;
+}
+
+template <typename Any_shell>
+bool same(const Any_shell& a, const Any_shell& b)
+{
+  if(a.status() != b.status() || !a) return a.status() == b.status();
+  bool equal = same_fields(a.field(), b.field()) && a.shell_cells() == b.shell_cells()
+            && a.facet_ranges().size() == b.facet_ranges().size() && same_bits(a.thickness(), b.thickness());
+  if constexpr(Any_shell::Threshold::is_constant)
+    equal = equal && same_bits(a.inner_level(), b.inner_level()) && same_bits(a.outer_level(), b.outer_level());
+  else
+    equal = equal && same_fields(a.inner_threshold().field(), b.inner_threshold().field())
+         && same_fields(a.outer_threshold().field(), b.outer_threshold().field());
+  for(std::size_t n = 0; equal && n < a.facet_ranges().size(); ++n)
+    equal = same_bits(a.facet_ranges()[n], b.facet_ranges()[n]);
   const BS::Shell_report &r = a.report(), &s = b.report();
   return equal && same_bits(r.unit, s.unit) && same_bits(r.gamma, s.gamma) && r.triangles == s.triangles
       && r.components == s.components && r.cells == s.cells && r.unknowns == s.unknowns;
@@ -110,14 +160,16 @@ inline bool same(const Shell& a, const Shell& b)
 
 // --- files
 
-inline std::string written(const Shell& shell, Format format)
+template <typename Any_shell>
+std::string written(const Any_shell& shell, Format format)
 {
   std::ostringstream out;
   REQUIRE(BS::write_shell(out, shell, format) == Status::SUCCESS);
   return out.str();
 }
 
-inline Status read(const std::string& bytes, Shell& shell)
+template <typename Any_shell>
+Status read(const std::string& bytes, Any_shell& shell)
 {
   std::istringstream in(bytes);
   return BS::read_shell(in, shell);

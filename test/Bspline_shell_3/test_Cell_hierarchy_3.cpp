@@ -399,3 +399,56 @@ TEST_CASE("hierarchies: where corners are no doubles, nothing is split")
   CHECK(cells.max_level() == 0);
   CHECK(cells.refined({ 0, 5 }).number_of_cells() == cells.number_of_cells());
 }
+
+TEST_CASE("hierarchies: their leaves are all that they are made of; other sets of leaves are refused")
+{
+  typedef std::vector<std::vector<std::uint64_t> > Leaves;
+  CGAL::Random random(22);
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.3);
+  std::size_t wrong = 0, accepted = 0;
+  for(int n = 0; n < 20; ++n) {
+    const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 4 }, 0.8), 1 + n % 5, 2);
+    Leaves leaves(std::size_t(cells.number_of_levels()));
+    for(Index c = 0; c < cells.number_of_cells(); ++c) {
+      const Lattice_point& p = cells.lattice_point(c);
+      leaves[std::size_t(cells.level(c))].push_back(BS::internal::Lattice_key::encode(p[0], p[1], p[2]));
+    }
+    const std::optional<Hierarchy> again = Hierarchy::from_leaves(lattice, leaves);
+    REQUIRE(again);
+    wrong += again->number_of_cells() != cells.number_of_cells() || again->number_of_levels() != cells.number_of_levels()
+          || again->max_level() != cells.max_level() || again->roots().number_of_cells() != cells.roots().number_of_cells();
+    for(Index c = 0; c < cells.number_of_cells(); ++c)
+      wrong += again->lattice_point(c) != cells.lattice_point(c) || again->level(c) != cells.level(c);
+    // refined alike: what is split is known, too
+    const std::vector<Index> marked = random_leaves(random, cells, 1);
+    wrong += again->refined(marked).number_of_cells() != cells.refined(marked).number_of_cells();
+
+    for(std::size_t l = 1; l < leaves.size(); ++l) {
+      Leaves missing = leaves;
+      missing[l].erase(missing[l].begin() + random.get_int(0, int(missing[l].size())));
+      accepted += Hierarchy::from_leaves(lattice, missing).has_value();
+      // the parent of a leaf, as if it were none
+      Leaves overlapping = leaves;
+      Lattice_point p = BS::internal::Lattice_key::decode(leaves[l][0]);
+      for(int& i : p) i = (i - (i & 1)) / 2;
+      overlapping[l-1].push_back(BS::internal::Lattice_key::encode(p[0], p[1], p[2]));
+      BS::internal::sort_unique(overlapping[l-1]);
+      accepted += Hierarchy::from_leaves(lattice, overlapping).has_value();
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(accepted == 0);
+
+  // a cell that is split twice at a corner, with no rings around it
+  std::vector<std::uint64_t> level[3];
+  for(int o = 0; o < 8; ++o) {
+    if(o > 0) level[1].push_back(BS::internal::Lattice_key::encode(o & 1, o >> 1 & 1, o >> 2));
+    level[2].push_back(BS::internal::Lattice_key::encode(o & 1, o >> 1 & 1, o >> 2));
+  }
+  level[0].push_back(BS::internal::Lattice_key::encode(1, 0, 0));
+  CHECK_FALSE(Hierarchy::from_leaves(lattice, { level[0], level[1], level[2] }));
+  CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));      // alone, it has no neighbours that would have to be
+  // smaller than any leaf may be
+  CHECK_FALSE(Hierarchy::from_leaves(lattice, Leaves(20, { BS::internal::Lattice_key::encode(0, 0, 0) })));
+  CHECK(Hierarchy::from_leaves(lattice, {})->number_of_cells() == 0);
+}

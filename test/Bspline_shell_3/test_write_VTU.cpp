@@ -51,6 +51,8 @@ struct Grid
       for(const auto& child : piece.get_child(part))
         if(child.first == "DataArray") arrays[child.second.get<std::string>("<xmlattr>.Name")] = child.second.data();
     f = numbers_of<double>(arrays["f"]);
+    inner = numbers_of<double>(arrays["inner"]);
+    outer = numbers_of<double>(arrays["outer"]);
     positions = numbers_of<double>(arrays["Points"]);
     degrees = numbers_of<double>(arrays["HigherOrderDegrees"]);
     connectivity = numbers_of<std::int64_t>(arrays["connectivity"]);
@@ -61,7 +63,7 @@ struct Grid
   }
 
   std::size_t points, cells;
-  std::vector<double> f, positions, degrees, levels;
+  std::vector<double> f, inner, outer, positions, degrees, levels;
   std::vector<std::int64_t> connectivity, offsets;
   std::vector<int> types;
 };
@@ -176,6 +178,46 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
     std::istringstream in(xml);
     CHECK_NOTHROW(boost::property_tree::read_xml(in, tree));
   }
+}
+
+TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their control points")
+{
+  const Varying_shell shell = small_varying_shell();
+  const Varying_shell::Field& field = shell.field();
+  std::ostringstream out;
+  REQUIRE(BS::write_VTU(out, shell, Format::ASCII) == Status::SUCCESS);
+  const Grid grid(out.str());
+  REQUIRE(grid.cells == field.number_of_cells() - 1);      // the first is not marked
+  CHECK(grid.levels.empty());
+  REQUIRE(grid.f.size() == grid.points);
+  REQUIRE(grid.inner.size() == grid.points);
+  REQUIRE(grid.outer.size() == grid.points);
+  // a large cell, and a block of 6 x 2 x 2 small ones that share their control points
+  CHECK(grid.points == 64 + (3 * 6 + 1) * (3 * 2 + 1) * (3 * 2 + 1));
+  std::size_t wrong = 0;
+  for(std::size_t n = 0; n < grid.cells; ++n) {
+    const Field::Cell_index c = Field::Cell_index(n + 1);
+    const auto cell = field.cell(c);
+    for(std::size_t v = 0; v < 64; ++v) {
+      const std::size_t point = std::size_t(grid.connectivity[64 * n + v]);
+      int index = 0;
+      for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
+        const double step = 3 * (grid.positions[3 * point + std::size_t(a)] - cell.corner()[std::size_t(a)]) / cell.width();
+        wrong += std::abs(step - std::round(step)) > 1e-9;
+        index += stride * int(std::round(step));
+      }
+      wrong += grid.f[point] != cell.coefficients()[index];
+      wrong += grid.inner[point] != shell.inner_threshold().field().cell(c).coefficients()[index];
+      wrong += grid.outer[point] != shell.outer_threshold().field().cell(c).coefficients()[index];
+    }
+  }
+  CHECK(wrong == 0);
+  std::ostringstream binary;
+  CHECK(BS::write_VTU(binary, shell) == Status::SUCCESS);
+  CHECK(binary.str().find("Name=\"outer\"") != std::string::npos);
+  std::ostringstream whole;
+  CHECK(BS::write_VTU(whole, field, Format::ASCII) == Status::SUCCESS);
+  CHECK(Grid(whole.str()).cells == field.number_of_cells());
 }
 
 TEST_CASE("VTU: locales and flags of streams do not matter")

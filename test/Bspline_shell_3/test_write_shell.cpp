@@ -10,8 +10,20 @@
 #include <fstream>
 #include <limits>
 #include <locale>
+#include <map>
 #include <sstream>
 #include <string>
+
+namespace {
+
+// the uniform cubic B-spline
+double b(double t)
+{
+  t = std::abs(t);
+  return t >= 2 ? 0 : t >= 1 ? std::pow(2 - t, 3) / 6 : 2. / 3 - t * t + t * t * t / 2;
+}
+
+} // namespace
 
 TEST_CASE("files: the text is what the format says")
 {
@@ -21,65 +33,113 @@ TEST_CASE("files: the text is what the format says")
   const Lines lines = lines_of(text);
   CHECK(text_of(lines) == text);
   REQUIRE(lines.size() == 5 + 1 + 80 + 1 + 2 + 1 + 3);
-  CHECK(lines[0] == "cubic_bspline_shell 1 ascii");
+  CHECK(lines[0] == "cubic_bspline_shell 2 ascii");
   CHECK(lines[1] == "unit 3.7000000000000002");
   CHECK(lines[2] == "levels -0.10000000000000001 0.33333333333333331");
   CHECK(lines[3] == "triangles 20 components 1");
   CHECK(lines[5] == "functions 80");
   CHECK(lines[86] == "leaves 2");
+  CHECK(lines[87] == "0 -1 0 2 0");
+  CHECK(lines[88] == "0 0 0 2 1");
   CHECK(lines[89] == "facet_ranges 3");
   CHECK(lines[90] == "-0.050000000000000003 0.29999999999999999");
 
-  std::string word;
+  std::string word, kind;
   double origin[3], spacing;
-  std::istringstream(lines[4]) >> word >> word >> origin[0] >> origin[1] >> origin[2] >> spacing;
+  std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
+  CHECK(kind == "uniform");
   CHECK(spacing == field.cells().width());
   // f from the functions alone, as a sum of B-splines centred at lattice points
-  const auto b = [](double t) {
-    t = std::abs(t);
-    return t >= 2 ? 0 : t >= 1 ? std::pow(2 - t, 3) / 6 : 2. / 3 - t * t + t * t * t / 2;
-  };
-  const auto sum = [&](const std::array<double, 3>& p) {
-    double f = 0;
-    for(int n = 6; n < 86; ++n) {
-      int ijk[3];
-      double coefficient;
-      std::istringstream(lines[std::size_t(n)]) >> ijk[0] >> ijk[1] >> ijk[2] >> coefficient;
-      for(int a = 0; a < 3; ++a) coefficient *= b((p[std::size_t(a)] - (origin[a] + ijk[a] * spacing)) / spacing);
-      f += coefficient;
-    }
-    return f;
-  };
   CGAL::Random random(5);
-  for(Field::Cell_index c = 0; c < 2; ++c) {
-    std::istringstream in(lines[87 + c]);
-    int i, j, k, mark;
-    double numbers[69];
-    in >> i >> j >> k >> mark;
-    for(double& x : numbers) in >> x;
-    CHECK(in);
-    CHECK(in.eof());
-    CHECK(field.cells().lattice_point(c) == BS::Lattice_3::Point{ i, j, k });
-    CHECK(mark == int(c));
-    CHECK(numbers[0] == origin[0] + i * spacing);
-    CHECK(numbers[3] == spacing);
-    // f from the Bernstein coefficients of the leaf
+  for(Field::Cell_index c = 0; c < 2; ++c)
     for(int s = 0; s < 20; ++s) {
-      const double t[3] = { random.get_double(), random.get_double(), random.get_double() };
-      double f = 0;
-      for(int n = 0; n < 64; ++n) {
-        const int steps[3] = { n % 4, n / 4 % 4, n / 16 };
-        const double binomial[4] = { 1, 3, 3, 1 };
-        double weight = 1;
-        for(int a = 0; a < 3; ++a)
-          weight *= binomial[steps[a]] * std::pow(t[a], steps[a]) * std::pow(1 - t[a], 3 - steps[a]);
-        f += weight * numbers[5 + n];
-      }
       std::array<double, 3> p;
-      for(std::size_t a = 0; a < 3; ++a) p[a] = numbers[a] + t[a] * spacing;
-      CHECK(f == Approx(sum(p)).margin(1e-14));
+      for(std::size_t a = 0; a < 3; ++a) p[a] = field.cell(c).corner()[a] + random.get_double() * spacing;
+      double f = 0;
+      for(std::size_t n = 6; n < 86; ++n) {
+        int level, ijk[3];
+        double term;
+        std::istringstream(lines[n]) >> level >> ijk[0] >> ijk[1] >> ijk[2] >> term;
+        CHECK(level == 0);
+        for(int a = 0; a < 3; ++a) term *= b((p[std::size_t(a)] - (origin[a] + ijk[a] * spacing)) / spacing);
+        f += term;
+      }
       CHECK(f == Approx(field.value(Point_3(p[0], p[1], p[2])).value()).margin(1e-14));
     }
+}
+
+TEST_CASE("files: the text of a hierarchy with thresholds that vary is what the format says")
+{
+  const Varying_shell shell = small_varying_shell();
+  const Varying_shell::Field& field = shell.field();
+  const std::string text = written(shell, Format::ASCII);
+  const Lines lines = lines_of(text);
+  CHECK(text_of(lines) == text);
+  REQUIRE(field.number_of_cells() == 2 + 24);
+  const std::size_t functions = field.number_of_coefficients();
+  REQUIRE(lines.size() == 5 + 1 + functions + 1 + 26 + 1 + 3);
+  CHECK(lines[0] == "cubic_bspline_shell 2 ascii");
+  CHECK(lines[2] == "thickness 0.29999999999999999");
+  CHECK(lines[5] == "functions " + std::to_string(functions));
+  CHECK(lines[6 + functions] == "leaves 26");
+  CHECK(lines[7 + functions] == "0 1 1 0 0");
+  CHECK(lines[8 + functions] == "0 2 1 0 1");
+  CHECK(lines[9 + functions] == "1 -4 2 0 1");
+
+  std::string word, kind;
+  double origin[3], spacing;
+  std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
+  CHECK(kind == "hierarchical");
+  // the coefficients, of which those that are not listed follow from the level above
+  typedef std::array<int, 4> Key;
+  std::map<Key, std::array<double, 3> > listed;
+  for(std::size_t n = 6; n < 6 + functions; ++n) {
+    Key key;
+    std::array<double, 3> x;
+    std::istringstream in(lines[n]);
+    for(int& i : key) in >> i;
+    for(double& c : x) in >> c;
+    CHECK(in);
+    CHECK(listed.emplace(key, x).second);
+  }
+  const auto coefficient = [&](const Key& key) {
+    const auto found = listed.find(key);
+    if(found != listed.end()) return found->second;
+    REQUIRE(key[0] == 1);
+    std::array<double, 3> sum = {};
+    for(int k = -8; k < 8; ++k)
+      for(int j = -8; j < 8; ++j)
+        for(int i = -8; i < 8; ++i) {
+          double weight = 1;
+          const int parent[] = { i, j, k };
+          for(int a = 0; a < 3; ++a) {
+            const int offset = std::abs(key[std::size_t(a) + 1] - 2 * parent[a]);
+            weight *= offset == 0 ? 0.75 : offset == 1 ? 0.5 : offset == 2 ? 0.125 : 0;
+          }
+          if(weight == 0) continue;
+          REQUIRE(listed.count({ 0, i, j, k }) == 1);
+          for(std::size_t s = 0; s < 3; ++s) sum[s] += weight * listed[{ 0, i, j, k }][s];
+        }
+    return sum;
+  };
+  CGAL::Random random(5);
+  for(std::size_t n = 7 + functions; n < 7 + functions + 26; ++n) {
+    int level, ijk[3];
+    std::istringstream(lines[n]) >> level >> ijk[0] >> ijk[1] >> ijk[2];
+    const double width = spacing / (1 << level);
+    double p[3], sum[3] = {};
+    for(int a = 0; a < 3; ++a) p[a] = origin[a] + (ijk[a] + random.get_double()) * width;
+    for(int m = 0; m < 64; ++m) {
+      const Key key = { level, ijk[0] + m % 4 - 1, ijk[1] + m / 4 % 4 - 1, ijk[2] + m / 16 - 1 };
+      double weight = 1;
+      for(int a = 0; a < 3; ++a) weight *= b((p[a] - (origin[a] + key[std::size_t(a) + 1] * width)) / width);
+      const std::array<double, 3> x = coefficient(key);
+      for(int s = 0; s < 3; ++s) sum[s] += weight * x[std::size_t(s)];
+    }
+    const Varying_shell::Point_3 at(p[0], p[1], p[2]);
+    CHECK(sum[0] == Approx(field.value(at).value()).margin(1e-14));
+    CHECK(sum[1] == Approx(shell.inner_threshold().value(at)).margin(1e-14));
+    CHECK(sum[2] == Approx(shell.outer_threshold().value(at)).margin(1e-14));
   }
 }
 
@@ -87,8 +147,8 @@ TEST_CASE("files: the bytes are where the format says")
 {
   const Shell shell = small_shell();
   const std::string bytes = written(shell, Format::BINARY);
-  REQUIRE(bytes.size() == 112 + 2 * 13 + 80 * 8 + 3 * 16 + 8);
-  CHECK(bytes.substr(0, 8) == "BSHELL01");
+  REQUIRE(bytes.size() == 112 + 2 * 14 + 80 * 8 + 3 * 16 + 8);
+  CHECK(bytes.substr(0, 8) == "BSHELL02");
   CHECK(at<double>(bytes, 8) == 3.7);
   CHECK(at<double>(bytes, 16) == shell.inner_level());
   CHECK(at<double>(bytes, 24) == shell.outer_level());
@@ -100,14 +160,28 @@ TEST_CASE("files: the bytes are where the format says")
   CHECK(at<std::uint64_t>(bytes, 88) == 2);
   CHECK(at<std::uint64_t>(bytes, 96) == 3);
   CHECK(at<std::uint64_t>(bytes, 104) == 0);
-  CHECK(at<std::int32_t>(bytes, 112) == -1);
-  CHECK(at<std::int32_t>(bytes, 120) == 2);
-  CHECK(at<char>(bytes, 124) == 0);
-  CHECK(at<std::int32_t>(bytes, 125) == 0);
-  CHECK(at<char>(bytes, 137) == 1);
-  CHECK(at<double>(bytes, 138) == shell.field().coefficients()[0]);
-  CHECK(at<double>(bytes, 138 + 8 * 80) == -0.05);
+  CHECK(at<char>(bytes, 112) == 0);
+  CHECK(at<std::int32_t>(bytes, 113) == -1);
+  CHECK(at<std::int32_t>(bytes, 121) == 2);
+  CHECK(at<char>(bytes, 125) == 0);
+  CHECK(at<std::int32_t>(bytes, 127) == 0);
+  CHECK(at<char>(bytes, 139) == 1);
+  CHECK(at<double>(bytes, 140) == shell.field().coefficients()[0]);
+  CHECK(at<double>(bytes, 140 + 8 * 80) == -0.05);
   CHECK(at<std::uint64_t>(bytes, bytes.size() - 8) == slow_checksum(bytes.substr(0, bytes.size() - 8)));
+
+  const Varying_shell varying = small_varying_shell();
+  const std::string more = written(varying, Format::BINARY);
+  const std::size_t functions = varying.field().number_of_coefficients(), coefficients = 112 + 26 * 14;
+  REQUIRE(more.size() == coefficients + 3 * functions * 8 + 3 * 16 + 8);
+  CHECK(more.substr(0, 8) == "BSHELL02");
+  CHECK(at<double>(more, 16) == 0);
+  CHECK(at<double>(more, 24) == varying.thickness());
+  CHECK(at<std::uint64_t>(more, 104) == 3);
+  CHECK(at<char>(more, 112 + 25 * 14) == 1);
+  CHECK(at<double>(more, coefficients) == varying.field().coefficients()[0]);
+  CHECK(at<double>(more, coefficients + 8 * functions) == varying.inner_threshold().field().coefficients()[0]);
+  CHECK(at<double>(more, coefficients + 16 * functions) == varying.outer_threshold().field().coefficients()[0]);
 }
 
 TEST_CASE("files: locales and flags of streams do not matter")
@@ -168,6 +242,20 @@ TEST_CASE("files: what is no shell is not written")
   }
   report.unit = nan;
   check(Shell(some.field(), levels, some.shell_cells(), {}, report));
+
+  const Varying_shell varying = small_varying_shell();
+  BS::Shell_report other = varying.report();
+  const auto check_varying = [&](const Varying_shell::Threshold& outer) {
+    std::ostringstream out;
+    CHECK(BS::write_shell(out, Varying_shell(varying.field(), varying.inner_threshold(), outer, varying.shell_cells(), {}, other))
+          == Status::NOT_A_SHELL);
+  };
+  Varying_shell::Field outer = varying.outer_threshold().field();
+  outer.set_coefficients(Eigen::VectorXd::Constant(Eigen::Index(outer.number_of_coefficients()), nan));
+  check_varying(Varying_shell::Threshold(outer));
+  check_varying(Varying_shell::Threshold(Varying_shell::Field(BS::Cell_hierarchy_3(varying.field().cells().roots()))));   // on other cells
+  other.thickness = nan;
+  check_varying(varying.outer_threshold());
 
   CHECK(BS::write_shell("none.shell", Shell()) == Status::NOT_A_SHELL);
   CHECK_FALSE(std::ifstream("none.shell"));

@@ -5,8 +5,8 @@
 //
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
-// --write-shells, for equal cells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which
-// check_certificate reads. Thicknesses, eps1 and eps2 are in units of the longest box side.
+// --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
+// Thicknesses, eps1 and eps2 are in units of the longest box side.
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
@@ -118,8 +118,11 @@ std::string places(const BS::Certificate_report& certificate)
   return out.str();
 }
 
-bool write_files(const std::string& prefix, const CGAL::Bspline_shell_3<>& shell, const BS::Shell_certificate_3<>& certificate)
+template <typename Shell, typename Certificate>
+bool write_files(const std::string& file, const Options& options, const Shell& shell, const Certificate& certificate)
 {
+  if(options.directory.empty()) return true;
+  const std::string prefix = options.directory + "/" + stem(file);
   return BS::write_shell(prefix + ".shell", shell) == BS::Shell_file_status::SUCCESS
       && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
       && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
@@ -211,7 +214,10 @@ void certify(const std::string& file, const Options& options)
                      .time_limit(last_round)
                      .memory_limit(limit));
     if(!shell) return refused(shell.report());
-    print(file, shell, shell.report().certificate, shell.is_certified(), "", timer.time(), true);
+    const double seconds = timer.time();
+    BS::Shell_certificate_3 certificate(shell);
+    if(!options.directory.empty()) certificate.verify(mesh);
+    print(file, shell, shell.report().certificate, shell.is_certified(), "", seconds, write_files(file, options, shell, certificate));
     return;
   }
   const auto shell = CGAL::bspline_shell_3(mesh,
@@ -224,12 +230,11 @@ void certify(const std::string& file, const Options& options)
   if(!shell) return refused(shell.report());
   BS::Shell_certificate_3<> certificate(shell);
   certificate.verify(mesh);
-  bool written = true;
-  if(!options.directory.empty()) written = write_files(options.directory + "/" + stem(file), shell, certificate);
+  const double seconds = timer.time();
   std::string reason;
   if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
   else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
-  print(file, shell, certificate.report(), certificate.is_certified(), reason, timer.time(), written);
+  print(file, shell, certificate.report(), certificate.is_certified(), reason, seconds, write_files(file, options, shell, certificate));
 }
 
 // in a process of its own; reports what the process cannot report any more
@@ -284,10 +289,9 @@ int main(int argc, char** argv)
     else files.push_back(arg);
   }
   if(options.paper && options.gamma == 0) options.gamma = 50;
-  if(!options.directory.empty() && options.gamma == 0) usable = false;
   if(!usable || files.empty()) {
     std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M]"
-                 " [--write-shells DIR, with --gamma]\n";
+                 " [--write-shells DIR]\n";
     return 2;
   }
   for(const std::string& file : files) certify_apart(file, options);

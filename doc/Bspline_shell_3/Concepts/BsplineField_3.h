@@ -80,9 +80,9 @@ public:
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
-  /// the cells as cells of a lattice, under the same numbers. Only `extract_level_set()` and the file functions ask for it;
-  /// bounds, predicates, certificate and containment do not.
-  const CGAL::Bspline_shells::Cell_complex_3& cells() const;
+  /// the cells as cells of lattices, under the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
+  /// `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do not.
+  const unspecified_type& cells() const;
 
 /// @}
 

@@ -203,7 +203,15 @@ public:
   std::size_t number_of_cells() const { return m_cells.size(); }
   double width() const { return m_lattice.spacing(); }
   double width(Index) const { return width(); }
-  int level(Index) const { return 0; }                     ///< as in `Cell_hierarchy_3`
+  /// \name As a Hierarchy
+  /// of one level, all of whose cells are leaves
+  /// @{
+  int number_of_levels() const { return 1; }
+  int level(Index) const { return 0; }
+  bool is_split(int, const Lattice_3::Point&) const { return false; }
+  Index leaf(int, const Lattice_3::Point& p) const { return cell(p); }
+  Index leaf_around(int, const Lattice_3::Point& p) const { return cell(p); }
+  /// @}
   const Lattice_3::Point& lattice_point(Index cell) const { return m_cells.point(cell); }
   std::array<double, 3> corner(Index cell) const { return m_lattice.corner(m_cells.point(cell)); }
   Index cell(const Lattice_3::Point& p) const { return m_cells.index(p); }

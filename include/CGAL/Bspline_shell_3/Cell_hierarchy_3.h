@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,11 +72,41 @@ public:
     for(int l = m_max_level - 1; l >= 0; --l) {
       internal::sort_unique(marked[l]);
       merge(in_domain(internal::dilate(std::move(marked[l]), -2, 2), l), finer.m_split[l]);
-      if(l > 0) merge(parents(in_domain(internal::dilate(finer.m_split[l], -3, 3), l)), finer.m_split[l-1]);
+      if(l > 0) merge(finer.needed_by_grading(l), finer.m_split[l-1]);
     }
     while(!finer.m_split.empty() && finer.m_split.back().empty()) finer.m_split.pop_back();
     finer.number_cells();
     return finer;
+  }
+
+  /// The hierarchy with these leaves: keys of lattice points of each level, sorted and unique. Empty if there is none: leaves
+  /// overlap or do not fill a cell that is split, are too small, or the grading asks for more.
+  static std::optional<Cell_hierarchy_3> from_leaves(const Lattice_3& lattice, const std::vector<std::vector<std::uint64_t> >& leaves)
+  {
+    std::vector<Keys> split(leaves.size());
+    Keys cells;
+    for(std::size_t l = leaves.size(); l-- > 0; ) {
+      cells = split[l];
+      merge(leaves[l], cells);
+      if(l > 0) split[l-1] = parents(cells);
+    }
+    Cell_hierarchy_3 hierarchy(Cell_complex_3(lattice, cells));
+    while(!split.empty() && split.back().empty()) split.pop_back();
+    if(split.size() > std::size_t(hierarchy.m_max_level)) return std::nullopt;
+    hierarchy.m_split = std::move(split);
+    for(std::size_t l = 1; l < hierarchy.m_split.size(); ++l) {
+      const Keys coarser = hierarchy.needed_by_grading(int(l));
+      if(!std::includes(hierarchy.m_split[l-1].begin(), hierarchy.m_split[l-1].end(), coarser.begin(), coarser.end())) return std::nullopt;
+    }
+    hierarchy.number_cells();
+    Index c = 0;
+    for(std::size_t l = 0; l < leaves.size(); ++l)
+      for(std::uint64_t k : leaves[l]) {
+        if(c == hierarchy.number_of_cells() || hierarchy.level(c) != int(l) || key(hierarchy.lattice_point(c)) != k) return std::nullopt;
+        ++c;
+      }
+    if(c != hierarchy.number_of_cells()) return std::nullopt;
+    return hierarchy;
   }
 
   const Cell_complex_3& roots() const { return m_roots; }
@@ -103,6 +134,23 @@ public:
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
     return n == npos ? npos : l.leaf[n];
+  }
+  /// whether the cell of a level with that lattice point exists and is split
+  bool is_split(int level, const Lattice_3::Point& p) const
+  {
+    const Level& l = m_levels[std::size_t(level)];
+    const Index n = l.cells.index(p);
+    return n != npos && l.leaf[n] == npos;
+  }
+  /// the leaf that the cell of a level with that lattice point is, or is a part of; `npos` if there is none
+  Index leaf_around(int level, Lattice_3::Point p) const
+  {
+    for(int l = level; l >= 0; --l) {
+      const Index n = m_levels[std::size_t(l)].cells.index(p);
+      if(n != npos) return m_levels[std::size_t(l)].leaf[n];
+      for(int& i : p) i = floor_shift(i, 1);
+    }
+    return npos;
   }
   /// whether the cell of a level with that lattice point is part of the domain, be it larger or smaller leaves
   bool is_in_domain(int level, Lattice_3::Point p) const
@@ -185,6 +233,9 @@ private:
                keys.end());
     return keys;
   }
+
+  // the cells one level above that must be split as those of level `l` are
+  Keys needed_by_grading(int l) const { return parents(in_domain(internal::dilate(m_split[std::size_t(l)], -3, 3), l)); }
 
   void number_cells()
   {

@@ -35,6 +35,7 @@ enum memory_limit_t { memory_limit };
 enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum allow_open_shell_t { allow_open_shell };
+enum skip_open_components_t { skip_open_components };
 
 } // namespace parameter_tags
 
@@ -70,6 +71,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
+  ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \

@@ -6,6 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EXTRACT_LEVEL_SET_H
 #define CGAL_BSPLINE_SHELL_3_EXTRACT_LEVEL_SET_H
 
+#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -19,7 +23,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,152 +62,232 @@ inline const char* message(Level_set_status status)
 
 namespace internal {
 
-// How a cell is cut: n^3 equal subcells, each into the six tetrahedra of the Kuhn decomposition, which go from the
-// subcell's least to its largest corner along the axes in one of six orders. All subcells are cut the same way, so that
-// tetrahedra on two sides of a face agree. Edges go from a node (corner of a subcell) by 1 along one, two or three
-// axes; bit `a` of an edge's direction is set if it advances along axis `a`.
-class Kuhn_subdivision
+// How leaves are cut into tetrahedra: into n^3 equal subcells, and each subcell into the cones from its middle over the triangles
+// of its faces. A face with smaller leaves behind it is cut into the squares that these see. A square that is not is cut by a fan: from
+// the middle of the first of its edges that smaller leaves around it halve, or else from its least corner. So triangles depend on
+// the square and the leaves around it alone, and tetrahedra on two sides of it agree. This takes leaves that touch to differ by
+// one level at most, as graded ones do.
+//
+// Nodes are corners of tetrahedra. They have integer coordinates: in a leaf, from 0 to 2n along each axis; in space, in units of
+// 1/2n of the smallest leaves' width.
+template <typename Cells>
+class Tetrahedral_subdivision
 {
 public:
-  typedef std::array<int, 3> Node;      // in a cell, from 0 to n along each axis
+  typedef typename Cells::Index Index;
+  typedef std::array<int, 3> Node;
 
-  explicit Kuhn_subdivision(int n) : m_n(n) {}
+  Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1) {}
 
-  int size() const { return m_n; }
-  std::size_t number_of_nodes() const { return std::size_t(m_n + 1) * (m_n + 1) * (m_n + 1); }
-  std::size_t number(const Node& v) const { return (std::size_t(v[2]) * (m_n + 1) + v[1]) * (m_n + 1) + v[0]; }
-
-  static Node advanced(const Node& v, int direction)
+  // of a leaf, among them some that no tetrahedron has
+  std::size_t number_of_nodes() const { return cubed(std::size_t(2 * m_n + 1)); }
+  std::size_t number(const Node& v) const { return (std::size_t(v[2]) * (2 * m_n + 1) + v[1]) * (2 * m_n + 1) + v[0]; }
+  Node node(std::size_t number) const
   {
-    return { v[0] + (direction & 1), v[1] + ((direction >> 1) & 1), v[2] + ((direction >> 2) & 1) };
+    const std::size_t row = 2 * m_n + 1;
+    return { int(number % row), int(number / row % row), int(number / row / row) };
   }
 
-  // ascends with the node's number, then the direction
-  std::uint32_t edge(const Node& v, int direction) const { return std::uint32_t(8 * number(v) + direction); }
+  Node in_space(Index c, Node v) const
+  {
+    for(int a = 0; a < 3; ++a) v[a] = (m_cells->lattice_point(c)[a] * 2 * m_n + v[a]) * scale(c);
+    return v;
+  }
+  Node in_leaf(Index c, Node v) const
+  {
+    for(int a = 0; a < 3; ++a) v[a] = v[a] / scale(c) - m_cells->lattice_point(c)[a] * 2 * m_n;
+    return v;
+  }
 
-  // calls visit(v) for all nodes up to `last` along each axis, ascending
+  // calls visit(c) for the leaves that contain the middle of two nodes in space, in an order that depends on this point alone,
+  // until it returns true
   template <typename Visitor>
-  static void visit_nodes(int last, const Visitor& visit)
+  void visit_leaves_around(const Node& v, const Node& w, const Visitor& visit) const
+  {
+    const int width = 4 * m_n;
+    Node first;
+    bool is_between[3];
+    for(int a = 0; a < 3; ++a) {
+      first[a] = floor_quotient(v[a] + w[a], width);
+      is_between[a] = first[a] * width == v[a] + w[a];
+    }
+    for(int o = 0; o < 8; ++o) {
+      Node cell = first;
+      bool contains = true;
+      for(int a = 0; a < 3; ++a)
+        if((o >> a) & 1) { contains = contains && is_between[a]; --cell[a]; }
+      if(!contains) continue;
+      const Index c = m_cells->leaf_around(m_finest, cell);
+      if(c != Cells::npos && visit(c)) return;
+    }
+  }
+
+  // the leaf behind a triangle on a face of a leaf; its corners are in space
+  Index leaf_behind(const Node& u, const Node& v, const Node& w, int axis, bool positive) const
+  {
+    Node cell;
+    for(int a = 0; a < 3; ++a) cell[a] = floor_quotient(u[a] + v[a] + w[a], 6 * m_n);
+    if(!positive) --cell[axis];
+    return m_cells->leaf_around(m_finest, cell);
+  }
+
+  // Which leaves around a leaf are smaller than it, and so which of its edges are halved and which of its faces cut.
+  class Surroundings
+  {
+  public:
+    Surroundings(const Tetrahedral_subdivision& subdivision, Index c) : m_last(2 * subdivision.m_n)
+    {
+      const int level = subdivision.m_cells->level(c);
+      for(int n = 0; n < 27; ++n) {
+        Node p = subdivision.m_cells->lattice_point(c);
+        p[0] += n % 3 - 1;
+        p[1] += n / 3 % 3 - 1;
+        p[2] += n / 9 - 1;
+        m_is_split[n] = subdivision.m_cells->is_split(level, p);
+      }
+    }
+    // whether a node of the leaf, which is not in the middle of a subcell, is in a closed smaller leaf
+    bool are_smaller(const Node& v) const
+    {
+      bool smaller = false;
+      for(int o = 1; o < 8; ++o) {
+        int direction = 13;
+        bool is_there = true;
+        for(int a = 0, stride = 1; a < 3; ++a, stride *= 3)
+          if((o >> a) & 1) {
+            is_there = is_there && (v[a] == 0 || v[a] == m_last);
+            direction += v[a] == 0 ? -stride : stride;
+          }
+        smaller = smaller || (is_there && m_is_split[direction]);
+      }
+      return smaller;
+    }
+
+  private:
+    int m_last;
+    std::array<bool, 27> m_is_split;
+  };
+
+  // calls visit(v) for the nodes of a leaf that tetrahedra have
+  template <typename Visitor>
+  void visit_nodes(const Surroundings& surroundings, const Visitor& visit) const
   {
     Node v;
-    for(v[2] = 0; v[2] <= last; ++v[2])
-      for(v[1] = 0; v[1] <= last; ++v[1])
-        for(v[0] = 0; v[0] <= last; ++v[0]) visit(v);
-  }
-
-  // calls visit(v, direction) for all edges of a cell, ascending
-  template <typename Visitor>
-  void visit_edges(const Visitor& visit) const
-  {
-    visit_nodes(m_n, [&](const Node& v) {
-      for(int direction = 1; direction < 8; ++direction) {
-        const Node w = advanced(v, direction);
-        if(w[0] <= m_n && w[1] <= m_n && w[2] <= m_n) visit(v, direction);
-      }
-    });
-  }
-
-  // Calls visit(corner, is_direct) for the six tetrahedra of a subcell: the directions from its least node to the four
-  // corners, each a superset of the one before, and whether the tetrahedron is positively oriented.
-  template <typename Visitor>
-  static void visit_tetrahedra(const Visitor& visit)
-  {
-    for(int first = 0; first < 3; ++first)
-      for(int turn = 1; turn < 3; ++turn) {
-        const int a = 1 << first, b = 1 << ((first + turn) % 3);
-        visit(std::array<int, 4>{ 0, a, a | b, 7 }, turn == 1);
-      }
-  }
-
-private:
-  int m_n;
-};
-
-// The cells that share a face, edge or corner with a cell: the only place that knows that cells are those of a lattice
-// and of one size. What several cells have in common, all of them see with the same cells around it in the same order.
-template <typename Field>
-class Cell_block
-{
-public:
-  typedef typename Field::Cell_index Index;
-  typedef Kuhn_subdivision::Node Node;
-
-  Cell_block(const Field& field, Index c, int n) : m_n(n)
-  {
-    const auto& p = field.cells().lattice_point(c);
-    for(int k = 0; k < 3; ++k)
-      for(int j = 0; j < 3; ++j)
-        for(int i = 0; i < 3; ++i)
-          m_cells[9*k + 3*j + i] = field.cells().cell({ p[0] + i - 1, p[1] + j - 1, p[2] + k - 1 });
-  }
-
-  // the cell across a face, `Field::npos` if there is none
-  Index neighbor(int axis, bool positive) const
-  {
-    const int stride = axis == 0 ? 1 : axis == 1 ? 3 : 9;
-    return m_cells[13 + (positive ? stride : -stride)];
-  }
-
-  // calls visit(c, v_in_c) for the cells that contain the nodes v and w (v <= w along each axis), until it returns true
-  template <typename Visitor>
-  void visit_cells_around(const Node& v, const Node& w, const Visitor& visit) const
-  {
-    Node first, last, o;
-    for(int a = 0; a < 3; ++a) {
-      first[a] = w[a] == 0 ? -1 : 0;
-      last[a] = v[a] == m_n ? 1 : 0;
-    }
-    for(o[2] = first[2]; o[2] <= last[2]; ++o[2])
-      for(o[1] = first[1]; o[1] <= last[1]; ++o[1])
-        for(o[0] = first[0]; o[0] <= last[0]; ++o[0]) {
-          const Index c = m_cells[13 + 9*o[2] + 3*o[1] + o[0]];
-          if(c == Field::npos) continue;
-          if(visit(c, Node{ v[0] - m_n * o[0], v[1] - m_n * o[1], v[2] - m_n * o[2] })) return;
+    for(v[2] = 0; v[2] <= 2 * m_n; ++v[2])
+      for(v[1] = 0; v[1] <= 2 * m_n; ++v[1])
+        for(v[0] = 0; v[0] <= 2 * m_n; ++v[0]) {
+          const int odd = (v[0] & 1) + (v[1] & 1) + (v[2] & 1);
+          if(odd == 0 || odd == 3 || surroundings.are_smaller(v)) visit(v);
         }
   }
 
+  // Calls visit(corners, axis, positive) for the tetrahedra of a leaf, which are positively oriented. The first corner is in the
+  // middle of a subcell, the others are on its face orthogonal to an axis, on the side of larger (`positive`) or smaller coordinates.
+  template <typename Visitor>
+  void visit_tetrahedra(const Surroundings& surroundings, const Visitor& visit) const
+  {
+    Node v;
+    for(v[2] = 0; v[2] < 2 * m_n; v[2] += 2)
+      for(v[1] = 0; v[1] < 2 * m_n; v[1] += 2)
+        for(v[0] = 0; v[0] < 2 * m_n; v[0] += 2)
+          for(int axis = 0; axis < 3; ++axis)
+            for(bool positive : { false, true })
+              visit_triangles(surroundings, v, axis, positive, [&](const Node& a, const Node& b, const Node& c) {
+                const Node middle = { v[0] + 1, v[1] + 1, v[2] + 1 };
+                visit(std::array<Node, 4>{ middle, a, positive ? b : c, positive ? c : b }, axis, positive);
+              });
+  }
+
 private:
-  int m_n;
-  std::array<Index, 27> m_cells;
+  static std::size_t cubed(std::size_t x) { return x * x * x; }
+  static int floor_quotient(int i, int d) { return i / d - (i % d < 0 ? 1 : 0); }
+  int scale(Index c) const { return 1 << (m_finest - m_cells->level(c)); }
+
+  // of a face of the subcell with the least node `v`, seen from the side of larger coordinates
+  template <typename Visitor>
+  void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive, const Visitor& visit) const
+  {
+    const auto at = [&](int i, int j) {
+      Node w = v;
+      if(positive) w[axis] += 2;
+      w[(axis + 1) % 3] += i;
+      w[(axis + 2) % 3] += j;
+      return w;
+    };
+    if(surroundings.are_smaller(at(1, 1))) {
+      for(int j = 0; j < 2; ++j)
+        for(int i = 0; i < 2; ++i) {
+          visit(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+          visit(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+      return;
+    }
+    const std::array<Node, 8> around = { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1) };
+    std::array<Node, 8> polygon;
+    std::size_t size = 0, apex = 0;
+    for(std::size_t n = 0; n < 8; ++n) {
+      if(n % 2 == 1 && !surroundings.are_smaller(around[n])) continue;
+      if(n % 2 == 1 && apex == 0) apex = size;
+      polygon[size++] = around[n];
+    }
+    for(std::size_t n = 1; n + 1 < size; ++n) visit(polygon[apex], polygon[(apex + n) % size], polygon[(apex + n + 1) % size]);
+  }
+
+  const Cells* m_cells;
+  int m_n, m_finest;
 };
 
-// Marching tetrahedra. Cells that the level certainly misses are left out. The topology depends on the nodes' signs
-// alone, and these on the node, not on the cell that asks; a node on the level counts as above. So the triangles of
+// Marching tetrahedra. Leaves that the level certainly misses are left out. The topology depends on the nodes' signs
+// alone, and these on the node, not on the leaf that asks; a node on the level counts as above. So the triangles of
 // each tetrahedron fit those of its neighbours, and the surface is a closed manifold unless a tetrahedron has no
-// neighbour. Vertices lie on edges. An edge is owned by the first selected cell around it, which numbers its edges
-// consecutively: other cells find a vertex by the owner and the edge in it.
-template <typename Field>
+// neighbour. Vertices lie on edges. An edge is owned by the first selected leaf around it, which numbers its edges
+// consecutively: other leaves find a vertex by the owner and the edge in it.
+template <typename Field, typename Threshold>
 class Level_set_soup
 {
   typedef typename Field::Cell_index Index;
-  typedef Kuhn_subdivision::Node Node;
+  typedef Tetrahedral_subdivision<std::decay_t<decltype(std::declval<const Field&>().cells())> > Subdivision;
+  typedef typename Subdivision::Surroundings Surroundings;
+  typedef typename Subdivision::Node Node;
+  typedef std::uint64_t Edge;       // two nodes of a leaf
 
 public:
   typedef std::array<double, 3> Point;
   typedef std::array<std::size_t, 3> Triangle;
 
   template <typename ConcurrencyTag, typename Cell_filter>
-  static Level_set_status extract(const Field& field, double level, int n, Cell_filter& filter,
+  static Level_set_status extract(const Field& field, const Threshold& threshold, int n, Cell_filter& filter, bool skip_open,
                                   std::vector<Point>& points, std::vector<Triangle>& triangles)
   {
-    Level_set_soup soup(field, level, n);
+    Level_set_soup soup(field, threshold, n);
     soup.template find_candidates<ConcurrencyTag>(filter);
-    if(soup.template find_vertices<ConcurrencyTag>()) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
+    const bool leaves = soup.template find_vertices<ConcurrencyTag>();
+    if(leaves && !skip_open) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
     if(soup.m_edges.empty()) return Level_set_status::LEVEL_SET_EMPTY;
     soup.template place_vertices<ConcurrencyTag>(points);
     soup.template make_triangles<ConcurrencyTag>(triangles);
-    return Level_set_status::SUCCESS;
+    if(leaves) remove_open_components(points, triangles);
+    return triangles.empty() ? Level_set_status::LEVEL_SET_LEAVES_CELLS : Level_set_status::SUCCESS;
   }
 
 private:
-  // What is known of a cell: its number among the candidates, the selected cells that the level may pass, or one of
-  // these. All of a cell that is `above` (`below`) is proved to be.
+  // What is known of a leaf: its number among the candidates, the selected leaves that the level may pass, or one of
+  // these. All of a leaf that is `above` (`below`) is proved to be.
   static constexpr Index above = Field::npos, below = Field::npos - 1, not_selected = Field::npos - 2;
   static constexpr std::size_t chunk = 256;
 
-  Level_set_soup(const Field& field, double level, int n) : m_field(field), m_level(level), m_subdivision(n) {}
+  Level_set_soup(const Field& field, const Threshold& threshold, int n)
+    : m_field(field), m_threshold(threshold), m_subdivision(field.cells(), n), m_last(2 * n)
+  {}
 
   static bool is_candidate(Index state) { return state < not_selected; }
+
+  // the field minus the threshold, on a leaf
+  Enclosed_tricubic function(Index c) const { return m_threshold.difference(enclosed_value(m_field.cell(c)), c); }
+  Tricubic_cell_3 cell(Index c, const Enclosed_tricubic& f) const
+  {
+    return Tricubic_cell_3(m_field.cell(c).corner(), m_field.cell(c).width(), f.coefficients.data(), f.radius);
+  }
 
   template <typename ConcurrencyTag, typename Cell_filter>
   void find_candidates(Cell_filter& filter)
@@ -208,11 +295,8 @@ private:
     m_state.resize(m_field.number_of_cells());
     for_each_chunk<ConcurrencyTag>(m_state.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t c = begin; c < end; ++c) {
-        const auto cell = m_field.cell(Index(c));
-        const std::pair<double, double> range = cell.coefficient_range();
-        // rounding is monotone: what holds for the rounded sums holds for the sums
-        m_state[c] = range.first - cell.error_radius() > m_level ? above
-                   : range.second + cell.error_radius() < m_level ? below : not_selected;
+        const Level_range range = function(Index(c)).range();
+        m_state[c] = range.min > 0 ? above : range.max < 0 ? below : not_selected;
       }
     });
     for(Index c = 0; c < m_state.size(); ++c)
@@ -223,23 +307,24 @@ private:
   }
 
   // Copies of the polynomials on two sides of a face differ in their last bits, and a copy may contradict what is
-  // proved of the other cell. So the sign comes from the first cell around the node of which one is proved, else from
-  // the value in the first cell.
-  bool is_above(const Cell_block<Field>& block, const Node& v) const
+  // proved of the other leaf. So the sign comes from the first leaf around the node of which one is proved, else from
+  // the value in the first leaf.
+  bool is_above(Index c, const Enclosed_tricubic& f, const Node& v) const
   {
+    if(std::all_of(v.begin(), v.end(), [&](int i) { return i > 0 && i < m_last; }))
+      return !(cell(c, f).value(position(c, v)) < 0);
+    const Node at = m_subdivision.in_space(c, v);
     Index proved = not_selected, first = Field::npos;
-    Node v_in_first = v;
-    block.visit_cells_around(v, v, [&](Index c, const Node& v_in_c) {
-      if(m_state[c] == above || m_state[c] == below) {
-        proved = m_state[c];
+    m_subdivision.visit_leaves_around(at, at, [&](Index n) {
+      if(m_state[n] == above || m_state[n] == below) {
+        proved = m_state[n];
         return true;
       }
-      if(first == Field::npos) { first = c; v_in_first = v_in_c; }
+      if(first == Field::npos) first = n;
       return false;
     });
     if(proved != not_selected) return proved == above;
-    const auto cell = m_field.cell(first);
-    return !(cell.value(position(cell, v_in_first)) < m_level);
+    return !(cell(first, first == c ? f : function(first)).value(position(first, m_subdivision.in_leaf(first, at))) < 0);
   }
 
   bool is_above(std::size_t candidate, const Node& v) const
@@ -247,76 +332,102 @@ private:
     return m_is_above[candidate * m_subdivision.number_of_nodes() + m_subdivision.number(v)] != 0;
   }
 
-  // the candidate that owns an edge of a candidate, and the edge in it
-  std::pair<Index, std::uint32_t> owner(const Cell_block<Field>& block, const Node& v, int direction) const
+  Edge edge(const Node& v, const Node& w) const
   {
-    std::pair<Index, std::uint32_t> result;
-    block.visit_cells_around(v, Kuhn_subdivision::advanced(v, direction), [&](Index c, const Node& v_in_c) {
-      if(!is_candidate(m_state[c])) return false;
-      result = { m_state[c], m_subdivision.edge(v_in_c, direction) };
+    const auto numbers = std::minmax({ m_subdivision.number(v), m_subdivision.number(w) });
+    return Edge(numbers.first) * m_subdivision.number_of_nodes() + numbers.second;
+  }
+  std::array<Node, 2> nodes(Edge e) const
+  {
+    return { m_subdivision.node(std::size_t(e / m_subdivision.number_of_nodes())),
+             m_subdivision.node(std::size_t(e % m_subdivision.number_of_nodes())) };
+  }
+
+  // the candidate that owns an edge of a candidate, and the edge in it
+  std::pair<Index, Edge> owner(std::size_t candidate, Edge e) const
+  {
+    const Index c = m_candidates[candidate];
+    const std::array<Node, 2> vw = nodes(e);
+    const Node v = m_subdivision.in_space(c, vw[0]), w = m_subdivision.in_space(c, vw[1]);
+    std::pair<Index, Edge> result;
+    m_subdivision.visit_leaves_around(v, w, [&](Index n) {
+      if(!is_candidate(m_state[n])) return false;
+      result = { m_state[n], n == c ? e : edge(m_subdivision.in_leaf(n, v), m_subdivision.in_leaf(n, w)) };
       return true;
     });
     return result;
   }
 
-  // signs, and the edges with a vertex; returns whether the level set leaves the selected cells
+  // the edges of a candidate with a vertex, ascending
+  std::vector<Edge> cut_edges(std::size_t candidate, const Surroundings& surroundings) const
+  {
+    std::vector<Edge> edges;
+    m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < i; ++j)
+          if(is_above(candidate, corners[i]) != is_above(candidate, corners[j])) edges.push_back(edge(corners[i], corners[j]));
+    });
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+  }
+
+  // signs, and the edges with a vertex; returns whether the level set leaves the selected leaves
   template <typename ConcurrencyTag>
   bool find_vertices()
   {
-    const std::size_t size = m_candidates.size();
-    std::vector<std::vector<std::uint32_t> > edges((size + chunk - 1) / chunk);
+    const std::size_t size = m_candidates.size(), nodes = m_subdivision.number_of_nodes();
+    std::vector<std::vector<Edge> > edges((size + chunk - 1) / chunk);
     std::vector<char> leaves(edges.size(), 0);
-    m_is_above.resize(size * m_subdivision.number_of_nodes());
+    m_is_above.resize(size * nodes);
     m_first_edge.assign(size + 1, 0);
     for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t>& own = edges[begin / chunk];
+      std::vector<Edge>& own = edges[begin / chunk];
       for(std::size_t n = begin; n < end; ++n) {
-        const Cell_block<Field> block(m_field, m_candidates[n], m_subdivision.size());
-        char* const signs = &m_is_above[n * m_subdivision.number_of_nodes()];
-        m_subdivision.visit_nodes(m_subdivision.size(), [&](const Node& v) {
-          signs[m_subdivision.number(v)] = is_above(block, v);
-        });
+        const Index c = m_candidates[n];
+        const Surroundings surroundings(m_subdivision, c);
+        const Enclosed_tricubic f = function(c);
+        char* const signs = &m_is_above[n * nodes];
+        std::fill(signs, signs + nodes, char(is_above(c, f, Node{ 0, 0, 0 })));
+        m_subdivision.visit_nodes(surroundings, [&](const Node& v) { signs[m_subdivision.number(v)] = is_above(c, f, v); });
         if(!is_cut(n)) continue;
         const std::size_t before = own.size();
-        m_subdivision.visit_edges([&](const Node& v, int direction) {
-          const Node w = Kuhn_subdivision::advanced(v, direction);
-          if(is_above(n, v) != is_above(n, w) && owner(block, v, direction).first == n)
-            own.push_back(m_subdivision.edge(v, direction));
-        });
+        for(Edge e : cut_edges(n, surroundings))
+          if(owner(n, e).first == n) own.push_back(e);
         m_first_edge[n + 1] = own.size() - before;
-        if(leaves_at_a_face(block, n)) leaves[begin / chunk] = 1;
+        if(leaves_at_a_face(n, surroundings)) leaves[begin / chunk] = 1;
       }
     });
     for(std::size_t n = 0; n < size; ++n) m_first_edge[n + 1] += m_first_edge[n];
     m_edges.reserve(m_first_edge.back());
-    for(std::vector<std::uint32_t>& own : edges) {
+    for(std::vector<Edge>& own : edges) {
       m_edges.insert(m_edges.end(), own.begin(), own.end());
-      std::vector<std::uint32_t>().swap(own);
+      std::vector<Edge>().swap(own);
     }
     return std::find(leaves.begin(), leaves.end(), 1) != leaves.end();
   }
 
   bool is_cut(std::size_t candidate) const
   {
-    const auto begin = m_is_above.begin() + candidate * m_subdivision.number_of_nodes();
-    const auto end = begin + m_subdivision.number_of_nodes();
+    const auto begin = m_is_above.begin() + std::ptrdiff_t(candidate * m_subdivision.number_of_nodes());
+    const auto end = begin + std::ptrdiff_t(m_subdivision.number_of_nodes());
     return std::find(begin, end, char(*begin == 0)) != end;
   }
 
-  // whether there is no candidate behind a face that is cut: one whose nodes have both signs
-  bool leaves_at_a_face(const Cell_block<Field>& block, std::size_t candidate) const
+  // whether there is no candidate behind a triangle on a face of the leaf that is cut: one whose nodes have both signs
+  bool leaves_at_a_face(std::size_t candidate, const Surroundings& surroundings) const
   {
-    for(int axis = 0; axis < 3; ++axis)
-      for(bool positive : { false, true }) {
-        const Index c = block.neighbor(axis, positive);
-        if(c != Field::npos && is_candidate(m_state[c])) continue;
-        bool has[2] = { false, false };
-        m_subdivision.visit_nodes(m_subdivision.size(), [&](const Node& v) {
-          if(v[axis] == (positive ? m_subdivision.size() : 0)) has[is_above(candidate, v)] = true;
-        });
-        if(has[0] && has[1]) return true;
-      }
-    return false;
+    bool leaves = false;
+    m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int axis, bool positive) {
+      if(corners[1][axis] != (positive ? m_last : 0)) return;
+      const bool sign = is_above(candidate, corners[1]);
+      if(is_above(candidate, corners[2]) == sign && is_above(candidate, corners[3]) == sign) return;
+      const Index c = m_candidates[candidate];
+      const Index behind = m_subdivision.leaf_behind(m_subdivision.in_space(c, corners[1]), m_subdivision.in_space(c, corners[2]),
+                                                     m_subdivision.in_space(c, corners[3]), axis, positive);
+      leaves = leaves || behind == Field::npos || !is_candidate(m_state[behind]);
+    });
+    return leaves;
   }
 
   template <typename ConcurrencyTag>
@@ -326,30 +437,30 @@ private:
     for_each_chunk<ConcurrencyTag>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) {
         if(m_first_edge[n] == m_first_edge[n + 1]) continue;
-        std::size_t e = m_first_edge[n];
-        m_subdivision.visit_edges([&](const Node& v, int direction) {
-          if(e == m_first_edge[n + 1] || m_edges[e] != m_subdivision.edge(v, direction)) return;
-          points[e++] = vertex(n, v, direction);
-        });
+        const Enclosed_tricubic f = function(m_candidates[n]);
+        for(std::size_t e = m_first_edge[n]; e < m_first_edge[n + 1]; ++e) points[e] = vertex(n, f, m_edges[e]);
       }
     });
   }
 
-  Point vertex(std::size_t candidate, const Node& v, int direction) const
+  Point vertex(std::size_t candidate, const Enclosed_tricubic& f, Edge e) const
   {
-    const auto cell = m_field.cell(m_candidates[candidate]);
-    const Point p = position(cell, v), q = position(cell, Kuhn_subdivision::advanced(v, direction));
+    const Index c = m_candidates[candidate];
+    const Tricubic_cell_3 cell = this->cell(c, f);
+    const std::array<Node, 2> ends = nodes(e);
+    const Point p = position(c, ends[0]), q = position(c, ends[1]);
     const auto at = [&](double t) {
       return Point{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) };
     };
-    const auto height = [&](double t) { return cell.value(at(t)) - m_level; };
-    const double t = root(height, is_above(candidate, v), cell.error_radius());
+    const double t = root([&](double t) { return cell.value(at(t)); }, is_above(candidate, ends[0]), f.radius);
     // At the ends, the vertices of many edges would coincide. A distance of some thousand roundings of the coordinates
     // keeps all points apart and all triangles from collapsing, whatever the rounding does to the points.
-    double reach = 0;
-    for(double x : cell.corner()) reach = (std::max)({ reach, std::abs(x), std::abs(x + cell.width()) });
-    const double distance = 1024 * std::numeric_limits<double>::epsilon() * reach;
-    const double margin = (std::min)(0.25, distance * m_subdivision.size() / cell.width());
+    double reach = 0, length = 0;
+    for(int a = 0; a < 3; ++a) {
+      reach = (std::max)({ reach, std::abs(p[a]), std::abs(q[a]) });
+      length = (std::max)(length, std::abs(q[a] - p[a]));
+    }
+    const double margin = (std::min)(0.25, 1024 * std::numeric_limits<double>::epsilon() * reach / length);
     return at((std::min)((std::max)(t, margin), 1 - margin));
   }
 
@@ -392,11 +503,15 @@ private:
     for_each_chunk<ConcurrencyTag>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) {
         if(!is_cut(n)) continue;
-        const Cell_block<Field> block(m_field, m_candidates[n], m_subdivision.size());
-        m_subdivision.visit_nodes(m_subdivision.size() - 1, [&](const Node& v) {
-          m_subdivision.visit_tetrahedra([&](const std::array<int, 4>& corner, bool is_direct) {
-            cut_tetrahedron(block, n, v, corner, is_direct, parts[begin / chunk]);
-          });
+        const Surroundings surroundings(m_subdivision, m_candidates[n]);
+        const std::vector<Edge> edges = cut_edges(n, surroundings);
+        std::vector<std::size_t> vertices;
+        for(Edge e : edges) vertices.push_back(vertex_number(owner(n, e)));
+        const auto crossing = [&](const Node& v, const Node& w) {
+          return vertices[std::size_t(std::lower_bound(edges.begin(), edges.end(), edge(v, w)) - edges.begin())];
+        };
+        m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
+          cut_tetrahedron(n, corners, crossing, parts[begin / chunk]);
         });
       }
     });
@@ -409,13 +524,15 @@ private:
     }
   }
 
-  void cut_tetrahedron(const Cell_block<Field>& block, std::size_t candidate, const Node& v,
-                       const std::array<int, 4>& corner, bool is_direct, std::vector<Triangle>& triangles) const
+  template <typename Crossing>
+  void cut_tetrahedron(std::size_t candidate, const std::array<Node, 4>& corners, const Crossing& crossing_of,
+                       std::vector<Triangle>& triangles) const
   {
     // the corners below, then those above; every swap turns the tetrahedron over
     int order[4], below_count = 0, above_count = 0, above_corner[4];
+    bool is_direct = true;
     for(int i = 0; i < 4; ++i) {
-      if(is_above(candidate, Kuhn_subdivision::advanced(v, corner[i]))) {
+      if(is_above(candidate, corners[i])) {
         above_corner[above_count++] = i;
       } else {
         order[below_count++] = i;
@@ -425,10 +542,7 @@ private:
     if(below_count == 0 || above_count == 0) return;
     std::copy(above_corner, above_corner + above_count, order + below_count);
 
-    const auto crossing = [&](int i, int j) {
-      const int x = corner[(std::min)(order[i], order[j])], y = corner[(std::max)(order[i], order[j])];
-      return vertex_number(owner(block, Kuhn_subdivision::advanced(v, x), y ^ x));
-    };
+    const auto crossing = [&](int i, int j) { return crossing_of(corners[order[i]], corners[order[j]]); };
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       if(is_direct) triangles.push_back({ a, b, c });
       else triangles.push_back({ a, c, b });
@@ -444,28 +558,67 @@ private:
     }
   }
 
-  std::size_t vertex_number(const std::pair<Index, std::uint32_t>& owned_edge) const
+  std::size_t vertex_number(const std::pair<Index, Edge>& owned_edge) const
   {
-    const auto begin = m_edges.begin() + m_first_edge[owned_edge.first];
-    const auto end = m_edges.begin() + m_first_edge[owned_edge.first + 1];
+    const auto begin = m_edges.begin() + std::ptrdiff_t(m_first_edge[owned_edge.first]);
+    const auto end = m_edges.begin() + std::ptrdiff_t(m_first_edge[owned_edge.first + 1]);
     return std::size_t(std::lower_bound(begin, end, owned_edge.second) - m_edges.begin());
   }
 
-  template <typename Cell>
-  Point position(const Cell& cell, const Node& v) const
+  Point position(Index c, const Node& v) const
   {
+    const auto cell = m_field.cell(c);
     Point p = cell.corner();
-    for(int a = 0; a < 3; ++a) p[a] += v[a] * cell.width() / m_subdivision.size();
+    for(int a = 0; a < 3; ++a) p[a] += v[a] * cell.width() / m_last;
     return p;
   }
 
+  // those with an edge that only one triangle has
+  static void remove_open_components(std::vector<Point>& points, std::vector<Triangle>& triangles)
+  {
+    std::vector<std::size_t> parent(points.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    const auto root = [&](std::size_t v) {
+      while(parent[v] != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    typedef std::array<std::size_t, 2> Halfedge;
+    std::vector<Halfedge> halfedges, opposites;
+    for(const Triangle& t : triangles)
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t v = t[i], w = t[(i + 1) % 3];
+        parent[root(v)] = root(w);
+        halfedges.push_back({ v, w });
+        opposites.push_back({ w, v });
+      }
+    std::sort(halfedges.begin(), halfedges.end());
+    std::sort(opposites.begin(), opposites.end());
+    std::vector<Halfedge> border;
+    std::set_difference(halfedges.begin(), halfedges.end(), opposites.begin(), opposites.end(), std::back_inserter(border));
+    std::vector<char> is_open(points.size(), 0);       // of roots
+    for(const Halfedge& h : border) is_open[root(h[0])] = 1;
+
+    std::vector<std::size_t> number(points.size());
+    std::size_t kept = 0;
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      number[v] = kept;
+      if(!is_open[root(v)]) points[kept++] = points[v];
+    }
+    points.resize(kept);
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const Triangle& t) { return is_open[root(t[0])] != 0; }),
+                    triangles.end());
+    for(Triangle& t : triangles)
+      for(std::size_t& v : t) v = number[v];
+  }
+
   const Field& m_field;
-  const double m_level;
-  const Kuhn_subdivision m_subdivision;
-  std::vector<Index> m_state;                  // per cell
-  std::vector<Index> m_candidates;             // their cells, ascending
+  const Threshold& m_threshold;
+  const Subdivision m_subdivision;
+  const int m_last;                            // coordinate of nodes in a leaf
+  std::vector<Index> m_state;                  // per leaf
+  std::vector<Index> m_candidates;             // their leaves, ascending
   std::vector<char> m_is_above;                // per candidate and node
-  std::vector<std::uint32_t> m_edges;          // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
+  std::vector<Edge> m_edges;                   // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
   std::vector<std::size_t> m_first_edge;       // per candidate, that of the first edge it owns
 };
 
@@ -480,10 +633,12 @@ struct All_cells
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field.
+ * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a threshold: the
+ * inner or the outer surface of a shell.
  *
- * Each cell is cut into subcells and these into tetrahedra, and each tetrahedron that the level passes gets one or two
- * triangles (*marching tetrahedra*). The mesh is closed and 2-manifold by construction, also where the level set is
+ * Each leaf cell is cut into subcells and these into tetrahedra that also fit each other where small leaves meet larger ones. Each
+ * tetrahedron that the level passes gets one or two triangles (*marching tetrahedra*). The mesh is closed and 2-manifold by
+ * construction, across leaves of all sizes, also where the level set is
  * singular; there it is that of a slightly lower level. It is oriented the way the field grows: what is below the level
  * lies behind the facets. Its vertices lie on the level set up to rounding, but are kept off the ends of the
  * tetrahedra's edges by about a thousand roundings of the coordinates, so that no two coincide. Facets may be as small:
@@ -491,46 +646,54 @@ struct All_cells
  * or joined.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Field a model of `BsplineField_3` with cells of one size
+ * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
+ * \tparam Level a number type, or a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param field the field
- * \param level the level, in units of the field
+ * \param level the level, in units of the field; or a threshold on the same cells
  * \param out the mesh, to which the level set is added; unchanged if there is none to add
  * \param np optional named parameters:
  *   - `filter(F)`: which cells to use, a functor `bool(Field::Cell_index)`; default all. It selects the components of a
  *     level set by the cells that they pass. Pass `std::cref(filter)` not to copy it
+ *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so that only
+ *     if all do there is none; default `false`. The surfaces of a certified shell do not leave its cells, but other parts of
+ *     the level set may pass these cells
  *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2
  *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
  *
  * \return whether there is a mesh, or why not
  * \pre `subdivision_ratio` is at least 1 and at most 256
  * \cgalHeading{Cost} one look at every cell, and time and memory linear in the number of subcells of the cells that the
- * level may pass
+ * level may pass. No cell is cut finer than its own size asks for.
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename Field, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Level_set_status extract_level_set(const Field& field, double level, TriangleMesh& out,
+          typename Field, typename Level, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Level_set_status extract_level_set(const Field& field, const Level& level, TriangleMesh& out,
                                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
-  typedef internal::Level_set_soup<Field> Soup;
+  typedef std::conditional_t<std::is_arithmetic<Level>::value, Constant_threshold, Level> Threshold;
+  typedef internal::Level_set_soup<Field, Threshold> Soup;
   typedef typename internal_np::Lookup_named_param_def<
     internal_np::filter_t, CGAL_NP_CLASS, internal::All_cells>::reference Cell_filter;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, out));
   const int ratio = choose_parameter(get_parameter(np, internal_np::subdivision_ratio), 2);
+  const bool skip_open = choose_parameter(get_parameter(np, parameter_tags::skip_open_components), false);
   internal::All_cells all_cells;
   Cell_filter filter = choose_parameter(get_parameter_reference(np, internal_np::filter), all_cells);
   CGAL_precondition(ratio >= 1 && ratio <= 256);
+  if constexpr(std::is_arithmetic<Level>::value)
+    if(!std::isfinite(double(level))) return Level_set_status::LEVEL_SET_EMPTY;
 
   std::vector<typename Soup::Point> points;
   std::vector<typename Soup::Triangle> triangles;
   const Level_set_status status =
-    Soup::template extract<ConcurrencyTag>(field, level, ratio, filter, points, triangles);
+    Soup::template extract<ConcurrencyTag>(field, Threshold(level), ratio, filter, skip_open, points, triangles);
   if(status == Level_set_status::SUCCESS)
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                           CGAL::parameters::vertex_point_map(vpm));

@@ -14,16 +14,15 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <istream>
-#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,18 +34,18 @@ namespace internal {
 // What a file says. All of it may be wrong.
 struct Shell_file_content
 {
-  static constexpr std::size_t numbers_per_leaf = 69;     // corner, width, error radius, 64 Bernstein coefficients
+  struct Position { int level; Lattice_point point; };
 
+  Shell_kind kind;
   double unit = 0;
-  Level_range levels;
+  Level_range levels;                         // zero and the thickness if thresholds vary
   std::size_t triangles = 0, components = 0;
   std::array<double, 3> origin = {};
   double spacing = 0;
-  std::vector<Lattice_point> functions;       // text only: in a binary file, they follow from the cells
-  std::vector<double> coefficients;
-  std::vector<Lattice_point> leaves;
+  std::vector<Position> functions;            // text only: in a binary file, they follow from the cells
+  std::vector<std::vector<double> > splines;  // coefficients of the field, of the inner and the outer threshold
+  std::vector<Position> leaves;
   std::vector<char> marks;
-  std::vector<double> leaf_numbers;           // text only
   std::vector<Level_range> facet_ranges;
 };
 
@@ -55,8 +54,10 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
 {
   for(char c : binary_shell_magic)
     if(in.binary<char>() != c) return Shell_file_status::NOT_A_SHELL;
-  for(char c : binary_shell_version)
-    if(in.binary<char>() != c) return in.is_bad() ? Shell_file_status::DAMAGED : Shell_file_status::VERSION_NOT_SUPPORTED;
+  const char tens = in.binary<char>();
+  const int version = in.binary<char>() - '0';
+  if(tens != '0' || version < 1 || version > shell_file_version)
+    return in.is_bad() ? Shell_file_status::DAMAGED : Shell_file_status::VERSION_NOT_SUPPORTED;
   content.unit = in.binary<double>();
   content.levels.min = in.binary<double>();
   content.levels.max = in.binary<double>();
@@ -65,16 +66,20 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
   for(double& x : content.origin) x = in.binary<double>();
   content.spacing = in.binary<double>();
   const std::uint64_t coefficients = in.binary<std::uint64_t>(), leaves = in.binary<std::uint64_t>(),
-                      facets = in.binary<std::uint64_t>();
-  if(in.binary<std::uint64_t>() != binary_uniform_field) return Shell_file_status::DAMAGED;
+                      facets = in.binary<std::uint64_t>(), kind = in.binary<std::uint64_t>();
+  content.kind = { (kind & 1) != 0, (kind & 2) != 0 };
+  if(content.kind.number() != kind) return Shell_file_status::DAMAGED;
   for(std::uint64_t n = 0; n < leaves && !in.is_bad(); ++n) {
-    Lattice_point p;
-    for(int& i : p) i = in.binary<std::int32_t>();
-    content.leaves.push_back(p);
+    Shell_file_content::Position leaf;
+    leaf.level = version == 1 ? 0 : in.binary<std::uint8_t>();
+    for(int& i : leaf.point) i = in.binary<std::int32_t>();
+    content.leaves.push_back(leaf);
     content.marks.push_back(in.binary<char>());
     if(content.marks.back() != 0 && content.marks.back() != 1) return Shell_file_status::DAMAGED;
   }
-  for(std::uint64_t n = 0; n < coefficients && !in.is_bad(); ++n) content.coefficients.push_back(in.binary<double>());
+  content.splines.resize(content.kind.has_spline_thresholds ? 3 : 1);
+  for(std::vector<double>& spline : content.splines)
+    for(std::uint64_t n = 0; n < coefficients && !in.is_bad(); ++n) spline.push_back(in.binary<double>());
   for(std::uint64_t n = 0; n < facets && !in.is_bad(); ++n) {
     Level_range range;
     range.min = in.binary<double>();
@@ -92,38 +97,52 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   Words first(in.line());
   first.word(ASCII_shell_magic).number(version);
   if(!first.are_as_expected()) return Shell_file_status::NOT_A_SHELL;
-  if(version != ASCII_shell_version) return Shell_file_status::VERSION_NOT_SUPPORTED;
+  if(version < 1 || version > shell_file_version) return Shell_file_status::VERSION_NOT_SUPPORTED;
   if(!first.word("ascii").are_complete()) return Shell_file_status::NOT_A_SHELL;
 
   const Shell_file_status damaged = Shell_file_status::DAMAGED;
   if(!Words(in.line()).word("unit").number(content.unit).are_complete()) return damaged;
-  if(!Words(in.line()).word("levels").number(content.levels.min).number(content.levels.max).are_complete()) return damaged;
+  const std::string_view thresholds = in.line();
+  content.kind.has_spline_thresholds = Words(thresholds).word("thickness").number(content.levels.max).are_complete();
+  if(content.kind.has_spline_thresholds) content.levels.min = 0;
+  else if(!Words(thresholds).word("levels").number(content.levels.min).number(content.levels.max).are_complete()) return damaged;
   if(!Words(in.line()).word("triangles").number(content.triangles)
                       .word("components").number(content.components).are_complete()) return damaged;
-  if(!Words(in.line()).word("field").word("uniform").number(content.origin[0]).number(content.origin[1])
-                      .number(content.origin[2]).number(content.spacing).are_complete()) return damaged;
+  const std::string_view field = in.line();
+  content.kind.is_hierarchical = Words(field).word("field").word("hierarchical").are_as_expected();
+  if(!Words(field).word("field").word(content.kind.field_name()).number(content.origin[0]).number(content.origin[1])
+                  .number(content.origin[2]).number(content.spacing).are_complete()) return damaged;
 
+  const auto position = [&](Words& words) {
+    Shell_file_content::Position p = { 0, {} };
+    if(version > 1) words.number(p.level);
+    for(int& i : p.point) words.number(i);
+    return p;
+  };
   std::uint64_t count = 0;
   if(!Words(in.line()).word("functions").number(count).are_complete()) return damaged;
+  content.splines.resize(content.kind.has_spline_thresholds ? 3 : 1);
   for(; count > 0; --count) {
-    Lattice_point p;
-    double coefficient;
-    if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).number(coefficient).are_complete()) return damaged;
-    content.functions.push_back(p);
-    content.coefficients.push_back(coefficient);
+    Words words(in.line());
+    content.functions.push_back(position(words));
+    for(std::vector<double>& spline : content.splines) {
+      spline.emplace_back();
+      words.number(spline.back());
+    }
+    if(!words.are_complete()) return damaged;
   }
   if(!Words(in.line()).word("leaves").number(count).are_complete()) return damaged;
   for(; count > 0; --count) {
-    Lattice_point p;
-    int mark;
-    std::array<double, Shell_file_content::numbers_per_leaf> numbers;
     Words words(in.line());
-    words.number(p[0]).number(p[1]).number(p[2]).number(mark);
-    for(double& x : numbers) words.number(x);
+    content.leaves.push_back(position(words));
+    int mark = 0;
+    words.number(mark);
+    if(version == 1) {      // corner, width, error radius and Bernstein coefficients, which follow from the rest
+      double x;
+      for(int n = 0; n < 69; ++n) words.number(x);
+    }
     if(!words.are_complete() || (mark != 0 && mark != 1)) return damaged;
-    content.leaves.push_back(p);
     content.marks.push_back(char(mark));
-    content.leaf_numbers.insert(content.leaf_numbers.end(), numbers.begin(), numbers.end());
   }
   if(!Words(in.line()).word("facet_ranges").number(count).are_complete()) return damaged;
   for(; count > 0; --count) {
@@ -136,61 +155,77 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   return intact ? Shell_file_status::SUCCESS : damaged;
 }
 
-// Whether a text file's numbers of a leaf are those that follow from its lattice point and the functions. Corner and width
-// are exact. The others may be rounded in another way where the file was written: compilers fuse products and sums on
-// some machines.
-inline bool are_numbers_of_cell(const double* numbers, const Tricubic_cell_3& cell)
+// the zero function on the leaves, unless they contradict themselves
+template <typename Field>
+std::optional<Field> make_field(const Shell_file_content& content)
 {
-  constexpr double smallest = std::numeric_limits<double>::denorm_min();
-  bool are = true;
-  for(int a = 0; a < 3; ++a) are = are && numbers[a] == cell.corner()[a];
-  are = are && numbers[3] == cell.width();
-  const double radius = cell.error_radius();
-  are = are && std::abs(numbers[4] - radius) <= 1e-15 * radius + 4 * smallest;
-  for(int n = 0; n < 64; ++n) are = are && std::abs(numbers[5 + n] - cell.coefficients()[n]) <= 2 * radius;
-  return are;
+  if(content.leaves.empty() || content.leaves.size() >= Field::npos) return std::nullopt;
+  std::vector<std::vector<std::uint64_t> > keys;       // of each level
+  for(const Shell_file_content::Position& leaf : content.leaves) {
+    const std::size_t level = std::size_t(leaf.level);
+    if(leaf.level < 0 || leaf.level > largest_file_level || level + 1 < keys.size()) return std::nullopt;
+    for(int i : leaf.point)
+      if(i < -Lattice_key::max_coordinate || i > Lattice_key::max_coordinate) return std::nullopt;
+    keys.resize(level + 1);
+    const std::uint64_t key = Lattice_key::encode(leaf.point[0], leaf.point[1], leaf.point[2]);
+    if(!keys[level].empty() && keys[level].back() >= key) return std::nullopt;
+    keys[level].push_back(key);
+  }
+  // whether it is exact for these cells, they tell
+  const Lattice_3 lattice = Lattice_3::from_origin(content.origin, content.spacing, {}, {});
+  if(!lattice.is_exact()) return std::nullopt;
+  if constexpr(std::is_constructible<Field, Cell_hierarchy_3>::value) {
+    std::optional<Cell_hierarchy_3> cells = Cell_hierarchy_3::from_leaves(lattice, keys);
+    if(!cells || !cells->is_exact()) return std::nullopt;
+    return Field(std::move(*cells));
+  } else {
+    Cell_complex_3 cells(lattice, keys.front());
+    if(keys.size() > 1 || !cells.is_exact()) return std::nullopt;
+    return Field(std::move(cells));
+  }
 }
 
 // the shell that the content describes, unless it contradicts itself
-template <typename GeomTraits>
-bool make_shell(Shell_file_content& content, Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell)
+template <typename Shell>
+bool make_shell(Shell_file_content& content, Shell& shell)
 {
-  typedef Uniform_bspline_field_3<GeomTraits> Field;
-  typedef typename Field::Cell_index Index;
+  typedef typename Shell::Field Field;
+  typedef typename Shell::Threshold Threshold;
 
-  const std::size_t cells = content.leaves.size();
-  if(cells == 0 || (std::max)(cells, content.coefficients.size()) >= Field::npos) return false;
-  Lattice_extent extent = { content.leaves.front(), content.leaves.front() };
-  for(const Lattice_point& p : content.leaves) extent.include(p);
-  if(!extent.has_reasonable_size(cells)) return false;
-  std::vector<std::uint64_t> keys;
-  keys.reserve(cells);
-  for(const Lattice_point& p : content.leaves) {
-    keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
-    if(keys.size() > 1 && keys[keys.size() - 2] >= keys.back()) return false;
+  std::optional<Field> field = make_field<Field>(content);
+  if(!field || field->number_of_coefficients() != content.splines.front().size()) return false;
+  if(!content.functions.empty()) {
+    bool are_those_of_field = true;
+    auto listed = content.functions.begin();
+    visit_functions(*field, [&](int level, const Lattice_point& p) {
+      are_those_of_field = are_those_of_field && listed->level == level && listed->point == p;
+      ++listed;
+    });
+    if(!are_those_of_field) return false;
   }
-  const Lattice_3 lattice = Lattice_3::from_origin(content.origin, content.spacing, extent.first, extent.last);
-  if(!lattice.is_exact()) return false;
-
-  Field field(Cell_complex_3(lattice, keys));
-  if(field.number_of_coefficients() != content.coefficients.size()) return false;
-  for(std::size_t n = 0; n < content.functions.size(); ++n)
-    if(field.functions().point(Index(n)) != content.functions[n]) return false;
-  field.set_coefficients(Eigen::Map<const Eigen::VectorXd>(content.coefficients.data(),
-                                                           Eigen::Index(content.coefficients.size())));
-  for(std::size_t n = 0, c = 0; n < content.leaf_numbers.size(); n += Shell_file_content::numbers_per_leaf, ++c)
-    if(!are_numbers_of_cell(&content.leaf_numbers[n], field.cell(Index(c)))) return false;
+  const auto spline = [&](std::size_t n) {
+    Field f = *field;
+    f.set_coefficients(Eigen::Map<const Eigen::VectorXd>(content.splines[n].data(), Eigen::Index(content.splines[n].size())));
+    return f;
+  };
 
   Shell_report report;
   report.status = Shell_status::SUCCESS;
   report.triangles = content.triangles;
   report.components = content.components;
   report.unit = content.unit;
-  report.gamma = content.unit / lattice.spacing();
-  report.cells = field.number_of_cells();
-  report.unknowns = field.number_of_coefficients();
-  Bspline_shell_3<Field> made(std::move(field), content.levels, std::move(content.marks), std::move(content.facet_ranges),
-                              std::move(report));
+  report.gamma = content.unit / content.spacing;
+  report.cells = field->number_of_cells();
+  report.unknowns = field->number_of_coefficients();
+  const auto between = [&](Threshold inner, Threshold outer) {
+    return Shell(spline(0), std::move(inner), std::move(outer), std::move(content.marks), std::move(content.facet_ranges), report);
+  };
+  Shell made;
+  if constexpr(Threshold::is_constant) made = between(Threshold(content.levels.min), Threshold(content.levels.max));
+  else {
+    report.thickness = content.levels.max;
+    made = between(Threshold(spline(1)), Threshold(spline(2)));
+  }
   if(!is_shell(made)) return false;
   shell = std::move(made);
   return true;
@@ -203,17 +238,21 @@ bool make_shell(Shell_file_content& content, Bspline_shell_3<Uniform_bspline_fie
  *
  * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, levels and facet ranges are those that were written, bit by bit. Nothing that was cut off or altered is
+ * The field, cells, thresholds and facet ranges are those that were written, bit by bit. Nothing that was cut off or altered is
  * taken for a shell: every file has a checksum, and what it says must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
  *
+ * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
+ *
  * \param in a stream, opened with `std::ios::binary`, which must end where the shell ends. It is read past its locale and
  * flags; the status tells how it went.
- * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma and the
- * numbers of triangles, components, cells and unknowns are known.
+ * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma, thickness and the
+ * numbers of triangles, components, cells and unknowns are known. Whether the shell is certified is not: that is to be proved
+ * (`Shell_certificate_3`), not read.
  */
-template <typename GeomTraits>
-Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell)
+template <typename Field, typename Threshold>
+Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>& shell)
 {
   if(!in) return Shell_file_status::CANNOT_OPEN;
   internal::File_input input(in);
@@ -221,14 +260,15 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Uniform_bspline_f
   Shell_file_status status = Shell_file_status::NOT_A_SHELL;
   if(input.starts_with(internal::binary_shell_magic)) status = internal::read_binary_shell(input, content);
   else if(input.starts_with(internal::ASCII_shell_magic)) status = internal::read_ASCII_shell(input, content);
-  if(status == Shell_file_status::SUCCESS && !internal::make_shell(content, shell)) status = Shell_file_status::DAMAGED;
-  return status;
+  if(status != Shell_file_status::SUCCESS) return status;
+  if(!(content.kind == internal::Shell_kind::of<Bspline_shell_3<Field, Threshold> >())) return Shell_file_status::OTHER_KIND;
+  return internal::make_shell(content, shell) ? status : Shell_file_status::DAMAGED;
 }
 
 /// \ingroup PkgBsplineShell3IO
 /// The same from a file, whatever its extension.
-template <typename GeomTraits>
-Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell)
+template <typename Field, typename Threshold>
+Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Field, Threshold>& shell)
 {
   std::ifstream in(file, std::ios::binary);
   if(in) in.peek();       // a folder can be opened, but not read

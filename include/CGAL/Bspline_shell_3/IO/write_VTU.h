@@ -20,6 +20,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +37,7 @@ constexpr int VTK_control_points[64] = {
   21, 22, 25, 26, 37, 38, 41, 42
 };
 
-// Numbers the control points of some cells of a field. What neighbours have in common gets one number: the Bernstein
+// Numbers the control points of some cells of a field. What neighbours of one size have in common gets one number: the Bernstein
 // coefficients there are the same double in each of the cells, as they come from the same coefficients in the same way.
 template <typename Field>
 class Control_points
@@ -81,28 +82,27 @@ public:
     }
   }
 
-  std::array<double, 3> position(Index cell, int n) const
+  std::array<double, 3> position(Index c, int n) const
   {
-    const Lattice_3& lattice = m_field.cells().lattice();
-    const Lattice_point& p = m_field.cells().lattice_point(cell);
+    const auto cell = m_field.cell(c);
     const int steps[3] = { n % 4, n / 4 % 4, n / 16 };
-    std::array<double, 3> x;
-    for(int a = 0; a < 3; ++a)
-      x[a] = steps[a] == 3 ? lattice.coordinate(a, p[a] + 1) : lattice.coordinate(a, p[a]) + steps[a] * lattice.spacing() / 3;
+    std::array<double, 3> x = cell.corner();
+    for(int a = 0; a < 3; ++a) x[a] += steps[a] == 3 ? cell.width() : steps[a] * cell.width() / 3;
     return x;
   }
 
 private:
   static constexpr std::size_t none = std::size_t(-1);
-  typedef std::array<std::size_t, 27> Neighbors;       // positions of the cell and those around it, or none
+  typedef std::array<std::size_t, 27> Neighbors;       // positions of the cell and those of its size around it, or none
   struct Place { std::size_t cell; int point; };
 
   Neighbors neighbors_of(std::size_t c) const
   {
+    const int level = m_field.cells().level(m_cells[c]);
     const Lattice_point& p = m_field.cells().lattice_point(m_cells[c]);
     Neighbors neighbors;
     for(int n = 0; n < 27; ++n) {
-      const Index cell = m_field.cells().cell({ p[0] + n % 3 - 1, p[1] + n / 3 % 3 - 1, p[2] + n / 9 - 1 });
+      const Index cell = m_field.cells().leaf(level, { p[0] + n % 3 - 1, p[1] + n / 3 % 3 - 1, p[2] + n / 9 - 1 });
       neighbors[std::size_t(n)] = cell == Field::npos ? none : m_position[cell];
     }
     return neighbors;
@@ -191,18 +191,22 @@ private:
   std::uint64_t m_offset = 0;
 };
 
+// functions on the same cells, and their names
 template <typename Field>
-Shell_file_status write_VTU(std::ostream& out, const Field& field, const std::vector<typename Field::Cell_index>& cells,
+using VTU_splines = std::vector<std::pair<const char*, const Field*> >;
+
+template <typename Field>
+Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines, const std::vector<typename Field::Cell_index>& cells,
                             const Level_range* levels, Shell_format format)
 {
   typedef typename Field::Cell_index Index;
-  const Control_points<Field> points(field, cells);
+  const Control_points<Field> points(*splines.front().second, cells);
 
   const auto positions = [&](const auto& put) {
     points.visit_points([&](Index c, int n) { for(double x : points.position(c, n)) put(x); });
   };
-  const auto values = [&](const auto& put) {
-    points.visit_points([&](Index c, int n) { put(field.cell(c).coefficients()[n]); });
+  const auto values = [&](const Field& spline) {
+    return [&](const auto& put) { points.visit_points([&](Index c, int n) { put(spline.cell(c).coefficients()[n]); }); };
   };
   const auto connectivity = [&](const auto& put) { points.visit_cells([&](std::size_t n) { put(std::int64_t(n)); }); };
   const auto offsets = [&](const auto& put) { for(std::size_t c = 1; c <= cells.size(); ++c) put(std::int64_t(64 * c)); };
@@ -226,7 +230,7 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, const std::ve
   vtu.text("\" NumberOfCells=\"");
   vtu.decimal(cells.size());
   vtu.text("\">\n<PointData Scalars=\"f\">\n");
-  vtu.array<double>("f", 1, points.size(), values);
+  for(const auto& spline : splines) vtu.array<double>(spline.first, 1, points.size(), values(*spline.second));
   vtu.text("</PointData>\n<CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n");
   vtu.array<double>("HigherOrderDegrees", 3, 3 * cells.size(), degrees);
   vtu.text("</CellData>\n<Points>\n");
@@ -238,7 +242,7 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, const std::ve
   vtu.text("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
   if(vtu.is_binary()) {
     vtu.text("<AppendedData encoding=\"raw\">\n_");
-    vtu.appended_array<double>(points.size(), values);
+    for(const auto& spline : splines) vtu.appended_array<double>(points.size(), values(*spline.second));
     vtu.appended_array<double>(3 * cells.size(), degrees);
     vtu.appended_array<double>(3 * points.size(), positions);
     vtu.appended_array<std::int64_t>(64 * cells.size(), connectivity);
@@ -259,38 +263,44 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, const std::ve
  * degree three, whose point data `f` are the Bernstein coefficients. VTK's interpolation is \f$f\f$ itself, not a
  * linear approximation of it.
  *
+ * Cells of one size share the control points that they have in common. Where small cells meet larger ones, the grid has hanging
+ * nodes; as \f$f\f$ is the same function on both sides, it has no gaps there but those of VTK's approximation of cells.
+ *
  * To see it in ParaView, raise "Nonlinear Subdivision Level" of the representation, or apply the filter "Tessellate".
  * ParaView 5.10 (VTK 9.1) or newer is needed.
  *
- * \tparam Field a model of `BsplineField_3`
+ * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
  * \param out a stream, opened with `std::ios::binary`. Its locale does not matter
  * \param field the field
  * \param format binary numbers follow the XML text as they are; text files are twice as long
+ * \cgalHeading{Cost} linear in the number of cells
  */
 template <typename Field>
 Shell_file_status write_VTU(std::ostream& out, const Field& field, Shell_format format = Shell_format::BINARY)
 {
   std::vector<typename Field::Cell_index> cells(field.number_of_cells());
   for(std::size_t c = 0; c < cells.size(); ++c) cells[c] = typename Field::Cell_index(c);
-  return internal::write_VTU(out, field, cells, nullptr, format);
+  return internal::write_VTU<Field>(out, { { "f", &field } }, cells, nullptr, format);
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// The same for the cells that a shell may meet (`Bspline_shell_3::shell_cells()`). The two levels are the file's field
-/// data `levels`.
+/// The same for the cells that a shell may meet (`Bspline_shell_3::shell_cells()`). Constant thresholds are the file's field
+/// data `levels`; others are point data `inner` and `outer`, Bernstein coefficients as those of `f`.
 /// \return `NOT_A_SHELL` if there is no shell; then nothing is written
-template <typename Field>
-Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field>& shell,
+template <typename Field, typename Threshold>
+Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
                             Shell_format format = Shell_format::BINARY)
 {
   if(!shell) return Shell_file_status::NOT_A_SHELL;
   std::vector<typename Field::Cell_index> cells;
   for(std::size_t c = 0; c < shell.field().number_of_cells(); ++c)
     if(shell.shell_cells()[c]) cells.push_back(typename Field::Cell_index(c));
-  Level_range levels;
-  levels.min = shell.inner_level();
-  levels.max = shell.outer_level();
-  return internal::write_VTU(out, shell.field(), cells, &levels, format);
+  if constexpr(Threshold::is_constant) {
+    const Level_range levels = { shell.inner_level(), shell.outer_level() };
+    return internal::write_VTU<Field>(out, { { "f", &shell.field() } }, cells, &levels, format);
+  } else
+    return internal::write_VTU<Field>(out, { { "f", &shell.field() }, { "inner", &shell.inner_threshold().field() },
+                                             { "outer", &shell.outer_threshold().field() } }, cells, nullptr, format);
 }
 
 /// \ingroup PkgBsplineShell3IO

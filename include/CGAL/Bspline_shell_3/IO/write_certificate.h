@@ -48,14 +48,16 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
  * It speaks of the shell's text file (`write_shell()`) and of the certificate's examined mesh, which the caller writes
  * (with 17 digits).
  *
+ * \tparam Field, Threshold as for `write_shell()`
+ *
  * \param out a stream, opened with `std::ios::binary`
  * \param shell the shell
- * \param certificate of the shell's field and levels, verified for some mesh
+ * \param certificate of the shell's field and thresholds, verified for some mesh
  * \return whether all was written
  */
-template <typename GeomTraits>
-bool write_certificate(std::ostream& out, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
-                       const Shell_certificate_3<Uniform_bspline_field_3<GeomTraits> >& certificate)
+template <typename Field, typename Threshold>
+bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
+                       const Shell_certificate_3<Field, Threshold>& certificate)
 {
   internal::File_output output(out);
   const auto word = [&](auto x) {
@@ -117,9 +119,9 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Uniform_bspline_
 
 /// \ingroup PkgBsplineShell3IO
 /// The same to a file, which is there and complete, or as it was before (`write_file()`).
-template <typename GeomTraits>
-bool write_certificate(const std::string& file, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
-                       const Shell_certificate_3<Uniform_bspline_field_3<GeomTraits> >& certificate)
+template <typename Field, typename Threshold>
+bool write_certificate(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell,
+                       const Shell_certificate_3<Field, Threshold>& certificate)
 {
   return write_file(file, [&](std::ostream& out) { return write_certificate(out, shell, certificate); });
 }

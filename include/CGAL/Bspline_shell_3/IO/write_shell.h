@@ -13,10 +13,13 @@
 #include <CGAL/Bspline_shell_3/internal/File_output.h>
 #include <CGAL/Bspline_shell_3/internal/shell_file.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -27,53 +30,54 @@ namespace internal {
 template <typename Shell>
 void write_ASCII_shell(File_output& out, const Shell& shell)
 {
-  typedef typename Shell::Field Field;
-  const Field& field = shell.field();
-  const Lattice_3& lattice = field.cells().lattice();
+  constexpr Shell_kind kind = Shell_kind::of<Shell>();
+  const auto& field = shell.field();
+  const auto& cells = field.cells();
   const auto word = [&out](auto x) {
     out.text(" ");
     out.decimal(x);
   };
-  const auto point = [&](const Lattice_point& p) {
-    out.decimal(p[0]);
-    word(p[1]);
-    word(p[2]);
+  const auto point = [&](int level, const Lattice_point& p) {
+    out.decimal(level);
+    for(int i : p) word(i);
   };
   out.text(ASCII_shell_magic);
-  word(ASCII_shell_version);
+  word(shell_file_version);
   out.text(" ascii\nunit");
   word(shell.report().unit);
-  out.text("\nlevels");
-  word(shell.inner_level());
-  word(shell.outer_level());
+  if(kind.has_spline_thresholds) out.text("\nthickness");
+  else {
+    out.text("\nlevels");
+    word(levels(shell).min);
+  }
+  word(levels(shell).max);
   out.text("\ntriangles");
   word(shell.report().triangles);
   out.text(" components");
   word(shell.report().components);
-  out.text("\nfield uniform");
-  for(double x : lattice.origin()) word(x);
-  word(lattice.spacing());
+  out.text("\nfield ");
+  out.text(kind.field_name());
+  for(double x : cells.lattice().origin()) word(x);
+  word(cells.lattice().spacing());
 
   out.text("\nfunctions");
   word(field.number_of_coefficients());
   out.text("\n");
-  for(typename Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n) {
-    point(field.functions().point(n));
-    word(field.coefficients()[n]);
+  const std::vector<const Eigen::VectorXd*> splines = coefficients_of_splines(shell);
+  Eigen::Index n = 0;
+  visit_functions(field, [&](int level, const Lattice_point& p) {
+    point(level, p);
+    for(const Eigen::VectorXd* coefficients : splines) word((*coefficients)[n]);
+    ++n;
     out.text("\n");
-  }
+  });
 
   out.text("leaves");
   word(field.number_of_cells());
   out.text("\n");
-  for(typename Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
-    const auto cell = field.cell(c);
-    point(field.cells().lattice_point(c));
+  for(typename Shell::Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+    point(cells.level(c), cells.lattice_point(c));
     word(shell.shell_cells()[c] ? 1 : 0);
-    for(double x : cell.corner()) word(x);
-    word(cell.width());
-    word(cell.error_radius());
-    for(int n = 0; n < 64; ++n) word(cell.coefficients()[n]);
     out.text("\n");
   }
 
@@ -95,10 +99,11 @@ void write_binary_shell(File_output& out, const Shell& shell)
   const auto& cells = field.cells();
   const auto count = [&out](std::size_t n) { out.binary(std::uint64_t(n)); };
   out.text(binary_shell_magic);
-  out.text(binary_shell_version);
+  out.text("0");
+  out.decimal(shell_file_version);
   out.binary(shell.report().unit);
-  out.binary(shell.inner_level());
-  out.binary(shell.outer_level());
+  out.binary(levels(shell).min);
+  out.binary(levels(shell).max);
   count(shell.report().triangles);
   count(shell.report().components);
   for(double x : cells.lattice().origin()) out.binary(x);
@@ -106,12 +111,14 @@ void write_binary_shell(File_output& out, const Shell& shell)
   count(field.number_of_coefficients());
   count(field.number_of_cells());
   count(shell.facet_ranges().size());
-  out.binary(binary_uniform_field);
-  for(Cell_complex_3::Index c = 0; c < field.number_of_cells(); ++c) {
+  out.binary(Shell_kind::of<Shell>().number());
+  for(typename Shell::Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+    out.binary(std::uint8_t(cells.level(c)));
     for(int i : cells.lattice_point(c)) out.binary(std::int32_t(i));
     out.binary(std::uint8_t(shell.shell_cells()[c] ? 1 : 0));
   }
-  for(Eigen::Index n = 0; n < field.coefficients().size(); ++n) out.binary(field.coefficients()[n]);
+  for(const Eigen::VectorXd* coefficients : coefficients_of_splines(shell))
+    for(Eigen::Index n = 0; n < coefficients->size(); ++n) out.binary((*coefficients)[n]);
   for(const Level_range& range : shell.facet_ranges()) {
     out.binary(range.min);
     out.binary(range.max);
@@ -123,19 +130,23 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, levels and facet ranges, bit
- * by bit. See \ref BsplineShell3FileFormats.
+ * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds and facet ranges,
+ * bit by bit. See \ref BsplineShell3FileFormats.
  *
- * Of the report, the unit, the numbers of triangles and components and what follows from the shell are written.
+ * Of the report, the unit, the numbers of triangles and components, the thickness and what follows from the shell are written.
+ *
+ * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
  * \param out a stream, opened with `std::ios::binary`. Its locale does not matter
  * \param shell the shell
- * \param format binary files are a fiftieth as long as text files and are written faster
+ * \param format binary files are shorter than text files and are written faster
  * \return `NOT_A_SHELL` if there is no shell, or not one with finite numbers and exact corners (all shells of
- * `bspline_shell_3()` are); then nothing is written
+ * `bspline_shell_3()` and `certified_bspline_shell_3()` are); then nothing is written
+ * \cgalHeading{Cost} linear in the size of the file
  */
-template <typename GeomTraits>
-Shell_file_status write_shell(std::ostream& out, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
+template <typename Field, typename Threshold>
+Shell_file_status write_shell(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
                               Shell_format format = Shell_format::BINARY)
 {
   if(!internal::is_shell(shell)) return Shell_file_status::NOT_A_SHELL;
@@ -152,8 +163,8 @@ Shell_file_status write_shell(std::ostream& out, const Bspline_shell_3<Uniform_b
 
 /// \ingroup PkgBsplineShell3IO
 /// The same to a file, which is there and complete, or as it was before (`write_file()`).
-template <typename GeomTraits>
-Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell,
+template <typename Field, typename Threshold>
+Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell,
                               Shell_format format)
 {
   if(!internal::is_shell(shell)) return Shell_file_status::NOT_A_SHELL;
@@ -166,8 +177,8 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Uni
 /// \ingroup PkgBsplineShell3IO
 /// The same, in the format that the name asks for: text if it ends in ".txt" (as in "name.shell.txt"), otherwise binary
 /// ("name.shell").
-template <typename GeomTraits>
-Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell)
+template <typename Field, typename Threshold>
+Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell)
 {
   const std::string extension = ".txt";
   const bool is_text = file.size() >= extension.size()
@@ -177,8 +188,8 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Uni
 
 /// \ingroup PkgBsplineShell3IO
 /// the checksum in the last line of the shell's text file, by which other files name the shell. \pre there is a shell
-template <typename GeomTraits>
-std::uint64_t shell_checksum(const Bspline_shell_3<Uniform_bspline_field_3<GeomTraits> >& shell)
+template <typename Field, typename Threshold>
+std::uint64_t shell_checksum(const Bspline_shell_3<Field, Threshold>& shell)
 {
   std::ostream nowhere(nullptr);
   internal::File_output output(nowhere);
