@@ -60,12 +60,12 @@ typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
  *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's box;
  *     default 0.01
  *   - `thickness(double)`: instead, in user units
- *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units
+ *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
  *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30
- *   - `time_limit(double)`: seconds after which no new round of refinement begins; unlimited by default
- *   - `memory_limit(double)`: bytes, about, above which no new round begins; unlimited by default
+ *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later. Unlimited by default.
+ *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
@@ -102,7 +102,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   parameters.weights = choose_parameter(get_parameter(np, tags::energy_weights), parameters.weights);
   parameters.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), false);
   parameters.max_seconds = choose_parameter(get_parameter(np, tags::time_limit), unlimited);
-  parameters.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), unlimited);
+  parameters.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
   BS::Input_mesh_3::Tolerated_defects tolerated;
   tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
   tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
@@ -155,9 +155,15 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
     return stop(Status::GRID_TOO_FINE);
   report.gamma = input->unit() / lattice.spacing();
   const double largest_thickness = has_absolute_thickness ? absolute_thickness : relative_thickness * input->unit();
+  bool is_thickness_valid = true;
   const auto thickness = [&](const Field::Point_3& p) -> double {
-    if constexpr(has_sizing) return get_parameter_reference(np, tags::sizing)(p);
-    else { (void)p; return largest_thickness; }
+    if constexpr(has_sizing) {
+      const double t = get_parameter_reference(np, tags::sizing)(p);
+      if(t > 0 && std::isfinite(t)) return t;
+      is_thickness_valid = false;       // and nothing is done with what is returned
+    }
+    (void)p;
+    return largest_thickness;
   };
   const std::vector<std::uint64_t> surface_keys = BS::cells_entered_by_mesh<ConcurrencyTag>(*input, lattice);
   report.surface_cells = surface_keys.size();
@@ -171,7 +177,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   const auto refine = [&](const auto& oracle) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     BS::Certified_refinement<ConcurrencyTag, Oracle> refinement(input, oracle, parameters);
-    const BS::Refinement_status refined = refinement(std::move(cells), thickness, solver, start);
+    const BS::Refinement_status refined = refinement(std::move(cells), thickness, solver,
+                                                     [&](Step step) { return is_thickness_valid && start(step); });
+    if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
     report.rounds = refinement.rounds();
     report.refinement = refined;
     if(refined == BS::Refinement_status::CANCELED) return stop(Status::CANCELED);

@@ -1,10 +1,10 @@
 // Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
 // dies: every mesh has a process of its own.
 //
-//   certify_meshes FILE... [--thickness T] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
+//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
 //
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
-// for. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
+// for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side.
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -40,7 +40,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 struct Options
 {
   double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0;
-  bool paper = false;
+  bool paper = false, constant = false;
   std::string directory;
 };
 
@@ -206,12 +206,14 @@ void certify(const std::string& file, const Options& options)
   };
 
   if(options.gamma == 0) {
-    // a round that begins before the limit may take some time
-    const double last_round = options.max_seconds > 0 ? options.max_seconds / 2 : std::numeric_limits<double>::infinity();
+    // what a round takes is only estimated
+    constexpr double part = 0.7;
+    const double limit_of_rounds = options.max_seconds > 0 ? part * options.max_seconds : std::numeric_limits<double>::infinity();
     const auto shell = CGAL::certified_bspline_shell_3(mesh,
       BS::parameters::relative_thickness(options.thickness)
                      .allow_singular_vertices(true)
-                     .time_limit(last_round)
+                     .time_limit(limit_of_rounds)
+                     .constant_thresholds(options.constant)
                      .memory_limit(limit));
     if(!shell) return refused(shell.report());
     const double seconds = timer.time();
@@ -280,6 +282,7 @@ int main(int argc, char** argv)
     const std::string arg = argv[i];
     const bool has_value = i + 1 < argc;
     if(arg == "--paper") options.paper = true;
+    else if(arg == "--constant") options.constant = true;
     else if(arg == "--thickness" && has_value) options.thickness = positive(argv[++i]);
     else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
     else if(arg == "--max-seconds" && has_value) options.max_seconds = positive(argv[++i]);

@@ -120,6 +120,7 @@ public:
     m_offenders = m_input->offending_simplices();
     if(m_status != Shell_status::SUCCESS) return false;
     m_report.verdicts.fill(Verdict::PROVED);       // until a witness turns up
+    m_predicates.emplace(*m_field);
     m_facets.resize(m_input->number_of_facets_of_origin());
 
     find_components(*m_input);
@@ -255,7 +256,6 @@ private:
   void examine_facets(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
-    const Field_predicates_3<Field> predicates(*m_field);
     constexpr std::size_t chunk = 64;
     const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
     struct Result
@@ -283,10 +283,10 @@ private:
           result.witnesses.push_back(witness);
         };
         Witness w;
-        verdicts[n].containment = predicates.values_within(triangle, m_inner, m_outer, &w, &result.containment);
+        verdicts[n].containment = m_predicates->values_within(triangle, m_inner, m_outer, &w, &result.containment);
         if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
         verdicts[n].slope = (std::min)(result.least_slope, 0.25);       // what is above need not be known better
-        verdicts[n].transversality = predicates.crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
+        verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
         if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
         result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
       }
@@ -439,7 +439,7 @@ private:
       const double d = CGAL::squared_distance(p, mesh.point(v));
       if(d < least) { least = d; nearest = mesh.point(v); }
     }
-    return Field_predicates_3<Field>(*m_field).values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) },
+    return m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) },
                                                              m_inner, m_outer) == Verdict::PROVED;
   }
 
@@ -463,10 +463,9 @@ private:
       candidates.push_back(best);
     }
     std::sort(candidates.begin(), candidates.end());
-    const Field_predicates_3<Field> predicates(*m_field);
     for(std::size_t n = 0; n < (std::min)(tries, candidates.size()); ++n) {
       const auto &p = mesh.point(candidates[n].second.first), &q = mesh.point(candidates[n].second.second);
-      if(predicates.values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer) == Verdict::PROVED)
+      if(m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer) == Verdict::PROVED)
         return to_array(CGAL::midpoint(p, q));
     }
     return std::nullopt;
@@ -513,7 +512,6 @@ private:
   // segment is of no use.
   Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, Crossing_path& path, int& count) const
   {
-    const Field_predicates_3<Field> predicates(*m_field);
     const auto t = input.triangle(f);
     const Triangle_mesh::Point middle = CGAL::centroid(t[0], t[1], t[2]);
     const Cell_index c = m_field->locate(to_field(middle));
@@ -528,12 +526,12 @@ private:
     for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
       const Triangle_mesh::Point p = along(-stretch * (down + (up + down) / 64) / squared),
                                  q = along(stretch * (up + (up + down) / 64) / squared);
-      if(!predicates.is_beyond(to_field(p), m_inner, NEGATIVE) || !predicates.is_beyond(to_field(q), m_outer, POSITIVE)) continue;
+      if(!m_predicates->is_beyond(to_field(p), m_inner, NEGATIVE) || !m_predicates->is_beyond(to_field(q), m_outer, POSITIVE)) continue;
       const std::array<Point_3, 2> segment = { to_field(p), to_field(q) };
-      if(predicates.increases(segment) != Verdict::PROVED) return Verdict::UNDECIDED;
+      if(m_predicates->increases(segment) != Verdict::PROVED) return Verdict::UNDECIDED;
       if constexpr(!Threshold::is_constant) {
-        if(predicates.increases_above(segment, m_inner) != Verdict::PROVED ||
-           predicates.increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
+        if(m_predicates->increases_above(segment, m_inner) != Verdict::PROVED ||
+           m_predicates->increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
       }
       const auto crossings = counter.crossings(p, q);
       if(!crossings) return Verdict::UNDECIDED;
@@ -555,6 +553,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  std::optional<Field_predicates_3<Field> > m_predicates;
   std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
   Shell_status m_status = Shell_status::NOT_BUILT;
   Offending_simplices m_offenders;

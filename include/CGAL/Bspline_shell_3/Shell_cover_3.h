@@ -263,6 +263,8 @@ private:
   // the field and, unless the thresholds are constant, its differences to both
   typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
 
+  typedef std::array<std::array<double, 64>, 3> Vectors;      // by axis
+
   struct Part { Cover_box box; Functions functions; };
   struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
 
@@ -353,14 +355,23 @@ private:
     return on_box;
   }
 
-  // of a function on a box, along the direction of the box
+  // of a function on a box: along the direction of the box, or a better one
   double gradient_bound(const Enclosed_tricubic& f, const Cover_box& box) const
   {
-    double squared = 0;
-    for(double d : box.direction) squared += d * d;
-    const double width = std::ldexp(m_field->cell(box.cell).width(), -int(box.depth));
-    // a square root, five sums and products, two quotients
-    return (std::max)(0., enclosed_derivative(f, box.direction).range().min / (std::sqrt(squared) * width) * (1 - 16 * internal::rounding));
+    const Vectors gradient = control_vectors_of_gradient(f);
+    std::array<double, 3> nearest = mean(gradient);
+    for(int step = 0; step < max_steps_of_direction; ++step) {
+      std::size_t worst;
+      worst_along(nearest, gradient, worst);
+      if(!approach(nearest, gradient, worst)) break;
+    }
+    double bound = 0;
+    for(const std::array<double, 3>& direction : { box.direction, nearest }) {
+      const double size = length(direction);
+      if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
+    }
+    // two quotients; the length is an upper bound
+    return bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)) * (1 - 4 * internal::rounding);
   }
 
   // its length, if the middle is in the shell; not rigorous
@@ -420,32 +431,53 @@ private:
     }
     // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull
     // is the best one. It is approached from their mean, towards the worst of them.
-    const std::array<std::array<double, 64>, 3> gradient = control_vectors_of_gradient(f);
-    std::array<double, 3> nearest = {};
-    for(int a = 0; a < 3; ++a) nearest[a] = std::accumulate(gradient[a].begin(), gradient[a].end(), 0.) / 64;
+    const Vectors gradient = control_vectors_of_gradient(f);
+    std::array<double, 3> nearest = mean(gradient);
     for(int step = 0; step < max_steps_of_direction; ++step) {
-      std::array<double, 64> along;
-      for(int n = 0; n < 64; ++n) along[n] = nearest[0] * gradient[0][n] + nearest[1] * gradient[1][n] + nearest[2] * gradient[2][n];
-      const std::size_t worst = std::size_t(std::min_element(along.begin(), along.end()) - along.begin());
-      const double squared = nearest[0] * nearest[0] + nearest[1] * nearest[1] + nearest[2] * nearest[2];
-      if(along[worst] > 0 && along[worst] > steepest * std::sqrt(squared)) {
+      std::size_t worst;
+      const double along = worst_along(nearest, gradient, worst);
+      if(along > 0 && along > steepest * length(nearest)) {
         const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
         for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
         const double slope = enclosed_derivative(f, direction).range().min;
         if(slope > 0 && slope > steepest * length(direction)) return Box_kind::MONOTONE;
         return Box_kind::UNDECIDED;       // by rounding only
       }
-      std::array<double, 3> to_worst;
-      double distance = 0;
-      for(int a = 0; a < 3; ++a) {
-        to_worst[a] = gradient[a][worst] - nearest[a];
-        distance += to_worst[a] * to_worst[a];
-      }
-      const double part = (squared - along[worst]) / distance;
-      if(!(part > 0)) return Box_kind::UNDECIDED;
-      for(int a = 0; a < 3; ++a) nearest[a] += (std::min)(part, 1.) * to_worst[a];
+      if(!approach(nearest, gradient, worst)) return Box_kind::UNDECIDED;
     }
     return Box_kind::UNDECIDED;
+  }
+
+  static std::array<double, 3> mean(const Vectors& vectors)
+  {
+    std::array<double, 3> m;
+    for(int a = 0; a < 3; ++a) m[a] = std::accumulate(vectors[a].begin(), vectors[a].end(), 0.) / 64;
+    return m;
+  }
+
+  // the least component along a vector, times its length
+  static double worst_along(const std::array<double, 3>& v, const Vectors& vectors, std::size_t& worst)
+  {
+    std::array<double, 64> along;
+    for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
+    worst = std::size_t(std::min_element(along.begin(), along.end()) - along.begin());
+    return along[worst];
+  }
+
+  // moves a point to the nearest to the origin on its segment to one of the vectors; false if it is there
+  static bool approach(std::array<double, 3>& v, const Vectors& vectors, std::size_t worst)
+  {
+    std::array<double, 3> step;
+    double down = 0, squared = 0;
+    for(int a = 0; a < 3; ++a) {
+      step[a] = vectors[a][worst] - v[a];
+      down -= v[a] * step[a];
+      squared += step[a] * step[a];
+    }
+    const double part = down / squared;
+    if(!(part > 0)) return false;
+    for(int a = 0; a < 3; ++a) v[a] += (std::min)(part, 1.) * step[a];
+    return true;
   }
 
   // an upper bound
@@ -454,10 +486,10 @@ private:
     return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (1 + 8 * internal::rounding);
   }
 
-  // by axis, the coefficients of the partial derivatives raised to degree three; not rigorous
-  static std::array<std::array<double, 64>, 3> control_vectors_of_gradient(const Enclosed_tricubic& f)
+  // the coefficients of the partial derivatives raised to degree three; not rigorous
+  static Vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
   {
-    std::array<std::array<double, 64>, 3> gradient;
+    Vectors gradient;
     for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
       for(int n = 0; n < 64; ++n) {
         if((n / stride) % 4 != 0) continue;

@@ -136,11 +136,15 @@ public:
       log.marked_cells = m_marked.size();
       const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
       if(!in_vain) cells = m_field->cells().refined(m_marked);
-      // before the memory is taken
-      const bool over = round + 1 >= m_parameters.max_rounds || total.time() >= m_parameters.max_seconds
-                     || (!in_vain && exceeds_limits(cells.number_of_cells()));
+      // before the memory and the time are taken
+      const bool over = round + 1 >= m_parameters.max_rounds
+                     || (!in_vain && exceeds_limits(cells.number_of_cells(), total.time()));
       if(in_vain || over) {
-        if(!m_inner) choose_field_and_thresholds(thickness);
+        if(!m_inner) {
+          constexpr int once = 1;
+          Shell_thresholds_3<Field> thresholds(*m_field, thickness);
+          choose_thresholds(thresholds, once);
+        }
         if(!m_certificate && certify()) return Refinement_status::CERTIFIED;
         return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
       }
@@ -196,11 +200,14 @@ private:
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
-  // whether so many cells would take too much memory, or more unknowns than can be numbered; they have about as many points
-  // each as those of the last field
-  bool exceeds_limits(std::size_t cells) const
+  // whether a round with so many cells would take too much memory or time, or more unknowns than can be numbered: each cell as
+  // much as in the last round
+  bool exceeds_limits(std::size_t cells, double seconds) const
   {
-    const double points = double(m_field->number_of_points()) / double(m_field->number_of_cells()) * double(cells);
+    const double more = double(cells) / double(m_field->number_of_cells());
+    for(double s : m_rounds.back().seconds) seconds += more * s;
+    if(!(seconds <= m_parameters.max_seconds)) return true;
+    const double points = more * double(m_field->number_of_points());
     return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
         || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
   }
@@ -498,9 +505,8 @@ private:
 
   // Narrows thresholds where the shell may have a critical point, or reaches the end of the domain. Returns where the mesh needs
   // them wider than that.
-  std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds)
+  std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds, int max_passes = 8)
   {
-    constexpr int max_passes = 8;
     constexpr double margin = 0.98;       // of a cap that makes a difference
     Refinement_round& log = m_rounds.back();
     log.examined = true;
