@@ -154,6 +154,26 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(certificate.displacement_bound() >= shell.thickness() / least);
   CHECK(certificate.displacement_bound() <= 2 * shell.thickness() / least);
 
+  // the lengths of integral curves through the middles of facets, traced in small steps
+  const std::vector<double> displacements = certificate.displacement_bounds();
+  REQUIRE(displacements.size() == mesh.number_of_faces());
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    double length = 0;
+    for(double sign : { -1., 1. }) {
+      Point_3 p = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+      const double step = shell.thickness() / 100;
+      while(shell.bounded_side(p) == CGAL::ON_BOUNDED_SIDE) {
+        const Vector_3 g = shell.field().gradient(p).value();
+        p = p + sign * step / std::sqrt(g.squared_length()) * g;
+        length += step;
+      }
+      length -= step;
+    }
+    CHECK(displacements[std::size_t(f)] >= length);
+    CHECK(displacements[std::size_t(f)] <= certificate.displacement_bound());
+  }
+
   // any other mesh in the shell: the same sphere, turned
   Mesh turned = mesh;
   const double c = std::cos(0.3), s = std::sin(0.3);

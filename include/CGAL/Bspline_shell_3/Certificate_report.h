@@ -157,7 +157,7 @@ struct Certificate_report
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
-  /// in the shell is at most this. Infinite if the gradient claim is not proved.
+  /// in the shell is at most this. Infinite if the gradient claim is not proved. The certificate has one for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
   /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
   /// is not proved

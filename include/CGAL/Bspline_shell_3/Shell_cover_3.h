@@ -255,6 +255,25 @@ public:
     return least.front().first;
   }
 
+  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient on the boxes of the cover in it; infinite where
+  /// there are none. Coarser than `least_gradient()`.
+  /// \pre all boxes of the cover are monotone
+  template <typename ConcurrencyTag>
+  std::vector<double> least_gradients() const
+  {
+    constexpr std::size_t chunk = 64;
+    std::vector<double> bounds(m_first.size(), std::numeric_limits<double>::infinity());
+    internal::for_each_chunk<ConcurrencyTag>(m_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        for(std::size_t b = m_cells[n].begin; b < m_cells[n].end; ++b)
+          if(m_boxes[b].component != Cover_box::no_component) {
+            double& bound = bounds[m_cells[n].cell];
+            bound = (std::min)(bound, close_gradient_bound({ m_boxes[b], functions_on(m_boxes[b]) }, 0));
+          }
+    });
+    return bounds;
+  }
+
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
   static constexpr int max_border_depth = 4;
@@ -372,6 +391,27 @@ private:
     }
     // two quotients; the length is an upper bound
     return bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)) * (1 - 4 * internal::rounding);
+  }
+
+  // the same, of parts where that is far from what the field has in the middle
+  double close_gradient_bound(const Part& part, int subdivisions) const
+  {
+    constexpr int max_subdivisions = 3;
+    constexpr double near = 0.6;
+    const double bound = gradient_bound(part.functions[0], part.box);
+    if(bound >= near * gradient_in_the_middle(part) || subdivisions == max_subdivisions
+       || part.box.depth == std::numeric_limits<std::uint16_t>::digits) return bound;
+    std::vector<Part> parts(1, part);
+    push_octants(0, parts);
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t n = 1; n < parts.size(); ++n) {
+      std::array<double, 3> direction;
+      const Box_kind k = kind(parts[n].functions, direction);
+      if(k == Box_kind::EXCLUDED) continue;
+      if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;
+      least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
+    }
+    return least;
   }
 
   // its length, if the middle is in the shell; not rigorous
