@@ -97,12 +97,21 @@ public:
     const double size = side == POSITIVE ? level : -level;
     const double reach = (m_highest - size) / m_slope;
     if(!(reach > 0)) return;
+    // Distances are those of the functions' centres, whatever their size, from a box that holds the centres of all that act on
+    // the cell.
     const Bbox_3 b = m_field->cell(cell).bbox();
-    m_field->visit_coefficients_near(Bbox_3(b.xmin() - reach, b.ymin() - reach, b.zmin() - reach,
-                                            b.xmax() + reach, b.ymax() + reach, b.zmax() + reach), [&](Index u, const Bbox_3& support) {
+    Bbox_3 core = b;
+    m_field->visit_coefficients(cell, [&](int, Index u, double) {
+      const Bbox_3 s = m_field->support(u);
+      const double x = (s.xmin() + s.xmax()) / 2, y = (s.ymin() + s.ymax()) / 2, z = (s.zmin() + s.zmax()) / 2;
+      core += Bbox_3(x, y, z, x, y, z);
+    });
+    m_field->visit_coefficients_near(Bbox_3(core.xmin() - reach, core.ymin() - reach, core.zmin() - reach,
+                                            core.xmax() + reach, core.ymax() + reach, core.zmax() + reach), [&](Index u, const Bbox_3& support) {
       double squared = 0;
       for(int a = 0; a < 3; ++a) {
-        const double gap = (std::max)({ 0., (support.min)(a) - (b.max)(a), (b.min)(a) - (support.max)(a) });
+        const double center = ((support.min)(a) + (support.max)(a)) / 2;
+        const double gap = (std::max)({ 0., center - (core.max)(a), (core.min)(a) - center });
         squared += gap * gap;
       }
       m_cap[s][u] = (std::min)(m_cap[s][u], size + m_slope * std::sqrt(squared));

@@ -103,6 +103,7 @@ public:
     m_conditions.insert(m_conditions.end(), conditions.begin(), conditions.end());
     std::stable_sort(m_conditions.begin(), m_conditions.end(),
                      [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
+    m_points.resize(0);
     m_first.assign(m_field.number_of_cells() + 1, 0);
     for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
     for(const Slope_condition& c : conditions) {
