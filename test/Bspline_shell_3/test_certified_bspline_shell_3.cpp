@@ -29,21 +29,6 @@ Mesh inside_out(Mesh mesh)
   return mesh;
 }
 
-// a pyramid over a regular polygon
-Mesh pyramid(int sides, double height)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  const auto apex = mesh.add_vertex(Point_3(0, 0, height)), middle = mesh.add_vertex(Point_3(0, 0, 0));
-  std::vector<Mesh::Vertex_index> v;
-  for(int i = 0; i < sides; ++i) v.push_back(mesh.add_vertex(Point_3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0)));
-  for(int i = 0; i < sides; ++i) {
-    mesh.add_face(v[i], v[(i + 1) % sides], apex);
-    mesh.add_face(v[(i + 1) % sides], v[i], middle);
-  }
-  return mesh;
-}
-
 // the width of the shell at a point of the mesh
 double width_at(const Shell& shell, const Point_3& p)
 {

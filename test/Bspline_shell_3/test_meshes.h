@@ -86,4 +86,51 @@ inline Mesh torus(double major, double minor, int around, int across)
   return mesh;
 }
 
+// a pyramid over a regular polygon in the unit circle; its apex is the first vertex
+inline Mesh pyramid(int sides, double height)
+{
+  Mesh mesh;
+  const double pi = std::acos(-1.);
+  const auto apex = mesh.add_vertex(Point_3(0, 0, height)), middle = mesh.add_vertex(Point_3(0, 0, 0));
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i < sides; ++i) v.push_back(mesh.add_vertex(Point_3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0)));
+  for(int i = 0; i < sides; ++i) {
+    mesh.add_face(v[i], v[(i + 1) % sides], apex);
+    mesh.add_face(v[(i + 1) % sides], v[i], middle);
+  }
+  return mesh;
+}
+
+// two unit balls around the x-axis, their centres at -1.5 and 1.5, joined by a neck
+inline Mesh dumbbell(double neck_radius, int around = 16)
+{
+  Mesh mesh;
+  const double pi = std::acos(-1.), joint = std::asin(neck_radius);     // angle at the centre where the neck begins
+  const int rings = 10;
+  std::vector<std::pair<double, double> > profile;                      // x, radius; without the poles
+  for(int i = 1; i <= rings; ++i) {
+    const double a = pi - (pi - joint) * i / rings;
+    profile.emplace_back(-1.5 + std::cos(a), std::sin(a));
+  }
+  const std::size_t half = profile.size();
+  profile.emplace_back(0, neck_radius);
+  for(std::size_t i = half; i-- > 0; ) profile.emplace_back(-profile[i].first, profile[i].second);
+  const auto left = mesh.add_vertex(Point_3(-2.5, 0, 0)), right = mesh.add_vertex(Point_3(2.5, 0, 0));
+  std::vector<Mesh::Vertex_index> v;
+  for(const auto& p : profile)
+    for(int j = 0; j < around; ++j)
+      v.push_back(mesh.add_vertex(Point_3(p.first, p.second * std::cos(2 * pi * j / around), p.second * std::sin(2 * pi * j / around))));
+  const auto at = [&](std::size_t i, int j) { return v[i * around + j % around]; };
+  const std::size_t last = profile.size() - 1;
+  for(int j = 0; j < around; ++j) {
+    mesh.add_face(left, at(0, j + 1), at(0, j));
+    mesh.add_face(right, at(last, j), at(last, j + 1));
+    for(std::size_t i = 0; i < last; ++i) {
+      mesh.add_face(at(i, j), at(i, j + 1), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i + 1, j));
+    }
+  }
+  return mesh;
+}
+
 #endif // TEST_MESHES_H
