@@ -77,10 +77,11 @@ struct Refinement_parameters
  *
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
- * A round fits the energy on the present cells. Cells where the field is too large on the mesh for the thickness asked for
- * are refined at once. Where there are none, slopes are enforced where facets have too small a one (`Slope_enforcement`);
- * then thresholds are chosen (`Shell_thresholds_3`) and the certificate is asked. Where it is undecided whether the shell has
- * a critical point, the threshold next to it is narrowed; where the mesh needs it wider than that, the cells are refined.
+ * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for, or facets have
+ * too small a slope, small changes mend it (`Slope_enforcement`); too many such cells are refined at once. Then thresholds are
+ * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
+ * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, the cells are refined. When
+ * nothing is found wanting, the certificate is asked.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  * \tparam Oracle a model of `SignedDistanceOracle_3`
