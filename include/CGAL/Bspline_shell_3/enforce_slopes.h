@@ -57,6 +57,7 @@ struct Slope_report
   std::size_t patches = 0;                    ///< systems that were solved
   bool enforced = true;                       ///< `false` if there were too many
   std::vector<std::uint32_t> violated_cells;  ///< at the end: cells with a condition that no small change of the field meets
+  std::vector<std::uint32_t> violated_facets; ///< of the worst condition in each of them
   std::vector<std::uint32_t> changed_cells;   ///< where the field is another one, among those with conditions; ascending
 };
 
@@ -137,9 +138,7 @@ public:
       violated_before = violated.size();
       if(too_many) {
         report.enforced = false;
-        for(const std::pair<double, Index>& v : violated) report.violated_cells.push_back(v.second);
-        std::sort(report.violated_cells.begin(), report.violated_cells.end());
-        return report;
+        break;
       }
       std::sort(violated.begin(), violated.end());
       if(m_place.empty()) prepare(x);
@@ -153,7 +152,10 @@ public:
     }
     find_slacks<ConcurrencyTag>();
     for(Index c = 0; c < m_field.number_of_cells(); ++c) {
-      if(m_least_slack[c] < 0) report.violated_cells.push_back(c);
+      if(m_least_slack[c] < 0) {
+        report.violated_cells.push_back(c);
+        report.violated_facets.push_back(worst_facet(c));
+      }
       if(m_changed[c]) report.changed_cells.push_back(c);
     }
     return report;
@@ -232,6 +234,19 @@ private:
     for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n)
       for(double s : slacks(m_conditions[n])) least = (std::min)(least, s);
     return least;
+  }
+
+  // of the condition with the least slack
+  std::uint32_t worst_facet(Index c) const
+  {
+    const auto slack = [&](const Slope_condition& condition) {
+      const Slacks s = slacks(condition);
+      return *std::min_element(s.begin(), s.end());
+    };
+    std::size_t worst = m_first[c];
+    for(std::size_t n = m_first[c] + 1; n < m_first[c+1]; ++n)
+      if(slack(m_conditions[n]) < slack(m_conditions[worst])) worst = n;
+    return m_conditions[worst].facet;
   }
 
   template <typename ConcurrencyTag>

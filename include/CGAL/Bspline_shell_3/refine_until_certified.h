@@ -184,7 +184,7 @@ public:
 
 private:
   typedef Field::Cell_index Index;
-  static constexpr int max_refinements_of_a_facet = 3;
+  static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
   static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
   static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
@@ -306,7 +306,15 @@ private:
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
       log.sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
-        for(Index c : slopes.violated_cells) mark(c);
+        std::vector<std::uint32_t> facets;
+        for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
+          if(m_refinements[slopes.violated_facets[n]] < max_refinements_of_a_facet) {
+            mark(slopes.violated_cells[n]);
+            facets.push_back(slopes.violated_facets[n]);
+          }
+        std::sort(facets.begin(), facets.end());
+        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        for(std::uint32_t f : facets) ++m_refinements[f];
         return false;
       }
       if(slopes.patches > 0) m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
@@ -324,7 +332,6 @@ private:
     }
     log.failing_facets = failures.size();
     for(const Failure& f : failures)
-      // what a few refinements do not mend, more of them will not
       if(f.cell != Field::npos && m_wanted[f.triangle] > 0 && m_refinements[f.triangle] < max_refinements_of_a_facet) {
         ++m_refinements[f.triangle];
         mark(f.cell);
