@@ -212,12 +212,9 @@ TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certi
 
 TEST_CASE("Thin parts: the number of threads does not matter where slopes are enforced and thresholds narrowed")
 {
-  Mesh mesh = dumbbell(0.05);
-  CGAL::copy_face_graph(pyramid(5, 3), mesh);
-  for(auto v : mesh.vertices())
-    if(std::size_t(v) >= dumbbell(0.05).number_of_vertices()) mesh.point(v) = mesh.point(v) + Vector_3(0, 0, 1.5);
-  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh, parameters::thickness(0.2)),
-              two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh, parameters::thickness(0.2));
+  const Mesh mesh = demo_mesh("dino.off");
+  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),
+              two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
   REQUIRE(one);
   REQUIRE(two);
   CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.sloping_cells > 0; }));

@@ -17,6 +17,7 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -124,7 +125,11 @@ public:
   FT relative_thickness() const { return thickness() / m_report.unit; }
   /// whether all claims about the mesh were proved when the shell was built; `Bspline_shells::Shell_certificate_3` examines any
   /// mesh at any time
-  bool is_certified() const { return m_report.refinement == Bspline_shells::Refinement_status::CERTIFIED; }
+  bool is_certified() const
+  {
+    const auto& verdicts = m_report.certificate.verdicts;
+    return std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
+  }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
   /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`

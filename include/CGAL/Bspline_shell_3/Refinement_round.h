@@ -19,9 +19,9 @@ namespace Bspline_shells {
  */
 enum class Refinement_status
 {
-  CERTIFIED,            ///< all claims are proved
+  CERTIFIED,            ///< all claims are proved, and the shell is as thin as asked
   NOTHING_TO_REFINE,    ///< what is not proved cannot be mended by smaller cells: the certificate has the places
-  LIMIT_REACHED,        ///< of time, memory or rounds
+  LIMIT_REACHED,        ///< of time, memory or rounds; all claims may be proved, of a shell that is thicker than asked
   DISTANCE_NOT_FINITE,  ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,        ///< the linear solver did not reach its tolerance
   CANCELED              ///< the visitor asked to stop
@@ -30,9 +30,9 @@ enum class Refinement_status
 inline const char* message(Refinement_status status)
 {
   switch(status) {
-    case Refinement_status::CERTIFIED: return "All claims are proved.";
+    case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
     case Refinement_status::NOTHING_TO_REFINE: return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
-    case Refinement_status::LIMIT_REACHED: return "A limit of time, memory or rounds was reached before all claims were proved.";
+    case Refinement_status::LIMIT_REACHED: return "A limit of time, memory or rounds was reached before all claims were proved of a shell as thin as asked.";
     case Refinement_status::DISTANCE_NOT_FINITE: return "The signed-distance oracle returned a value that is infinite or not a number.";
     case Refinement_status::SOLVER_FAILED: return "The linear solver did not reach its tolerance.";
     case Refinement_status::CANCELED: return "The visitor asked to stop.";

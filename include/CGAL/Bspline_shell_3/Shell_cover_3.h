@@ -466,8 +466,12 @@ private:
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
     double steepest = 0;
     if constexpr(!Threshold::is_constant) {
-      if(meets_inner) steepest = (std::max)(steepest, steepest_threshold(f, functions[1]));
-      if(meets_outer) steepest = (std::max)(steepest, steepest_threshold(f, functions[2]));
+      for(int side = 1; side < 3; ++side) {
+        if(!(side == 1 ? meets_inner : meets_outer)) continue;
+        const double s = steepest_threshold(f, functions[side]);
+        // so written that what is not a number is too steep
+        steepest = s >= 0 ? (std::max)(steepest, s) : std::numeric_limits<double>::infinity();
+      }
     }
     // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull
     // is the best one. It is approached from their mean, towards the worst of them.

@@ -146,7 +146,7 @@ public:
           Shell_thresholds_3<Field> thresholds(*m_field, thickness);
           choose_thresholds(thresholds, once);
         }
-        if(!m_certificate && certify()) return Refinement_status::CERTIFIED;
+        if(!m_certificate) certify();
         return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
       }
     }
