@@ -64,8 +64,8 @@ struct Slope_report
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief changes the minimizer of a quadratic energy, where conditions on its slope are violated, to the best one that meets
- * them.
+ * \brief changes the minimizer of a quadratic energy, where conditions on its slope or its size are violated, to the best
+ * one that meets them.
  *
  * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and its
  * neighbours are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is minimized over
