@@ -24,6 +24,10 @@ public:
   template <typename Point_3>
   double value(const Point_3& p) const;
 
+  /// the same, for a point of a leaf cell, or next to it: `p` has three coordinates `p[0]`, `p[1]`, `p[2]`
+  template <typename Point_3>
+  double value(const Point_3& p, std::uint32_t cell) const;
+
   /// encloses a function on a leaf cell minus the threshold, as a polynomial over the cell with a radius that covers all
   /// rounding
   CGAL::Bspline_shells::Enclosed_tricubic difference(const CGAL::Bspline_shells::Enclosed_tricubic& f, std::uint32_t cell) const;

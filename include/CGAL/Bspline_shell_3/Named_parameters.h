@@ -36,6 +36,11 @@ enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum allow_open_shell_t { allow_open_shell };
 enum skip_open_components_t { skip_open_components };
+enum tolerance_t { tolerance };
+enum interpolation_t { interpolation };
+enum mapping_t { mapping };
+enum symmetry_t { symmetry };
+enum samples_per_facet_t { samples_per_facet };
 
 } // namespace parameter_tags
 
@@ -72,6 +77,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
   ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
+  ADD(parameter_tags::tolerance_t, tolerance)                                                     \
+  ADD(parameter_tags::interpolation_t, interpolation)                                             \
+  ADD(parameter_tags::mapping_t, mapping)                                                         \
+  ADD(parameter_tags::symmetry_t, symmetry)                                                       \
+  ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \

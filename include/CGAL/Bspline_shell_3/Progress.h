@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROGRESS_H
 #define CGAL_BSPLINE_SHELL_3_PROGRESS_H
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Bspline_shells {
 
@@ -46,6 +48,19 @@ struct Default_shell_visitor
 {
   /// called, from the calling thread, when a step begins; `false` stops with `Shell_status::CANCELED`
   bool start_step(Shell_step) { return true; }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief is told how many of many points have been moved, and may stop the rest; the default lets it go on.
+ *
+ * \cgalModels `FlowVisitor`
+ */
+struct Default_flow_visitor
+{
+  /// called now and then, from the calling thread; `false` stops: what is left gets the status `Flow_status::CANCELED`
+  bool advance(std::size_t /* done */, std::size_t /* total */) { return true; }
 };
 
 } // namespace Bspline_shells

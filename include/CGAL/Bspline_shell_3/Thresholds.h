@@ -32,6 +32,8 @@ public:
 
   template <typename Point_3>
   double value(const Point_3&) const { return m_level; }
+  template <typename Point_3>
+  double value(const Point_3&, std::uint32_t /* cell */) const { return m_level; }
 
   /// a function minus the threshold, on a leaf cell
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
@@ -66,6 +68,8 @@ public:
 
   const Field& field() const { return *m_field; }
   double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
+  template <typename Point_3>
+  double value(const Point_3& p, std::uint32_t cell) const { return m_field->cell(cell).value(p); }
 
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
   {

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_TARGET_3_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_TARGET_3_H
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief the triangles of a mesh as curves look for them: with coordinates in `double`s, neighbours and a tree of boxes.
+ *
+ * Facets are numbered as `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`, `target(next(h))`
+ * of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`; edge `i` leads from vertex `i` to the next.
+ * Copies are not possible; const member functions may be called from several threads at once.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ */
+template <typename TriangleMesh>
+class Projection_target_3
+{
+  typedef Simple_cartesian<double> Kernel;
+  typedef std::vector<Kernel::Triangle_3> Triangles;
+  typedef AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator> > Traits;
+  typedef AABB_tree<Traits> Tree;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+public:
+  typedef TriangleMesh Mesh;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef std::array<double, 3> Coordinates;
+  typedef std::uint32_t Index;
+  static constexpr Index npos = std::numeric_limits<Index>::max();
+
+  /// copies coordinates and neighbours; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of a
+  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid.
+  /// \pre the mesh outlives this object, unchanged
+  template <typename VertexPointMap>
+  Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm)
+    : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh))
+  {
+    for(face_descriptor f : faces(mesh)) {
+      put(m_index, f, Index(m_faces.size()));
+      m_faces.push_back(f);
+    }
+    for(auto v : vertices(mesh)) m_vertices.push_back(coordinates(get(vpm, v)));
+    for(face_descriptor f : m_faces) {
+      m_valid = m_valid && is_triangle(halfedge(f, mesh), mesh);
+      if(!m_valid) return;
+      Facet facet;
+      auto h = halfedge(f, mesh);
+      for(int i = 0; i < 3; ++i, h = next(h, mesh)) {
+        facet.vertex[i] = coordinates(get(vpm, source(h, mesh)));
+        for(double c : facet.vertex[i]) m_valid = m_valid && std::isfinite(c);
+        const auto neighbor = face(opposite(h, mesh), mesh);
+        facet.neighbor[i] = neighbor == Graph_traits::null_face() ? npos : facet_of(neighbor);
+      }
+      facet.normal = cross(difference(facet.vertex[1], facet.vertex[0]), difference(facet.vertex[2], facet.vertex[0]));
+      m_facets.push_back(facet);
+    }
+    if(!m_valid) return;
+    for(const Facet& f : m_facets) m_triangles.emplace_back(point(f.vertex[0]), point(f.vertex[1]), point(f.vertex[2]));
+    m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
+    m_tree.build();
+  }
+
+  Projection_target_3(const Projection_target_3&) = delete;
+  Projection_target_3& operator=(const Projection_target_3&) = delete;
+
+  bool is_valid() const { return m_valid; }
+  const TriangleMesh& mesh() const { return *m_mesh; }
+  /// of vertices, in the order of `vertices(mesh)`
+  const std::vector<Coordinates>& vertices_of_mesh() const { return m_vertices; }
+  std::size_t number_of_facets() const { return m_faces.size(); }
+  face_descriptor face_of(Index facet) const { return m_faces[facet]; }
+  Index facet_of(face_descriptor f) const { return get(m_index, f); }
+  const Coordinates& vertex(Index facet, int i) const { return m_facets[facet].vertex[i]; }
+  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; }     ///< twice the area long
+  Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; }      ///< `npos` at a border
+
+  /// the point with these barycentric coordinates
+  Coordinates point(Index facet, const Coordinates& barycentric) const
+  {
+    Coordinates p;
+    for(int a = 0; a < 3; ++a)
+      p[a] = barycentric[0] * vertex(facet, 0)[a] + barycentric[1] * vertex(facet, 1)[a] + barycentric[2] * vertex(facet, 2)[a];
+    return p;
+  }
+
+  /// normal . (p - the plane of the facet)
+  double height(Index facet, const Coordinates& p) const
+  {
+    const Facet& f = m_facets[facet];
+    return dot(f.normal, difference(p, f.vertex[0]));
+  }
+
+  /// where in its plane a point is: barycentric coordinates, which may be negative, and the edge that it is farthest outside
+  /// of, or nearest to, with the distance
+  struct Position { Coordinates barycentric; int edge; double outside; };
+  Position position(Index facet, const Coordinates& p) const
+  {
+    const Facet& f = m_facets[facet];
+    const double squared = dot(f.normal, f.normal);
+    Position result{ {}, 0, -std::numeric_limits<double>::infinity() };
+    for(int i = 0; i < 3; ++i) {
+      const Coordinates e = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
+      const double area = dot(cross(f.normal, e), difference(p, f.vertex[i]));
+      result.barycentric[(i + 2) % 3] = area / squared;
+      const double outside = -area / std::sqrt(squared * dot(e, e));
+      if(outside > result.outside) { result.outside = outside; result.edge = i; }
+    }
+    return result;
+  }
+
+  /// calls `visit(facet)` for all facets whose boxes meet the box
+  template <typename Visitor>
+  void visit_facets(const Bbox_3& box, const Visitor& visit) const
+  {
+    Visiting_traits<Visitor> traits{ visit, m_triangles.cbegin() };
+    if(!m_tree.empty()) m_tree.traversal(box, traits);
+  }
+
+  /// the facet that a straight line through `p` meets from behind, nearest to `p` among those that meet the box, or else the one
+  /// that it misses least; `npos` if there is none in the box
+  Index facet_on_line(const Coordinates& p, const Coordinates& direction, const Bbox_3& box) const
+  {
+    Index best = npos;
+    double largest_least = -std::numeric_limits<double>::infinity(), nearest = std::numeric_limits<double>::infinity();
+    visit_facets(box, [&](Index n) {
+      const Facet& f = m_facets[n];
+      const double volume = dot(f.normal, direction);
+      if(!(volume > 0)) return;
+      const Coordinates v[3] = { difference(f.vertex[0], p), difference(f.vertex[1], p), difference(f.vertex[2], p) };
+      double least = 0;
+      for(int i = 0; i < 3; ++i) least = (std::min)(least, dot(direction, cross(v[i], v[(i + 1) % 3])) / volume);
+      const double distance = std::abs(dot(f.normal, v[0]) / volume);
+      if(least > largest_least || (least == largest_least && distance < nearest)) {
+        best = n;
+        largest_least = least;
+        nearest = distance;
+      }
+    });
+    return best;
+  }
+
+private:
+  struct Facet
+  {
+    std::array<Coordinates, 3> vertex;
+    Coordinates normal;
+    std::array<Index, 3> neighbor;
+  };
+
+  template <typename Visitor>
+  struct Visiting_traits
+  {
+    const Visitor& visit;
+    Triangles::const_iterator first;
+
+    bool go_further() const { return true; }
+    void intersection(const Bbox_3&, const typename Traits::Primitive& primitive) { visit(Index(primitive.id() - first)); }
+    template <typename Node>
+    bool do_intersect(const Bbox_3& box, const Node& node) const { return do_overlap(box, node.bbox()); }
+  };
+
+  template <typename Point>
+  static Coordinates coordinates(const Point& p) { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
+  static Kernel::Point_3 point(const Coordinates& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+  static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
+  static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+  static Coordinates cross(const Coordinates& u, const Coordinates& v)
+  {
+    return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  }
+
+  const TriangleMesh* m_mesh;
+  typename boost::property_map<TriangleMesh, dynamic_face_property_t<Index> >::const_type m_index;
+  std::vector<face_descriptor> m_faces;
+  std::vector<Coordinates> m_vertices;
+  std::vector<Facet> m_facets;
+  Triangles m_triangles;
+  Tree m_tree;
+  bool m_valid = true;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_TARGET_3_H
