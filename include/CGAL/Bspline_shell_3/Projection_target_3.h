@@ -142,13 +142,13 @@ public:
     if(!m_tree.empty()) m_tree.traversal(box, traits);
   }
 
-  /// the facet that a straight line through `p` meets from behind, nearest to `p` among those that meet the box, or else the one
-  /// that it misses least; `npos` if there is none in the box
-  Index facet_on_line(const Coordinates& p, const Coordinates& direction, const Bbox_3& box) const
+  /// the facet that the straight segment from `p + first * direction` to `p + last * direction` meets from behind, nearest to `p`, or
+  /// else, among those that come as near to the segment as `margin`, the one that its line misses least; `npos` if there is none
+  Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const
   {
     Index best = npos;
     double largest_least = -std::numeric_limits<double>::infinity(), nearest = std::numeric_limits<double>::infinity();
-    visit_facets(box, [&](Index n) {
+    const auto visit = [&](Index n) {
       const Facet& f = m_facets[n];
       const double volume = dot(f.normal, direction);
       if(!(volume > 0)) return;
@@ -161,7 +161,9 @@ public:
         largest_least = least;
         nearest = distance;
       }
-    });
+    };
+    Visiting_traits<decltype(visit)> traits{ visit, m_triangles.cbegin() };
+    if(!m_tree.empty()) m_tree.traversal(Segment(p, direction, first, last, margin), traits);
     return best;
   }
 
@@ -173,6 +175,33 @@ private:
     std::array<Index, 3> neighbor;
   };
 
+  // with a margin around it
+  class Segment
+  {
+  public:
+    Segment(const Coordinates& p, const Coordinates& direction, double first, double last, double margin)
+      : m_first(first), m_last(last), m_margin(margin), m_point(p)
+    {
+      for(int a = 0; a < 3; ++a) m_inverse[a] = 1 / direction[a];
+    }
+
+    // by the slabs of the box; where the direction has no component along an axis, by comparisons with infinities
+    bool may_meet(const Bbox_3& box) const
+    {
+      double first = m_first, last = m_last;
+      for(int a = 0; a < 3; ++a) {
+        const double low = ((box.min)(a) - m_margin - m_point[a]) * m_inverse[a], high = ((box.max)(a) + m_margin - m_point[a]) * m_inverse[a];
+        first = (std::max)(first, (std::min)(low, high));
+        last = (std::min)(last, (std::max)(low, high));
+      }
+      return !(first > last);
+    }
+
+  private:
+    double m_first, m_last, m_margin;
+    Coordinates m_point, m_inverse;
+  };
+
   template <typename Visitor>
   struct Visiting_traits
   {
@@ -180,9 +209,12 @@ private:
     Triangles::const_iterator first;
 
     bool go_further() const { return true; }
-    void intersection(const Bbox_3&, const typename Traits::Primitive& primitive) { visit(Index(primitive.id() - first)); }
+    template <typename Query>
+    void intersection(const Query&, const typename Traits::Primitive& primitive) { visit(Index(primitive.id() - first)); }
     template <typename Node>
     bool do_intersect(const Bbox_3& box, const Node& node) const { return do_overlap(box, node.bbox()); }
+    template <typename Node>
+    bool do_intersect(const Segment& segment, const Node& node) const { return segment.may_meet(node.bbox()); }
   };
 
   template <typename Point>

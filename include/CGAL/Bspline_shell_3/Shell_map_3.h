@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -112,9 +113,13 @@ public:
   std::vector<Target_image> project(const LocationRange& locations, Visitor&& visitor = Visitor()) const
   {
     std::vector<Target_image> images(std::size_t(std::end(locations) - std::begin(locations)));
-    internal::for_each_with_progress<ConcurrencyTag>(images.size(), visitor, [&](std::size_t n) {
-      images[n] = (*this)(*(std::begin(locations) + std::ptrdiff_t(n)));
-    });
+    if(!m_to_source.target().is_valid()) {
+      std::fill(images.begin(), images.end(), invalid());
+      return images;
+    }
+    internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
+      return point(*(std::begin(locations) + std::ptrdiff_t(n)));
+    }, visitor, [&](std::size_t n, const auto& p) { images[n] = m_to_target(p); });
     return images;
   }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/internal/Integral_curve.h>
-#include <CGAL/Bspline_shell_3/internal/for_each_with_progress.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_point.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/number_utils.h>
@@ -127,9 +127,9 @@ public:
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
   {
     std::vector<Image> images(std::size_t(std::end(points) - std::begin(points)));
-    internal::for_each_with_progress<ConcurrencyTag>(images.size(), visitor, [&](std::size_t n) {
-      images[n] = (*this)(*(std::begin(points) + std::ptrdiff_t(n)));
-    });
+    internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) -> decltype(auto) {
+      return *(std::begin(points) + std::ptrdiff_t(n));
+    }, visitor, [&](std::size_t n, const auto& p) { images[n] = (*this)(p); });
     return images;
   }
 
@@ -155,21 +155,6 @@ private:
   };
 
   static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
-
-  // the part of the shell near the straight line along the gradient
-  Bbox_3 box_across_shell(const Curve& curve) const
-  {
-    const Coordinates& x = curve.state();
-    const Coordinates& v = curve.derivative();
-    constexpr double curvature = 0.1;
-    const double above = curve.room(true), below = curve.room(false), margin = curvature * (above - below) * curve.speed();
-    double low[3], high[3];
-    for(int a = 0; a < 3; ++a) {
-      low[a] = x[a] + (std::min)(above * v[a], below * v[a]) - margin;
-      high[a] = x[a] + (std::max)(above * v[a], below * v[a]) + margin;
-    }
-    return Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]);
-  }
 
   // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
   // iteration. Fails if that is not during the step; `s` is then a guess of where.
@@ -198,7 +183,8 @@ private:
   // From the facet where the tangent meets the target, over edges, to the one where the curve does. Gives up rather than err.
   bool walk(Curve& curve, Hit& best) const
   {
-    Index facet = m_target->facet_on_line(curve.state(), curve.derivative(), box_across_shell(curve));
+    const double above = curve.room(true), below = curve.room(false);
+    Index facet = m_target->facet_on_line(curve.state(), curve.derivative(), below, above, bend * (above - below) * curve.speed());
     if(facet == Target::npos) return false;
     Index previous = Target::npos;
     for(int moves = 0; moves < max_moves; ++moves) {
@@ -315,6 +301,7 @@ private:
 
   static constexpr int max_moves = 64;
   static constexpr double overshoot = 1.1;
+  static constexpr double bend = 0.1;                   // of a curve, as a part of its length
   static constexpr double newton_precision = 1e-3;      // of the tolerance
   static constexpr double search_tolerance = 100;       // of it, for what is less exact within steps
 

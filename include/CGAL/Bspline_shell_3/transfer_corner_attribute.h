@@ -231,9 +231,11 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     result.corners[corner].weights = source.position(facet, beyond).barycentric;
   };
 
-  internal::for_each_with_progress<ConcurrencyTag>(facets.size(), visitor, [&](std::size_t n) {
+  internal::for_each_point<ConcurrencyTag>(facets.size(), [&](std::size_t n) {
+    return target.point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
+  }, visitor, [&](std::size_t n, const auto& p) {
     Facet& result = facets[n];
-    const auto center = map.to_source()(target.point(typename Target::Index(n), { 1/3., 1/3., 1/3. }));
+    const auto center = map.to_source()(p);
     result.status = center.status;
     for(int corner = 0; corner < 3 && result.status == Flow_status::SUCCESS; ++corner)
       follow(Index(n), corner, source.facet_of(center.location.first), result);

@@ -82,8 +82,10 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   }
   struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; };
   std::vector<Sample> found(target.number_of_facets() * samples.size());
-  internal::for_each_with_progress<ConcurrencyTag>(found.size(), visitor, [&](std::size_t n) {
-    const auto image = map.to_source()(target.point(Index(n / samples.size()), samples[n % samples.size()]));
+  internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
+    return target.point(Index(n / samples.size()), samples[n % samples.size()]);
+  }, visitor, [&](std::size_t n, const auto& p) {
+    const auto image = map.to_source()(p);
     found[n].facet = image.location.first;
     found[n].status = image.status;
   });

@@ -71,11 +71,12 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   const auto& points = map.to_target().target().vertices_of_mesh();
   std::vector<Flow_differential> differentials(has_mapping ? points.size() : 0);
   std::vector<typename Map::Source_image> images(points.size());
-  internal::for_each_with_progress<ConcurrencyTag>(points.size(), visitor, [&](std::size_t n) {
-    images[n] = map.to_source()(points[n]);
+  internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+                                           [&](std::size_t n, const auto& p) {
+    images[n] = map.to_source()(p);
     if constexpr(has_mapping)
       if(images[n]) {
-        differentials[n] = internal::differential_from_image(map, images[n], points[n]);
+        differentials[n] = internal::differential_from_image(map, images[n], p);
         images[n].status = differentials[n].status;
       }
   });
@@ -134,9 +135,9 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   }
   const auto& points = source.vertices_of_mesh();
   std::vector<typename Map::Target_image> images(points.size());
-  const bool complete = internal::for_each_with_progress<ConcurrencyTag>(points.size(), visitor, [&](std::size_t n) {
-    images[n] = map.to_target()(points[n]);
-  });
+  const bool complete = internal::for_each_point<ConcurrencyTag>(
+    points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+    [&](std::size_t n, const auto& p) { images[n] = map.to_target()(p); });
 
   // a third of the facets' areas
   const std::vector<std::size_t> position = internal::positions_of_corners(source);
@@ -163,10 +164,13 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     ++n;
   }
   std::vector<typename Map::Source_image> pulled(sum.size());
+  std::vector<std::size_t> missed;
+  for(std::size_t t = 0; t < sum.size(); ++t)
+    if(!sum[t]) missed.push_back(t);
   if(complete)
-    internal::for_each_with_progress<ConcurrencyTag>(sum.size(), visitor, [&](std::size_t t) {
-      if(!sum[t]) pulled[t] = map.to_source()(target.vertices_of_mesh()[t]);
-    });
+    internal::for_each_point<ConcurrencyTag>(
+      missed.size(), [&](std::size_t i) { return target.vertices_of_mesh()[missed[i]]; }, visitor,
+      [&](std::size_t i, const auto& p) { pulled[missed[i]] = map.to_source()(p); });
   n = 0;
   for(auto v : vertices(map.target())) {
     if(internal::record(report, n, sum[n] ? Flow_status::SUCCESS : pulled[n].status)) {

@@ -241,7 +241,9 @@ private:
       m_next_cell = m_shell->field().locate(Point_3(beyond[0], beyond[1], beyond[2]));
       if(!is_shell_cell(m_next_cell)) return Flow_status::LEAVES_SHELL;
     }
-    return is_within_thresholds(m_end, m_end_s) ? Flow_status::SUCCESS : Flow_status::LEAVES_SHELL;
+    const bool outwards = m_end_s > m_begin_s;
+    const double beyond = outwards ? -room(true) : room(false);
+    return beyond * speed() <= m_tolerance ? Flow_status::SUCCESS : Flow_status::LEAVES_SHELL;
   }
 
   // where a coordinate passes a plane during the step, to a precision of it: regula falsi, the Illinois variant

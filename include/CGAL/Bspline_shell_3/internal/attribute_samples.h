@@ -9,7 +9,7 @@
 #include <CGAL/Bspline_shell_3/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Transfer_report.h>
-#include <CGAL/Bspline_shell_3/internal/for_each_with_progress.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_point.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>

@@ -1,0 +1,170 @@
+// Points move from a mesh to another one in its shell and back: how far from where they started they arrive, whether any is lost, whether
+// small triangles keep their orientation, and whether the differential of the map jumps. One JSON object a line.
+//
+//   round_trip_benchmark [--points N] [MESH ...]
+//
+// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow. Points are random ones, and all
+// vertices, midpoints of edges and centroids of facets, of both meshes. Lengths are in units of the longest box side.
+#include "../meshes_in_shell.h"
+
+#include <CGAL/Bspline_shell_3/Shell_map_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+typedef BS::Shell_map_3<Shell, Mesh> Map;
+typedef std::vector<Kernel::Point_3> Points;
+
+Points points_of(const Mesh& mesh, std::size_t number)
+{
+  Points points(mesh.points().begin(), mesh.points().end());
+  for(Mesh::Edge_index e : mesh.edges())
+    points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  const auto add = [&](Mesh::Face_index f, const std::array<double, 3>& w) {
+    const auto h = mesh.halfedge(f);
+    points.push_back(CGAL::barycenter(mesh.point(mesh.source(h)), w[0], mesh.point(mesh.target(h)), w[1],
+                                      mesh.point(mesh.target(mesh.next(h))), w[2]));
+  };
+  for(Mesh::Face_index f : mesh.faces()) add(f, { 1, 1, 1 });
+  for(const auto& location : random_locations(mesh, number, 7)) add(location.first, location.second);
+  return points;
+}
+
+struct Round_trip
+{
+  std::size_t points = 0, lost = 0, triangles = 0, turned = 0;
+  double farthest = 0;
+  std::map<std::string, std::size_t> reasons;
+};
+
+// to the target of `there` and back to that of `back`
+void travel(const Map::Projection_to_target& there, const Map::Projection_to_target& back, const Points& points, Round_trip& result)
+{
+  const double unit = there.shell().report().unit;
+  const auto images = there.project(points);
+  Points arrived;
+  for(const auto& image : images) arrived.push_back(image.point);
+  const auto returned = back.project(arrived);
+  for(std::size_t n = 0; n < points.size(); ++n) {
+    ++result.points;
+    const BS::Flow_status status = images[n] ? returned[n].status : images[n].status;
+    if(status != BS::Flow_status::SUCCESS) {
+      ++result.lost;
+      ++result.reasons[message(status)];
+      continue;
+    }
+    result.farthest = (std::max)(result.farthest, std::sqrt(CGAL::squared_distance(points[n], returned[n].point)) / unit);
+  }
+  // equilateral triangles across the gradient
+  const double size = 1e-5 * unit;
+  Points corners;
+  for(const Kernel::Point_3& p : points) {
+    const Kernel::Vector_3 g = *there.shell().field().gradient(p);
+    Kernel::Vector_3 u = CGAL::cross_product(g, std::abs(g.x()) < std::abs(g.y()) ? Kernel::Vector_3(1, 0, 0) : Kernel::Vector_3(0, 1, 0));
+    u = u / std::sqrt(u.squared_length());
+    const Kernel::Vector_3 v = CGAL::cross_product(g, u) / std::sqrt(g.squared_length());
+    corners.push_back(p + size * u);
+    corners.push_back(p + size * (-0.5 * u + 0.866 * v));
+    corners.push_back(p + size * (-0.5 * u - 0.866 * v));
+  }
+  const auto mapped = there.project(corners);
+  for(std::size_t n = 0; n < points.size(); ++n) {
+    if(!images[n] || !mapped[3*n] || !mapped[3*n + 1] || !mapped[3*n + 2]) continue;      // a corner may be out of the shell where the point is not
+    ++result.triangles;
+    const Kernel::Vector_3 g = *there.shell().field().gradient(images[n].point);
+    if(!(CGAL::cross_product(mapped[3*n + 1].point - mapped[3*n].point, mapped[3*n + 2].point - mapped[3*n].point) * g > 0)) ++result.turned;
+  }
+}
+
+// How the differential of the map changes between neighbouring points on straight lines in facets of the source.
+struct Jumps
+{
+  double within_facets = 0;       // of the target: that of the map
+  double of_flow = 0;             // that of the flow, also from facet to facet
+  double across_edges = 0;        // of the target: that of the map
+  double unexplained = 0;         // what is left of it if both normals are put in the place of one point's
+};
+
+Jumps jumps(const Map& map, std::size_t lines)
+{
+  Jumps result;
+  const double unit = map.shell().report().unit;
+  const auto normal = [&](const Map::Target_image& image) {
+    const auto& n = map.to_target().target().normal(map.to_target().target().facet_of(image.location.first));
+    return Eigen::Vector3d(n[0], n[1], n[2]);
+  };
+  for(const auto& location : random_locations(map.source(), lines, 11)) {
+    const auto h = map.source().halfedge(location.first);
+    // points in the facet, 1e-7 of the box apart, around where the line leaves a facet of the target: found by bisection
+    const Map::Coordinates p = map.point(location);
+    const Kernel::Vector_3 along = map.source().point(map.source().target(h)) - map.source().point(map.source().source(h));
+    const double length = std::sqrt(along.squared_length());
+    const auto at = [&](double t) { return Map::Coordinates{ p[0] + t * along.x(), p[1] + t * along.y(), p[2] + t * along.z() }; };
+    double first = 0, last = 0.2;
+    auto a = map.to_target()(at(first)), b = map.to_target()(at(last));
+    if(!a || !b) continue;
+    while((last - first) * length > 1e-7 * unit) {
+      const double middle = (first + last) / 2;
+      const auto m = map.to_target()(at(middle));
+      if(!m) break;
+      if(m.location.first == a.location.first) { first = middle; a = m; }
+      else { last = middle; b = m; }
+    }
+    const auto da = map.to_target().differential(at(first), a), db = map.to_target().differential(at(last), b);
+    if(!da || !db) continue;
+    const double size = da.matrix.norm();
+    result.of_flow = (std::max)(result.of_flow, (da.onto_level_set() - db.onto_level_set()).norm() / size);
+    const double jump = (da.onto_plane(normal(a)) - db.onto_plane(normal(b))).norm() / size;
+    if(a.location.first == b.location.first) {
+      result.within_facets = (std::max)(result.within_facets, jump);
+    } else {
+      result.across_edges = (std::max)(result.across_edges, jump);
+      const double by_normals = (da.onto_plane(normal(a)) - da.onto_plane(normal(b))).norm() / size;
+      result.unexplained = (std::max)(result.unexplained, std::abs(jump - by_normals));
+    }
+  }
+  return result;
+}
+
+int main(int argc, char** argv)
+{
+  std::size_t number = 100000;
+  std::vector<std::string> files;
+  for(int i = 1; i < argc; ++i) {
+    if(std::string(argv[i]) == "--points" && i + 1 < argc) number = std::size_t(std::atoll(argv[++i]));
+    else files.push_back(argv[i]);
+  }
+  if(files.empty()) files.push_back(MESHES "/elephant.off");
+  for(const std::string& file : files) {
+    Mesh mesh;
+    double part = 0;
+    std::optional<Mesh> moved;
+    std::optional<Shell> shell;
+    if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
+    if(shell && shell->is_certified()) moved = moved_along_flow(*shell, mesh, part);
+    if(!moved) {
+      std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified pair of meshes\"}" << std::endl;
+      continue;
+    }
+    const Map map(*shell, mesh, *moved);
+    Round_trip trip;
+    travel(map.to_target(), map.to_source(), points_of(mesh, number), trip);
+    travel(map.to_source(), map.to_target(), points_of(*moved, number), trip);
+    const Jumps jump = jumps(map, 2000);
+    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"facets\":" << mesh.number_of_faces() << ",\"moved_by\":" << part
+              << ",\"points\":" << trip.points << ",\"lost\":" << trip.lost << ",\"reasons\":{";
+    bool comma = false;
+    for(const auto& reason : trip.reasons) {
+      std::cout << (comma ? "," : "") << "\"" << reason.first << "\":" << reason.second;
+      comma = true;
+    }
+    std::cout << "},\"farthest\":" << trip.farthest << ",\"triangles\":" << trip.triangles << ",\"turned\":" << trip.turned
+              << ",\"jumps\":{\"of_flow\":" << jump.of_flow << ",\"within_facets\":" << jump.within_facets << ",\"across_edges\":"
+              << jump.across_edges << ",\"not_explained_by_normals\":" << jump.unexplained << "}}" << std::endl;
+  }
+  return EXIT_SUCCESS;
+}
