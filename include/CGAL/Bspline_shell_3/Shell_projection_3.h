@@ -151,7 +151,6 @@ private:
     double value = 0;                   // of the field
     Coordinates barycentric = {};
     double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
-    int edge = 0;                       // where
   };
 
   static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
@@ -276,7 +275,7 @@ private:
       const Coordinates& n = m_target->normal(facet);
       const double near = m_tolerance * std::sqrt(dot(n, n));
       double s0 = first, s1 = last, h0 = m_target->height(facet, x0), h1 = m_target->height(facet, x1);
-      if((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near) return;
+      if(!(near > 0) || ((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near)) return;
       Hit hit;
       hit.facet = facet;
       hit.value = std::abs(h0) <= std::abs(h1) ? s0 : s1;

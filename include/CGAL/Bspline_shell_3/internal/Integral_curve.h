@@ -101,6 +101,7 @@ public:
     begin_step();
     m_step_size = std::numeric_limits<double>::infinity();
     m_steps = 0;
+    m_has_left = false;
     return is_within_thresholds(m_end, m_end_s) ? Flow_status::SUCCESS : Flow_status::STARTS_OUTSIDE;
   }
 
@@ -117,7 +118,9 @@ public:
   Flow_status step(double goal)
   {
     do {
+      if(m_has_left) return Flow_status::LEAVES_SHELL;
       const Flow_status status = step_in_cell(goal);
+      m_has_left = status == Flow_status::LEAVES_SHELL;
       if(status != Flow_status::SUCCESS) return status;
     } while(m_end_s == m_begin_s && m_end_s != goal);       // at the face that it left the cell through
     return Flow_status::SUCCESS;
@@ -138,6 +141,7 @@ public:
   void cut(double s)
   {
     m_next_cell = Field::npos;
+    m_has_left = false;
     m_end_s = s;
     if(s == m_begin_s) { m_end = m_begin; m_end_dx = m_begin_dx; }
     else m_stepper.stepper().do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, s - m_begin_s);
@@ -162,6 +166,7 @@ private:
   static constexpr double steps_per_curve = 4;      // that share the tolerance
   static constexpr int max_steps = 2000;
   static constexpr double smallest_step = 1e-12;    // of a cell's width
+  static constexpr double smallest_gradient = 1e-4; // relative to the range of f on a cell: where steps get that small, it is to blame
 
   static bool is_finite(const State& x)
   {
@@ -210,7 +215,9 @@ private:
       ds = accepted ? ds / 8 : next;
       if(!(std::abs(ds) > smallest_step * longest)) {
         cut(m_begin_s);
-        return Flow_status::GRADIENT_VANISHES;
+        const auto range = m_velocity.cell.coefficient_range();
+        return m_velocity.cell.width() < smallest_gradient * (range.second - range.first) * speed() ? Flow_status::GRADIENT_VANISHES
+                                                                                                    : Flow_status::TOO_MANY_STEPS;
       }
     }
     m_end_s = ds == goal - m_begin_s ? goal : m_begin_s + ds;
@@ -270,6 +277,7 @@ private:
   double m_begin_s = 0, m_end_s = 0;
   double m_step_size = 0;
   int m_steps = 0;
+  bool m_has_left = false;                          // the shell
 };
 
 } // namespace internal
