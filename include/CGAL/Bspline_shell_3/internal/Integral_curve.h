@@ -97,7 +97,8 @@ public:
     m_end = x;
     m_end_s = m_velocity.cell.value(x);
     m_velocity(m_end, m_end_dx, m_end_s);
-    if(!is_gradient_certain()) return Flow_status::GRADIENT_VANISHES;
+    if(!is_gradient_certain())
+      return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
     begin_step();
     m_step_size = std::numeric_limits<double>::infinity();
     m_steps = 0;
