@@ -119,6 +119,10 @@ private:
     Flow_status status = curve.start(start);
     if(!std::isfinite(level)) return Flow_status::NOT_FINITE;
     while(status == Flow_status::SUCCESS && curve.value() != level) status = curve.step(level);
+    // what errors of steps may add up to, and not more, as beside a critical point
+    constexpr double most = 10;
+    if(status == Flow_status::SUCCESS && curve.drift(curve.state(), level) * curve.speed() > most * curve.tolerance())
+      return Flow_status::TOO_MANY_STEPS;
     return status;
   }
 

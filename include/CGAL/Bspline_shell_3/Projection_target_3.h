@@ -10,6 +10,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -77,10 +78,10 @@ public:
         const auto neighbor = face(opposite(h, mesh), mesh);
         facet.neighbor[i] = neighbor == Graph_traits::null_face() ? npos : facet_of(neighbor);
       }
-      facet.normal = cross(difference(facet.vertex[1], facet.vertex[0]), difference(facet.vertex[2], facet.vertex[0]));
       m_facets.push_back(facet);
     }
     if(!m_valid) return;
+    for(Facet& f : m_facets) f.normal = normal(f.vertex[0], f.vertex[1], f.vertex[2]);
     for(const Facet& f : m_facets) m_triangles.emplace_back(point(f.vertex[0]), point(f.vertex[1]), point(f.vertex[2]));
     m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
     m_tree.build();
@@ -116,21 +117,50 @@ public:
     return dot(f.normal, difference(p, f.vertex[0]));
   }
 
-  /// where in its plane a point is: barycentric coordinates, which may be negative, and the edge that it is farthest outside
-  /// of, or nearest to, with the distance
-  struct Position { Coordinates barycentric; int edge; double outside; };
+  /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it is outside, or
+  /// else from the nearest edge, negative; the edge whose line it is farthest outside of, or nearest to; and the barycentric
+  /// coordinates of the point of the facet that is nearest.
+  struct Position { Coordinates barycentric; double outside; int edge; Coordinates nearest; };
+  /// \pre the facet has an area
   Position position(Index facet, const Coordinates& p) const
   {
     const Facet& f = m_facets[facet];
     const double squared = dot(f.normal, f.normal);
-    Position result{ {}, 0, -std::numeric_limits<double>::infinity() };
+    Position result{ {}, -std::numeric_limits<double>::infinity(), 0, {} };
+    Coordinates e[3], inwards[3];
     for(int i = 0; i < 3; ++i) {
-      const Coordinates e = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
-      const double area = dot(cross(f.normal, e), difference(p, f.vertex[i]));
-      result.barycentric[(i + 2) % 3] = area / squared;
-      const double outside = -area / std::sqrt(squared * dot(e, e));
+      e[i] = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
+      inwards[i] = cross(f.normal, e[i]);
+    }
+    // Where facets are thin, cancellation leaves few digits: twice as many by a second step
+    Coordinates& w = result.barycentric;
+    const Coordinates d = difference(p, f.vertex[0]);
+    w[1] = dot(inwards[2], d) / squared;
+    w[2] = dot(inwards[0], d) / squared;
+    Coordinates rest;
+    for(int a = 0; a < 3; ++a) rest[a] = d[a] - w[1] * e[0][a] + w[2] * e[2][a];
+    w[1] += dot(inwards[2], rest) / squared;
+    w[2] += dot(inwards[0], rest) / squared;
+    w[0] = 1 - w[1] - w[2];
+    for(int i = 0; i < 3; ++i) {
+      const double outside = -w[(i + 2) % 3] * std::sqrt(squared / dot(e[i], e[i]));
       if(outside > result.outside) { result.outside = outside; result.edge = i; }
     }
+    result.nearest = result.barycentric;
+    if(!(result.outside > 0)) return result;
+    // where two edges meet at a small angle, a point far from both may be next to their lines
+    double least = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < 3; ++i) {
+      const Coordinates v = difference(p, f.vertex[i]);
+      const double t = (std::min)((std::max)(dot(v, e[i]) / dot(e[i], e[i]), 0.), 1.);
+      const Coordinates off = { v[0] - t*e[i][0], v[1] - t*e[i][1], v[2] - t*e[i][2] };
+      if(!(dot(off, off) < least)) continue;
+      least = dot(off, off);
+      result.nearest[i] = 1 - t;
+      result.nearest[(i + 1) % 3] = t;
+      result.nearest[(i + 2) % 3] = 0;
+    }
+    result.outside = std::sqrt(least);
     return result;
   }
 
@@ -222,6 +252,22 @@ private:
   static Kernel::Point_3 point(const Coordinates& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
   static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
   static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+  // The exact one, rounded, where cancellation would turn it so that points of the facet were far from its plane.
+  static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
+  {
+    const Coordinates u = difference(q, p), v = difference(r, p), n = cross(u, v);
+    constexpr double thin = 1e-3;
+    if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
+    typedef Exact_rational ET;
+    const auto exact = [](const Coordinates& a, const Coordinates& b) { return std::array<ET, 3>{{ ET(a[0]) - ET(b[0]), ET(a[1]) - ET(b[1]), ET(a[2]) - ET(b[2]) }}; };
+    const std::array<ET, 3> eu = exact(q, p), ev = exact(r, p);
+    Coordinates result;
+    for(int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      result[a] = CGAL::to_double(ET(eu[b] * ev[c] - eu[c] * ev[b]));
+    }
+    return result;
+  }
   static Coordinates cross(const Coordinates& u, const Coordinates& v)
   {
     return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };

@@ -226,8 +226,10 @@ private:
       for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
       const auto position = m_target->position(hit.facet, x);
       hit.value = goal;
-      hit.barycentric = position.barycentric;
-      return position.outside <= m_tolerance && curve.is_within_thresholds(x, goal)
+      hit.barycentric = position.nearest;
+      const Coordinates image = m_target->point(hit.facet, position.nearest);
+      const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
+      return dot(off, off) <= m_tolerance * m_tolerance && curve.is_within_thresholds(x, goal)
           && curve.drift(x, goal) * curve.speed() <= m_tolerance;
     }
     return false;
@@ -253,7 +255,9 @@ private:
     if(best.facet != Target::npos) {
       Curve curve(*m_shell, m_tolerance);
       curve.start(start);
+      const bool is_inside = best.outside <= 0;
       if(settle(curve, best)) return Flow_status::SUCCESS;
+      if(is_inside) return Flow_status::TOO_MANY_STEPS;       // there is an image, but it is not found with the accuracy asked for
     }
     return wrong_way ? Flow_status::FACES_WRONG_WAY : failure;
   }
@@ -274,6 +278,7 @@ private:
     m_target->visit_facets(box, [&](Index facet) {
       const Coordinates& n = m_target->normal(facet);
       const double near = m_tolerance * std::sqrt(dot(n, n));
+      if(!(near > 0)) return;       // without an area
       double s0 = first, s1 = last, h0 = m_target->height(facet, x0), h1 = m_target->height(facet, x1);
       if(!(near > 0) || ((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near)) return;
       Hit hit;

@@ -111,7 +111,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param target_values what gets its values
  * \param np optional named parameters
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which vertices of the target have no value. Vertices of the source without an image are left out.
+ * \return which vertices of the target have no value. Integers are rounded. Vertices of the source without an image are left out.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -147,7 +147,9 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     area[position[c]] += std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]) / 6;
   }
   const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
-  std::vector<std::optional<Value> > sum(target.vertices_of_mesh().size());
+  // numbers are summed up as doubles: integers would lose what is behind the point each time
+  typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
+  std::vector<std::optional<Sum> > sum(target.vertices_of_mesh().size());
   std::vector<double> weight(sum.size(), 0);
   std::size_t n = 0;
   for(auto v : vertices(map.source())) {
@@ -157,8 +159,8 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
         const double w = area[n] * image.location.second[i];
         if(!(w > 0)) continue;
         const std::size_t t = target_position[3 * std::size_t(target.facet_of(image.location.first)) + i];
-        const Value share = w * get(source_values, v);
-        sum[t] = sum[t] ? Value(*sum[t] + share) : share;
+        const Sum share = w * get(source_values, v);
+        sum[t] = sum[t] ? Sum(*sum[t] + share) : share;
         weight[t] += w;
       }
     ++n;
@@ -174,7 +176,10 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   n = 0;
   for(auto v : vertices(map.target())) {
     if(internal::record(report, n, sum[n] ? Flow_status::SUCCESS : pulled[n].status)) {
-      if(sum[n]) put(target_values, v, Value(1 / weight[n] * *sum[n]));
+      if(sum[n]) {
+        if constexpr(std::is_integral<Value>::value) put(target_values, v, Value(std::lround(*sum[n] / weight[n])));
+        else put(target_values, v, Value(1 / weight[n] * *sum[n]));
+      }
       else put(target_values, v, Barycentric_interpolation()(
              internal::corner_values(map.source(), pulled[n].location.first, source_values), pulled[n].location.second));
     }

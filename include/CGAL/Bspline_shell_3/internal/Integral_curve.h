@@ -97,7 +97,8 @@ public:
     m_end = x;
     m_end_s = m_velocity.cell.value(x);
     m_velocity(m_end, m_end_dx, m_end_s);
-    if(!is_finite(m_end_dx)) return Flow_status::GRADIENT_VANISHES;
+    if(!is_gradient_certain())
+      return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
     begin_step();
     m_step_size = std::numeric_limits<double>::infinity();
     m_steps = 0;
@@ -105,6 +106,7 @@ public:
     return is_within_thresholds(m_end, m_end_s) ? Flow_status::SUCCESS : Flow_status::STARTS_OUTSIDE;
   }
 
+  double tolerance() const { return m_tolerance; }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
   double value() const { return m_end_s; }          // of f
@@ -175,6 +177,15 @@ private:
     return std::isfinite(sum);
   }
 
+  // finite, and the gradient larger by far than what rounding may have made of zero
+  bool is_gradient_certain() const
+  {
+    constexpr double safety = 100;
+    return is_finite(m_end_dx) && speed() * safety * m_velocity.cell.error_radius() < m_velocity.cell.width();
+  }
+  // Curves that turn by a right angle or more in one step have jumped over a critical point, or have not been seen well.
+  bool goes_on() const { return m_begin_dx[0]*m_end_dx[0] + m_begin_dx[1]*m_end_dx[1] + m_begin_dx[2]*m_end_dx[2] > 0; }
+
   bool is_shell_cell(Cell_index c) const { return c != Field::npos && m_shell->shell_cells()[c]; }
 
   double threshold(bool outer, const State& x) const
@@ -206,9 +217,14 @@ private:
     for(double limit : { m_step_size, longest })
       if(std::abs(ds) > limit) ds = std::copysign(limit, ds);
     for(;;) {
+      // steps that are lost in rounding are never enough
+      if(m_begin_s + ds == m_begin_s && goal != m_begin_s) {
+        cut(m_begin_s);
+        return Flow_status::GRADIENT_VANISHES;
+      }
       double s = m_begin_s, next = ds;
       const bool accepted = m_stepper.try_step(m_velocity, m_begin, m_begin_dx, s, m_end, m_end_dx, next) == boost::numeric::odeint::success;
-      if(accepted && is_finite(m_end) && is_finite(m_end_dx)) {
+      if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
         m_step_size = (std::max)(std::abs(next), std::abs(ds));
         break;
       }
@@ -243,9 +259,18 @@ private:
     }
     if(axis != -1) {
       cut(exit);
-      std::array<double, 3> beyond = { m_end[0], m_end[1], m_end[2] };
-      beyond[axis] = upwards ? corner[axis] + (1 + slack) * width : corner[axis] - slack * width;
-      m_next_cell = m_shell->field().locate(Point_3(beyond[0], beyond[1], beyond[2]));
+      // Over the face, not over an edge of it: what is on edges belongs to cells that the curve may not come to, or come back from.
+      // Where the cell over the face is none of the shell's, the one that the point is in may be.
+      const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
+      std::array<double, 3> beyond;
+      for(int a = 0; a < 3; ++a)
+        beyond[a] = (std::min)((std::max)(x[a], corner[a] + slack * width), corner[a] + (1 - slack) * width);
+      for(const std::array<double, 3>& p : { beyond, x }) {
+        beyond = p;
+        beyond[axis] = upwards ? corner[axis] + (1 + slack) * width : corner[axis] - slack * width;
+        m_next_cell = m_shell->field().locate(Point_3(beyond[0], beyond[1], beyond[2]));
+        if(is_shell_cell(m_next_cell)) break;
+      }
       if(!is_shell_cell(m_next_cell)) return Flow_status::LEAVES_SHELL;
     }
     const bool outwards = m_end_s > m_begin_s;

@@ -1,0 +1,77 @@
+// What the examples of maps begin with: a mesh, its certified shell, and a second mesh in the shell.
+#ifndef SECOND_MESH_H
+#define SECOND_MESH_H
+
+#include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Transfer_report.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+// Vertices are moved along the integral curves, towards one threshold or the other; by less, if the mesh is not certified then.
+inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
+{
+  const BS::Gradient_flow_3<Shell> flow(shell);
+  BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(shell);
+  for(double amount = 0.8; amount > 0.01; amount /= 2) {
+    moved = mesh;
+    for(Mesh::Vertex_index v : moved.vertices()) {
+      const Kernel::Point_3 p = mesh.point(v);
+      const double wave = amount * std::sin(10 * (p.x() + 2 * p.y() + 3 * p.z()) / shell.report().unit);
+      const double value = *shell.field().value(p);
+      const double end = wave > 0 ? shell.outer_threshold().value(p) : shell.inner_threshold().value(p);
+      const auto arrival = flow.trace(p, value + std::abs(wave) * (end - value));
+      if(!arrival) {
+        std::cerr << message(arrival.status) << std::endl;
+        return false;
+      }
+      moved.point(v) = arrival.point;
+    }
+    if(certificate.verify(moved)) return true;
+  }
+  std::cerr << "No other mesh in the shell was certified." << std::endl;
+  return false;
+}
+
+// reads a mesh, builds its shell and another mesh in it; if one of these fails, says why
+inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
+{
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: " << argv[0] << " MESH" << std::endl;
+    return false;
+  }
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02).time_limit(60.));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return false;
+  }
+  if(!shell.is_certified()) {
+    std::cerr << message(shell.report().refinement) << std::endl;
+    return false;
+  }
+  return move_in_shell(shell, mesh, moved);
+}
+
+// says what was not transferred, if anything
+inline bool is_complete(const BS::Transfer_report& report)
+{
+  if(!report)
+    std::cerr << report.failures.size() << " values are missing, the first at position " << report.failures[0].first << ": "
+              << message(report.failures[0].second) << std::endl;
+  return bool(report);
+}
+
+#endif // SECOND_MESH_H

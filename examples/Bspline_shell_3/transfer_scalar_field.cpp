@@ -1,0 +1,42 @@
+// A scalar field and colours at the vertices of a mesh are transferred to another mesh in the same shell, which is written with its colours.
+#include "second_mesh.h"
+
+#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+
+#include <CGAL/IO/Color.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+int main(int argc, char** argv)
+{
+  Mesh mesh, moved;
+  Shell shell;
+  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+
+  auto height = mesh.add_property_map<Mesh::Vertex_index, double>("v:height").first;
+  auto color = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    height[v] = mesh.point(v).z();
+    color[v] = std::sin(30 * height[v] / shell.report().unit) > 0 ? CGAL::IO::red() : CGAL::IO::white();
+  }
+
+  // the map keeps what is needed for any number of transfers, both ways
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, moved);
+  auto height_on_moved = moved.add_property_map<Mesh::Vertex_index, double>("v:height").first;
+  auto color_on_moved = moved.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  if(!is_complete(BS::transfer_vertex_attribute(map, height, height_on_moved))
+     || !is_complete(BS::transfer_vertex_attribute(map, color, color_on_moved)))
+    return EXIT_FAILURE;
+
+  // a coordinate changes by no more than points are moved, and those by no more than this, in the shell
+  double largest = 0;
+  for(Mesh::Vertex_index v : moved.vertices()) largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
+  const double bound = shell.thickness() / shell.report().certificate.least_gradient;
+  std::cout << "heights are those of points at most " << bound << " away, and differ by up to " << largest << std::endl;
+  if(!CGAL::IO::write_polygon_mesh("transfer_scalar_field.ply", moved, CGAL::parameters::use_binary_mode(false))) {
+    std::cerr << "transfer_scalar_field.ply cannot be written." << std::endl;
+    return EXIT_FAILURE;
+  }
+  return largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;
+}

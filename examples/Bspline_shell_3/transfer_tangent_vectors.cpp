@@ -1,0 +1,46 @@
+// Tangent vectors at the facets of a mesh are moved to another mesh in the same shell by the differential of the map, and back again.
+#include "second_mesh.h"
+
+#include <CGAL/Bspline_shell_3/transfer_tangent_vectors.h>
+
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+typedef Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3> Vectors;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh, moved;
+  Shell shell;
+  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+
+  // a wind that blows along the x-axis, as it goes along the surface
+  Vectors wind = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wind").first,
+          back = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:back").first,
+          wind_on_moved = moved.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wind").first;
+  for(Mesh::Face_index f : mesh.faces()) {
+    const Kernel::Vector_3 n = CGAL::Polygon_mesh_processing::compute_face_normal(f, mesh), x(1, 0, 0);
+    wind[f] = x - (x * n) * n;
+  }
+
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, moved);
+  if(!is_complete(BS::transfer_tangent_vectors(map, wind, wind_on_moved))
+     || !is_complete(BS::transfer_tangent_vectors(map.inverse(), wind_on_moved, back)))
+    return EXIT_FAILURE;
+
+  double off_plane = 0, change = 0;
+  for(Mesh::Face_index f : moved.faces())
+    off_plane = (std::max)(off_plane, std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
+  // As the centroid of a facet is not mapped to that of its image, this is small where neighbours have similar vectors.
+  std::size_t same = 0;
+  for(Mesh::Face_index f : mesh.faces()) {
+    const double d = std::sqrt((back[f] - wind[f]).squared_length());
+    change = (std::max)(change, d);
+    same += d < 1e-6;
+  }
+  std::cout << "the images are in the planes of their facets, up to " << off_plane << "\nafter the way back, " << same << " of "
+            << mesh.number_of_faces() << " vectors are the same up to 1e-6, and others differ by up to " << change << std::endl;
+  return off_plane < 1e-8 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,72 @@
+// Texture coordinates, which jump at seams, are transferred to another mesh in the same shell. Both meshes are written with
+// them, as OBJ files.
+#include "second_mesh.h"
+
+#include <CGAL/Bspline_shell_3/transfer_corner_attribute.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
+
+// around the z-axis, from 0 to 1; facets that lie across the seam are on one side of it
+void wrap_around_axis(const Mesh& mesh, Texture_coordinates uv)
+{
+  for(Mesh::Face_index f : mesh.faces()) {
+    double first = 0;
+    bool has_first = false;
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Kernel::Point_3& p = mesh.point(mesh.target(h));
+      double u = std::atan2(p.y(), p.x()) / (2 * CGAL_PI) + 0.5;
+      if(has_first) u += std::nearbyint(first - u);
+      else first = u;
+      has_first = true;
+      uv[h] = Kernel::Point_2(u, p.z());
+    }
+  }
+}
+
+bool write(const char* name, const Mesh& mesh, Texture_coordinates uv)
+{
+  std::ofstream out(name);
+  out.precision(17);
+  for(Mesh::Vertex_index v : mesh.vertices()) out << "v " << mesh.point(v) << "\n";
+  std::size_t n = 0;
+  for(Mesh::Face_index f : mesh.faces()) {
+    const auto corners = mesh.halfedges_around_face(mesh.halfedge(f));
+    for(Mesh::Halfedge_index h : corners) out << "vt " << uv[h] << "\n";
+    out << "f";
+    for(Mesh::Halfedge_index h : corners) out << " " << std::size_t(mesh.target(h)) + 1 << "/" << ++n;
+    out << "\n";
+  }
+  if(!out) std::cerr << name << " cannot be written." << std::endl;
+  return bool(out);
+}
+
+// the longest edge in the texture
+double longest_edge(const Mesh& mesh, Texture_coordinates uv)
+{
+  double longest = 0;
+  for(Mesh::Face_index f : mesh.faces())
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      longest = (std::max)(longest, CGAL::squared_distance(uv[h], uv[mesh.next(h)]));
+  return std::sqrt(longest);
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh, moved;
+  Shell shell;
+  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+
+  Texture_coordinates uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first,
+                      uv_on_moved = moved.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  wrap_around_axis(mesh, uv);
+  const BS::Transfer_report report = BS::transfer_corner_attribute(BS::Shell_map_3<Shell, Mesh>(shell, mesh, moved), uv, uv_on_moved);
+  if(!is_complete(report)) return EXIT_FAILURE;
+  std::cout << report.transferred << " facets have texture coordinates, " << report.facets_across_seams.size()
+            << " of them lie across seams\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
+            << longest_edge(moved, uv_on_moved) << " after" << std::endl;
+  return write("texture_before.obj", mesh, uv) && write("texture_after.obj", moved, uv_on_moved) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,85 @@
+// Maps between meshes that can be written down: between sheets, along vertical lines, and between spheres, along rays from the origin.
+#ifndef FLAT_AND_ROUND_MAPS_H
+#define FLAT_AND_ROUND_MAPS_H
+
+#include "polynomial_fields.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Shell_map_3.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+typedef CGAL::Bspline_shell_3<Uniform_field> Polynomial_shell;
+typedef CGAL::Bspline_shells::Shell_map_3<Polynomial_shell, Mesh> Polynomial_map;
+
+// f = z
+inline const Polynomial_shell& slab()
+{
+  static const Polynomial_shell shell = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.9, 0.9);
+  return shell;
+}
+
+// f = |x|^2
+inline const Polynomial_shell& ball()
+{
+  static const Polynomial_shell shell = shell_of(uniform_field(squared_distance), 0.3, 0.9);
+  return shell;
+}
+
+inline std::vector<double> steps(double first, double last, int number)
+{
+  std::vector<double> result;
+  for(int n = 0; n <= number; ++n) result.push_back(first + (last - first) * n / number);
+  return result;
+}
+
+// a rectangle at height z(x, y), facing upwards, cut at the given coordinates
+template <typename Height>
+Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const Height& z)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(double x : xs)
+    for(double y : ys) v.push_back(mesh.add_vertex(Point_3(x, y, z(x, y))));
+  const std::size_t n = ys.size();
+  for(std::size_t i = 0; i + 1 < xs.size(); ++i)
+    for(std::size_t j = 0; j + 1 < n; ++j) {
+      mesh.add_face(v[i*n + j], v[(i+1)*n + j], v[(i+1)*n + j+1]);
+      mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
+    }
+  return mesh;
+}
+
+inline std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) }};
+}
+
+inline Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)
+{
+  const std::array<Point_3, 3> t = triangle(mesh, f);
+  return CGAL::centroid(t[0], t[1], t[2]);
+}
+
+inline Vector_3 normal(const Mesh& mesh, Mesh::Face_index f)
+{
+  const std::array<Point_3, 3> t = triangle(mesh, f);
+  return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+}
+
+// about the z-axis, then about the x-axis
+inline Mesh turned(Mesh mesh, double angle)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  for(auto v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    const Point_3 q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+    mesh.point(v) = Point_3(q.x(), c * q.y() - s * q.z(), s * q.y() + c * q.z());
+  }
+  return mesh;
+}
+
+#endif // FLAT_AND_ROUND_MAPS_H
