@@ -36,6 +36,7 @@ enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum allow_open_shell_t { allow_open_shell };
 enum skip_open_components_t { skip_open_components };
+enum stop_t { stop };
 
 } // namespace parameter_tags
 
@@ -72,10 +73,14 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
   ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
+  ADD(parameter_tags::stop_t, stop)                                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \
   ADD(internal_np::filter_t, filter)                                                              \
+  ADD(internal_np::get_cost_policy_t, get_cost)                                                   \
+  ADD(internal_np::get_placement_policy_t, get_placement)                                         \
+  ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                \
   ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
 
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
