@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/facet_normal.h>
+#include <CGAL/Bspline_shell_3/fan_winding.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions_3.h>
@@ -59,39 +60,56 @@ public:
   explicit Shell_facet_oracle_3(const Shell& shell) : m_shell(&shell), m_predicates(shell.field())
   {
     const Field& field = shell.field();
-    m_bounds.reserve(field.number_of_cells());
+    m_cells.resize(field.number_of_cells());
     for(Cell_index c = 0; c < field.number_of_cells(); ++c) {
-      m_bounds.push_back(cell_bounds(c));
+      bound(c);
       m_largest_width = (std::max)(m_largest_width, field.cell(c).width());
     }
   }
 
-  /// whether every point of the triangle lies between the thresholds, in a cell that the shell may meet, and the field increases
-  /// along the triangle's normal there
-  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+  /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the gradient at `p` once.
+  /// \param link the vertices of the link, in cyclic order
+  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link) const
   {
-    if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
-    const std::array<Point_3, 3> triangle = { p, q, r };
-    bool contained = false, transversal = false;
-    const Placement_verdict verdict = examine(triangle, contained, transversal);
-    if(verdict != Placement_verdict::ACCEPTED) return verdict;
-    if(!contained
-       && m_predicates.values_within(triangle, m_shell->inner_threshold(), m_shell->outer_threshold()) != Verdict::PROVED)
-      return Placement_verdict::LEAVES_SHELL;
-    if(!transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED) return Placement_verdict::FACES_AWAY;
+    const Sample at_p = sample(to_array(p));
+    if(at_p.margin < 0) return Placement_verdict::LEAVES_SHELL;
+    const std::size_t turns = winding_number(p, at_p, link);
+    if(turns == 0) return Placement_verdict::FACES_AWAY;
+    if(turns > 1) return Placement_verdict::WINDS_TWICE;
+    // first what is cheap, for all facets: corners, and the middles of the edges at `p`
+    const std::size_t size = link.size();
+    std::vector<Sample> corners, middles;
+    for(const Point_3& q : link) {
+      corners.push_back(sample(to_array(q)));
+      middles.push_back(sample(midpoint(at_p, corners.back())));
+      if(corners.back().margin < 0 || middles.back().margin < 0) return Placement_verdict::LEAVES_SHELL;
+    }
+    std::vector<Facet_normal> normals;
+    for(std::size_t n = 0; n < size; ++n) {
+      const std::size_t m = (n + 1) % size;
+      normals.push_back(facet_normal(p, link[n], link[m]));
+      for(const Sample* s : { &corners[n], &corners[m], &middles[n], &middles[m] })
+        if(slope(*s, normals.back()) <= 0) return Placement_verdict::FACES_AWAY;
+    }
+    for(std::size_t n = 0; n < size; ++n) {
+      const std::size_t m = (n + 1) % size;
+      const Placement_verdict verdict = examine({ p, link[n], link[m] }, { at_p, corners[n], corners[m] }, normals[n], few_parts);
+      if(verdict != Placement_verdict::ACCEPTED) return verdict;
+    }
     return Placement_verdict::ACCEPTED;
   }
 
-  /// a point in the direction of the gradient from `p`: every facet at `p` that is accepted faces it. Nothing outside the domain.
-  std::optional<Point_3> axis(const Point_3& p) const
+  /// the same for a single facet, with more effort
+  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
-    const Cell_index c = m_shell->field().locate(p);
-    if(c == Field::npos) return std::nullopt;
-    const auto jet = m_shell->field().cell(c).first_order_jet(p);
-    const double length = norm(jet.gradient);
-    if(!(length > 0)) return std::nullopt;
-    const double s = 16 * m_largest_width / length;       // long enough that rounding does not turn it
-    return Point_3(p[0] + s * jet.gradient[0], p[1] + s * jet.gradient[1], p[2] + s * jet.gradient[2]);
+    if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
+    return examine({ p, q, r }, { sample(to_array(p)), sample(to_array(q)), sample(to_array(r)) }, facet_normal(p, q, r), most_bisections);
+  }
+
+  /// how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face it
+  std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
+  {
+    return winding_number(p, sample(to_array(p)), link);
   }
 
   /// `p` moved along the gradient to where the field has the mean of its values at `a` and `b`, rounded; nothing if that leaves
@@ -123,25 +141,28 @@ private:
   // What is known of all of a cell, per user unit. The margin is the distance to the nearer threshold, in units of the field.
   struct Cell_bounds
   {
-    double curvature;             // of the field: second derivatives along any direction
-    double gradient_error;        // of the gradient that a cell computes at a point, in length
-    double margin_curvature;
-    double margin_slope;
-    double margin_error;          // of the margin that is computed at a point
+    double curvature = 0;             // of the field: second derivatives along any direction
+    double gradient_error = 0;        // of the gradient that a cell computes at a point, in length
+    double margin_curvature = 0;
+    double margin_slope = 0;
+    double margin_error = 0;          // of the margin that is computed at a point
+    std::size_t above = 0;            // where the differences to the thresholds are, for cells that the shell may meet
   };
+  typedef std::array<double, 64> Coefficients;
 
   // A corner of a part of a triangle
   struct Sample
   {
     Coordinates point;
-    double margin;                // lower bound
+    Cell_index cell;              // `npos` outside the shell's cells
+    double margin;                // lower bound; negative outside
     Coordinates gradient;
-    double gradient_error;
   };
   struct Part
   {
     std::array<Sample, 3> corner;
-    int depth, refinements;       // halvings of all edges; those of them below the size of a cell
+    int depth, refinements;       // bisections; those of them below the size of a cell
+    bool is_contained, is_transversal;      // known of all of it
   };
 
   static double norm(const Coordinates& v) { return std::sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]); }
@@ -189,147 +210,179 @@ private:
     return internal::Form_error(8 * internal::rounding)(f);
   }
 
-  Cell_bounds cell_bounds(Cell_index c) const
+  void bound(Cell_index c)
   {
     const typename Field::Cell cell = m_shell->field().cell(c);
     const Enclosed_tricubic f = enclosed_value(cell);
-    Cell_bounds bounds;
+    Cell_bounds& bounds = m_cells[c];
     double slope;
     bound_derivatives(f, cell.width(), slope, bounds.curvature);
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
     const double component = 6 * value_error(f) / cell.width() + 8 * internal::rounding * bounds.curvature * cell.width();
     bounds.gradient_error = 2 * component;
-    bounds.margin_curvature = bounds.margin_slope = bounds.margin_error = 0;
+    std::array<Coefficients, 2> above;
     for(const Threshold* threshold : { &m_shell->inner_threshold(), &m_shell->outer_threshold() }) {
       const Enclosed_tricubic d = threshold->difference(f, c);
+      above[threshold == &m_shell->outer_threshold()] = d.coefficients;
       double s, k;
       bound_derivatives(d, cell.width(), s, k);
       bounds.margin_slope = (std::max)(bounds.margin_slope, s);
       bounds.margin_curvature = (std::max)(bounds.margin_curvature, k);
       bounds.margin_error = (std::max)(bounds.margin_error, value_error(d));
     }
-    return bounds;
+    if(!m_shell->shell_cells()[c]) return;
+    bounds.above = m_above.size();
+    m_above.push_back(above);
   }
 
-  // outside the domain, the margin is negative
-  Sample sample(const Coordinates& x) const
+  static Coordinates to_array(const Point_3& p) { return { p[0], p[1], p[2] }; }
+
+  Sample sample(const Coordinates& x, bool wants_margin = true, bool wants_gradient = true) const
   {
-    Sample s = { x, -1, {}, 0 };
+    Sample s = { x, Field::npos, -1, {} };
     const Point_3 p(x[0], x[1], x[2]);
     const Cell_index c = m_shell->field().locate(p);
     if(c == Field::npos || !m_shell->shell_cells()[c]) return s;
+    s.cell = c;
     const typename Field::Cell cell = m_shell->field().cell(c);
-    const auto jet = cell.first_order_jet(p);
-    s.gradient = jet.gradient;
-    s.gradient_error = m_bounds[c].gradient_error;
-    const Enclosed_tricubic f = enclosed_value(cell);
-    const auto above = [&](const Threshold& threshold) {
-      const Enclosed_tricubic d = threshold.difference(f, c);
-      return Tricubic_cell_3(cell.corner(), cell.width(), d.coefficients.data(), d.radius).value(p);
-    };
-    s.margin = (std::min)(above(m_shell->inner_threshold()), -above(m_shell->outer_threshold())) - m_bounds[c].margin_error;
+    if(wants_gradient) s.gradient = cell.first_order_jet(p).gradient;
+    s.margin = 0;
+    if(wants_margin) {
+      const std::array<Coefficients, 2>& above = m_above[m_cells[c].above];
+      const auto value = [&](const Coefficients& b) { return Tricubic_cell_3(cell.corner(), cell.width(), b.data(), 0).value(p); };
+      s.margin = (std::min)(value(above[0]), -value(above[1])) - m_cells[c].margin_error;
+    }
     return s;
   }
 
-  // Second-order bounds on parts. Accepts if nothing speaks against the triangle; what is proved is told.
-  Placement_verdict examine(const std::array<Point_3, 3>& triangle, bool& contained, bool& transversal) const
+  static Coordinates midpoint(const Sample& p, const Sample& q)
   {
-    const Facet_normal normal = facet_normal(triangle[0], triangle[1], triangle[2]);
+    return { (p.point[0] + q.point[0]) / 2, (p.point[1] + q.point[1]) / 2, (p.point[2] + q.point[2]) / 2 };
+  }
+
+  // rounded
+  static double slope(const Sample& s, const Facet_normal& normal)
+  {
+    return s.gradient[0] * normal.direction[0] + s.gradient[1] * normal.direction[1] + s.gradient[2] * normal.direction[2];
+  }
+
+  // by an axis that is long enough for its direction not to be spoilt by rounding
+  std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
+  {
+    const double length = norm(at_p.gradient);
+    if(!(length > 0)) return 0;
+    const double s = 16 * m_largest_width / length;
+    return link_winding_number(p, Point_3(p[0] + s * at_p.gradient[0], p[1] + s * at_p.gradient[1], p[2] + s * at_p.gradient[2]), link);
+  }
+
+  // Second-order bounds on parts of a triangle; predicates for what they leave open, if it is no more than some parts.
+  Placement_verdict examine(const std::array<Point_3, 3>& triangle, const std::array<Sample, 3>& corners, const Facet_normal& normal,
+                            std::size_t most_open_parts) const
+  {
     constexpr double up = 1 + 16 * internal::rounding;
     const double length_of_normal = norm(normal.direction) * up + 2 * normal.radius;
     double reach = 0;
-    for(const Point_3& p : triangle)
-      for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(double(p[a])));
-    // corners of parts: a rounding of a coordinate for each halving
-    const double position_error = 2 * (max_depth + 1) * internal::rounding * reach;
-    const auto slope = [&](const Sample& s) {
-      return s.gradient[0] * normal.direction[0] + s.gradient[1] * normal.direction[1] + s.gradient[2] * normal.direction[2];
-    };
-
-    std::vector<Part> stack(1);
-    for(int v = 0; v < 3; ++v) {
-      Sample& s = stack[0].corner[v];
-      s = sample({ triangle[v][0], triangle[v][1], triangle[v][2] });
+    for(const Sample& s : corners) {
       if(s.margin < 0) return Placement_verdict::LEAVES_SHELL;
-      if(slope(s) <= 0) return Placement_verdict::FACES_AWAY;
+      if(slope(s, normal) <= 0) return Placement_verdict::FACES_AWAY;
+      for(double x : s.point) reach = (std::max)(reach, std::abs(x));
     }
-    stack[0].depth = stack[0].refinements = 0;
-    contained = transversal = true;
-    std::size_t parts = 0;
+    // corners of parts: a rounding of a coordinate for each halving
+    const double e = 4 * (max_depth + 1) * internal::rounding * reach;
+    std::size_t bisections = 0, outside = 0, turned = 0;       // parts that are not proved to be in the shell, to face along
+    std::vector<Part> stack = { { corners, 0, 0, false, false } };
     while(!stack.empty()) {
-      const Part part = stack.back();
+      Part part = stack.back();
       stack.pop_back();
-      double squared_length = 0;
-      Coordinates least = part.corner[0].point, most = least;
-      for(int v = 0; v < 3; ++v) {
-        double squared = 0;
-        for(int a = 0; a < 3; ++a) {
-          squared += square(part.corner[v].point[a] - part.corner[(v + 1) % 3].point[a]);
-          least[a] = (std::min)(least[a], part.corner[v].point[a]);
-          most[a] = (std::max)(most[a], part.corner[v].point[a]);
-        }
-        squared_length = (std::max)(squared_length, squared);
-      }
-      const double length = std::sqrt(squared_length) * up + 4 * position_error;
-      bool is_contained = false, is_transversal = false;
-      const bool is_small = length < large_extent * m_largest_width;
-      if(is_small) {
-        Cell_bounds bounds = {};
-        double least_width = std::numeric_limits<double>::infinity();
-        const double e = 2 * position_error;
-        const bool covered = m_shell->field().visit_cells(
-          Bbox_3(least[0] - e, least[1] - e, least[2] - e, most[0] + e, most[1] + e, most[2] + e), [&](Cell_index c) {
-            bounds.curvature = (std::max)(bounds.curvature, m_bounds[c].curvature);
-            bounds.margin_curvature = (std::max)(bounds.margin_curvature, m_bounds[c].margin_curvature);
-            bounds.margin_slope = (std::max)(bounds.margin_slope, m_bounds[c].margin_slope);
-            least_width = (std::min)(least_width, m_shell->field().cell(c).width());
-          });
-        if(covered) {
-          double margin = std::numeric_limits<double>::infinity(), crossing = margin;
-          for(const Sample& s : part.corner) {
-            margin = (std::min)(margin, s.margin);
-            double size = 0;
-            for(int a = 0; a < 3; ++a) size += std::abs(s.gradient[a]);
-            crossing = (std::min)(crossing, slope(s) - length_of_normal * s.gradient_error
-                                              - (2 * normal.radius + 8 * internal::rounding) * size);
-          }
-          constexpr double inverse_of_root_of_three = 0.5774;      // rounded upwards
-          is_contained = margin >= (bounds.margin_slope * e + bounds.margin_curvature * length * length / 6) * up;
-          is_transversal = crossing > length_of_normal * bounds.curvature * (e + inverse_of_root_of_three * length) * up;
-        }
-      }
-      if((is_contained || !contained) && (is_transversal || !transversal)) continue;
-      if(part.refinements == max_refinements || part.depth == max_depth || ++parts > most_parts) {
-        contained = contained && is_contained;
-        transversal = transversal && is_transversal;
-        if(!contained && !transversal) break;
-        continue;
-      }
-      std::array<Sample, 3> middle;       // of the edges opposite to the corners
+      double longest = 0;
+      int top = 0;        // the corner opposite to the longest edge
       for(int v = 0; v < 3; ++v) {
         const Coordinates &p = part.corner[(v + 1) % 3].point, &q = part.corner[(v + 2) % 3].point;
-        middle[v] = sample({ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 });
-        if(middle[v].margin < 0) return Placement_verdict::LEAVES_SHELL;
-        if(slope(middle[v]) <= 0) return Placement_verdict::FACES_AWAY;
+        const double squared = square(p[0] - q[0]) + square(p[1] - q[1]) + square(p[2] - q[2]);
+        if(squared > longest) { longest = squared; top = v; }
       }
-      const int depth = part.depth + 1, refinements = part.refinements + is_small;
-      stack.push_back({ middle, depth, refinements });
-      for(int v = 0; v < 3; ++v) {
-        Part corner = { middle, depth, refinements };
-        corner.corner[v] = part.corner[v];
-        stack.push_back(corner);
+      const double length = std::sqrt(longest) * up + 2 * e;
+      const bool is_small = length < large_extent * m_largest_width;
+      if(const std::optional<Cell_bounds> bounds = is_small ? largest_bounds(part, e) : std::nullopt) {
+        if(!part.is_contained) {
+          const double margin = (std::min)({ part.corner[0].margin, part.corner[1].margin, part.corner[2].margin });
+          part.is_contained = margin >= (bounds->margin_slope * e + bounds->margin_curvature * length * length / 6) * up;
+        }
+        if(!part.is_transversal) {
+          double least = std::numeric_limits<double>::infinity();
+          for(const Sample& s : part.corner) {
+            const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
+            least = (std::min)(least, slope(s, normal) - length_of_normal * m_cells[s.cell].gradient_error
+                                        - (2 * normal.radius + 8 * internal::rounding) * size);
+          }
+          constexpr double inverse_of_root_of_three = 0.5774;      // rounded upwards
+          part.is_transversal = least > length_of_normal * bounds->curvature * (e + inverse_of_root_of_three * length) * up;
+        }
+      }
+      if(part.is_contained && part.is_transversal) continue;
+      if(part.refinements == max_refinements || part.depth == max_depth || bisections == most_bisections) {
+        outside += !part.is_contained;
+        turned += !part.is_transversal;
+        if(outside > most_open_parts) return Placement_verdict::LEAVES_SHELL;
+        if(turned > most_open_parts) return Placement_verdict::FACES_AWAY;
+        continue;
+      }
+      ++bisections;
+      ++part.depth;
+      part.refinements += is_small;
+      const Sample middle = sample(midpoint(part.corner[(top + 1) % 3], part.corner[(top + 2) % 3]),
+                                   !part.is_contained, !part.is_transversal);
+      if(middle.margin < 0) return Placement_verdict::LEAVES_SHELL;
+      if(!part.is_transversal && slope(middle, normal) <= 0) return Placement_verdict::FACES_AWAY;
+      for(int end : { 1, 2 }) {
+        stack.push_back(part);
+        stack.back().corner[(top + end) % 3] = middle;
       }
     }
+    if(outside > 0
+       && m_predicates.values_within(triangle, m_shell->inner_threshold(), m_shell->outer_threshold()) != Verdict::PROVED)
+      return Placement_verdict::LEAVES_SHELL;
+    if(turned > 0 && m_predicates.crosses_upwards(triangle) != Verdict::PROVED) return Placement_verdict::FACES_AWAY;
     return Placement_verdict::ACCEPTED;
   }
 
+  // of all cells that a part meets, if its corners are displaced by less than e; nothing if they do not cover it
+  std::optional<Cell_bounds> largest_bounds(const Part& part, double e) const
+  {
+    Coordinates least, most;
+    for(int a = 0; a < 3; ++a) {
+      const auto mm = std::minmax({ part.corner[0].point[a], part.corner[1].point[a], part.corner[2].point[a] });
+      least[a] = mm.first - e;
+      most[a] = mm.second + e;
+    }
+    const Cell_index first = part.corner[0].cell;
+    if(part.corner[1].cell == first && part.corner[2].cell == first) {
+      const typename Field::Cell cell = m_shell->field().cell(first);
+      const Coordinates& corner = cell.corner();
+      bool is_inside = true;
+      for(int a = 0; a < 3; ++a) is_inside = is_inside && least[a] >= corner[a] && most[a] <= corner[a] + cell.width();
+      if(is_inside) return m_cells[first];
+    }
+    Cell_bounds bounds;
+    const bool covered
+      = m_shell->field().visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]), [&](Cell_index c) {
+          bounds.curvature = (std::max)(bounds.curvature, m_cells[c].curvature);
+          bounds.margin_curvature = (std::max)(bounds.margin_curvature, m_cells[c].margin_curvature);
+          bounds.margin_slope = (std::max)(bounds.margin_slope, m_cells[c].margin_slope);
+        });
+    if(!covered) return std::nullopt;
+    return bounds;
+  }
+
   static constexpr double large_extent = 4;           // cells; larger parts are subdivided before they are bounded
-  static constexpr int max_depth = 20, max_refinements = 5;
-  static constexpr std::size_t most_parts = 4096;     // that are subdivided; then the predicates go on
+  static constexpr int max_depth = 40, max_refinements = 10;
+  static constexpr std::size_t most_bisections = 4096;
+  static constexpr std::size_t few_parts = 8;         // that predicates are asked for when there are other places to try
 
   const Shell* m_shell;
   Field_predicates_3<Field> m_predicates;
-  std::vector<Cell_bounds> m_bounds;
+  std::vector<Cell_bounds> m_cells;
+  std::vector<std::array<Coefficients, 2> > m_above;      // the field minus the inner and the outer threshold
   double m_largest_width = 0;       // of a cell
 };
 

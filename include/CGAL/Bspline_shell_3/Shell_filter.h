@@ -7,7 +7,6 @@
 #define CGAL_BSPLINE_SHELL_3_SHELL_FILTER_H
 
 #include <CGAL/Bspline_shell_3/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/fan_winding.h>
 
 #include <CGAL/Surface_mesh_simplification/internal/Common.h>
 
@@ -77,17 +76,7 @@ private:
     const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());
     std::vector<Point> link;
     for(std::size_t n = first; n < triangles.size(); ++n) link.push_back(get(vpm, triangles[n].v2));
-    // first what is cheap: it finds the facets that are turned over
-    if(const auto on_axis = m_oracle->axis(p)) {
-      const std::size_t turns = link_winding_number(p, *on_axis, link);
-      if(turns == 0) return Placement_verdict::FACES_AWAY;
-      if(turns > 1) return Placement_verdict::WINDS_TWICE;
-    }
-    for(std::size_t n = first; n < triangles.size(); ++n) {
-      const Placement_verdict verdict = (*m_oracle)(get(vpm, triangles[n].v0), p, get(vpm, triangles[n].v2));
-      if(verdict != Placement_verdict::ACCEPTED) return verdict;
-    }
-    return Placement_verdict::ACCEPTED;
+    return (*m_oracle)(p, link);
   }
 
   const Oracle* m_oracle;

@@ -13,7 +13,6 @@
 #include <CGAL/Bspline_shell_3/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Simplification_report.h>
-#include <CGAL/Bspline_shell_3/fan_winding.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/FPU.h>
@@ -231,8 +230,7 @@ bool is_accepted(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& ora
     }
     if(is_degenerate) continue;
     std::reverse(link.begin(), link.end());
-    const auto on_axis = oracle.axis(get(vpm, v));
-    if(!on_axis || link_winding_number(get(vpm, v), *on_axis, link) != 1) offenders.vertices.push_back(n);
+    if(oracle.winding_number(get(vpm, v), link) != 1) offenders.vertices.push_back(n);
   }
   return offenders.vertices.empty();
 }
