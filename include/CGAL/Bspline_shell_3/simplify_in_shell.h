@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -88,43 +89,94 @@ struct Simplification_result : Simplification_report
 
 namespace internal {
 
-// What visitor, placement and filter tell each other about the edge that is being considered. A run calls OnSelected(), and then, if
-// the edge satisfies the link condition, placement and filter once for this edge, before any other.
-struct Selected_edge
+// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge satisfies the link
+// condition, placement and filter once for this edge, before any other.
+struct Collapse_state
 {
-  bool is_waiting = false;       // for a placement
+  bool is_waiting = false;            // the selected edge, for a placement
   bool is_accepted = false;
-  std::size_t retried = 0;
+  bool has_stopped = false;
+  bool has_deferred = false;          // a place that was too expensive
+  double cost = 0;                    // of the selected edge
+  double largest_cost = 0;            // of the edges collapsed so far
+  double allowance = 1;               // how many times that another place than the policy's may cost
+  std::size_t initial_edges = 0;
+  std::size_t collapsed = 0, retried = 0;
 };
 
-// Marks the edge, after all others have been told.
+// Several runs look like one, and the selected edge is marked after all others have been told.
 template <typename TriangleMesh, typename Visitor>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
-  Selecting_visitor(Visitor& visitor, Selected_edge& edge) : Base(visitor), m_edge(&edge) {}
+  Selecting_visitor(Visitor& visitor, Collapse_state& state) : Base(visitor), m_state(&state) {}
 
+  void OnStarted(TriangleMesh&) {}
+  void OnFinished(TriangleMesh&) {}
   template <typename Profile, typename OptionalCost>
-  void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t initial, std::size_t current)
+  void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
   {
-    Base::OnSelected(profile, cost, initial, current);
-    m_edge->is_waiting = true;
+    Base::OnSelected(profile, cost, m_state->initial_edges, current);
+    m_state->is_waiting = true;
+    m_state->cost = cost ? CGAL::to_double(*cost) : 0;
+  }
+  template <typename Profile, typename OptionalPoint>
+  void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
+  {
+    Base::OnCollapsing(profile, placement);
+    m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
+    ++m_state->collapsed;
   }
 
 private:
-  Selected_edge* m_edge;
+  Collapse_state* m_state;
+};
+
+// the caller's predicate, over several runs
+template <typename Stop>
+struct Continued_stop_predicate
+{
+  const Stop* stop;
+  Collapse_state* state;
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
+  {
+    state->has_stopped = (*stop)(cost, profile, state->initial_edges, edges);
+    return state->has_stopped;
+  }
+};
+
+// The caller's costs, which remember the mesh before from one run to the next.
+template <typename Cost>
+struct Continued_cost
+{
+  typedef Boolean_tag<Surface_mesh_simplification::internal::Oracles_require_updates<Cost>::value> Update_tag;
+
+  const Cost* cost;
+  const Collapse_state* state;
+
+  template <typename Profile, typename OptionalPoint>
+  auto operator()(const Profile& profile, const OptionalPoint& placement) const { return (*cost)(profile, placement); }
+  template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+  void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
+  {
+    if(state->collapsed == 0) cost->initialize(mesh, vpm, traits);
+  }
+  template <typename Profile, typename Vertex>
+  void update_after_collapse(const Profile& profile, const Vertex& v) const { cost->update_after_collapse(profile, v); }
 };
 
 // For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
-// passes the filter; if there is none, the policy's. Vertices of constrained edges stay where they are.
+// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are.
 template <typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
 class Retrying_placement
 {
 public:
   Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
-                     const EdgeIsConstrainedMap& constrained, Selected_edge& edge)
-    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained), m_edge(&edge)
+                     const EdgeIsConstrainedMap& constrained, Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained), m_state(&state)
   {}
 
   template <typename Profile>
@@ -138,15 +190,18 @@ public:
     if(fixed_0) placement = profile.p0();
     else if(fixed_1) placement = profile.p1();
     else placement = (*m_placement)(profile);
-    if(!m_edge->is_waiting) return placement;
-    m_edge->is_waiting = false;
+    if(!m_state->is_waiting) return placement;
+    m_state->is_waiting = false;
 
-    m_edge->is_accepted = bool(placement) && bool((*m_filter)(profile, placement));
-    if(m_edge->is_accepted || fixed_0 || fixed_1) return placement;
+    m_state->is_accepted = bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || fixed_0 || fixed_1) return placement;
+    const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     std::vector<std::pair<double, Point> > others;
     const auto add = [&](const Point& p) {
       const auto cost = (*m_cost)(profile, Optional(p));
-      if(cost) others.emplace_back(CGAL::to_double(*cost), p);
+      if(!cost) return;
+      if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
+      else m_state->has_deferred = true;
     };
     const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
     for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
@@ -156,8 +211,9 @@ public:
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& other : others)
       if((*m_filter)(profile, Optional(other.second))) {
-        m_edge->is_accepted = true;
-        ++m_edge->retried;
+        m_state->is_accepted = true;
+        m_state->cost = other.first;
+        ++m_state->retried;
         return other.second;
       }
     return placement;
@@ -179,18 +235,18 @@ private:
   const Filter* m_filter;
   const Oracle* m_oracle;
   EdgeIsConstrainedMap m_constrained;
-  Selected_edge* m_edge;
+  Collapse_state* m_state;
 };
 
 // Passes what the placement found acceptable.
 struct Accepted_filter
 {
-  const Selected_edge* edge;
+  const Collapse_state* state;
 
   template <typename Profile, typename OptionalPoint>
   OptionalPoint operator()(const Profile&, const OptionalPoint& placement) const
   {
-    return edge->is_accepted ? placement : OptionalPoint();
+    return state->is_accepted ? placement : OptionalPoint();
   }
 };
 
@@ -337,17 +393,29 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
   const Filter filter(oracle, std::cref(base_filter));
 
-  internal::Selected_edge edge;
-  internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<Visitor> > history(visitor, edge);
+  internal::Collapse_state state;
+  state.initial_edges = edges(mesh).size();
+  typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<Visitor> > History;
+  internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<Visitor> > history(visitor, state);
   const auto collapse = [&](const auto& cost, const auto& placement) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
     typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
+    typedef std::remove_cv_t<decltype(stop)> Stop;
     typedef std::remove_cv_t<decltype(constrained)> Constrained;
     const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
-      retrying(cost, placement, filter, oracle, constrained, edge);
-    SMS::edge_collapse(mesh, stop, CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
-                                                    .get_cost(cost).get_placement(retrying)
-                                                    .filter(internal::Accepted_filter{ &edge }).visitor(history));
+      retrying(cost, placement, filter, oracle, constrained, state);
+    static_cast<History&>(history).OnStarted(mesh);
+    // Places that cost more than what is due wait for a later run.
+    for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
+      state.allowance = allowance;
+      state.has_deferred = false;
+      SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
+                         CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
+                                          .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
+                                          .filter(internal::Accepted_filter{ &state }).visitor(history));
+      if(state.has_stopped || !state.has_deferred) break;
+    }
+    static_cast<History&>(history).OnFinished(mesh);
   };
   constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
   constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
@@ -361,7 +429,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   result.facets = faces(mesh).size();
   result.selected = history.history().selected;
   result.collapsed = history.history().collapsed;
-  result.retried = edge.retried;
+  result.retried = state.retried;
   result.placements = filter.statistics();
   result.collapse_seconds = timer.time();
 
