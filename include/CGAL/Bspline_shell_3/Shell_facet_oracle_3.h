@@ -17,12 +17,15 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions_3.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -56,6 +59,18 @@ public:
   typedef Bspline_shell_3<Field, Threshold> Shell;
   typedef typename Field::Point_3 Point_3;
 
+  /// the verdicts on facets, by their corners: an edge that was given up and is considered again has mostly the same facets
+  class Memory
+  {
+    friend class Shell_facet_oracle_3;
+    typedef std::array<double, 9> Facet;
+    struct Hash
+    {
+      std::size_t operator()(const Facet& facet) const { return boost::hash_range(facet.begin(), facet.end()); }
+    };
+    std::unordered_map<Facet, Placement_verdict, Hash> m_verdicts;
+  };
+
   /// \pre there is a shell, and it outlives this object
   explicit Shell_facet_oracle_3(const Shell& shell) : m_shell(&shell), m_predicates(shell.field())
   {
@@ -69,15 +84,23 @@ public:
 
   /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
-  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link) const
+  /// \param memory of earlier questions
+  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
   {
+    const std::size_t size = link.size();
+    std::vector<const Placement_verdict*> known;
+    for(std::size_t n = 0; n < size; ++n) {
+      const Point_3 &q = link[n], &r = link[(n + 1) % size];
+      const auto found = memory.m_verdicts.find({ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] });
+      known.push_back(found == memory.m_verdicts.end() ? nullptr : &found->second);
+      if(known.back() && *known.back() != Placement_verdict::ACCEPTED) return *known.back();
+    }
     const Sample at_p = sample(to_array(p));
     if(at_p.margin < 0) return Placement_verdict::LEAVES_SHELL;
     const std::size_t turns = winding_number(p, at_p, link);
     if(turns == 0) return Placement_verdict::FACES_AWAY;
     if(turns > 1) return Placement_verdict::WINDS_TWICE;
     // first what is cheap, for all facets: corners, and the middles of the edges at `p`
-    const std::size_t size = link.size();
     std::vector<Sample> corners, middles;
     for(const Point_3& q : link) {
       corners.push_back(sample(to_array(q)));
@@ -92,8 +115,11 @@ public:
         if(slope(*s, normals.back()) <= 0) return Placement_verdict::FACES_AWAY;
     }
     for(std::size_t n = 0; n < size; ++n) {
+      if(known[n]) continue;
       const std::size_t m = (n + 1) % size;
       const Placement_verdict verdict = examine({ p, link[n], link[m] }, { at_p, corners[n], corners[m] }, normals[n], few_parts);
+      memory.m_verdicts.emplace(typename Memory::Facet{ p[0], p[1], p[2], link[n][0], link[n][1], link[n][2], link[m][0], link[m][1], link[m][2] },
+                                verdict);
       if(verdict != Placement_verdict::ACCEPTED) return verdict;
     }
     return Placement_verdict::ACCEPTED;
@@ -143,6 +169,7 @@ private:
   {
     double curvature = 0;             // of the field: second derivatives along any direction
     double gradient_error = 0;        // of the gradient that a cell computes at a point, in length
+    Coordinates least_gradient = {}, greatest_gradient = {};
     double margin_curvature = 0;
     double margin_slope = 0;
     double margin_error = 0;          // of the margin that is computed at a point
@@ -167,7 +194,23 @@ private:
 
   static double norm(const Coordinates& v) { return std::sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]); }
 
-  // bounds the length of the gradient and the second derivatives by differences of the coefficients
+  // encloses the components of the gradient, by differences of the coefficients
+  static void enclose_gradient(const Enclosed_tricubic& f, double width, Coordinates& least, Coordinates& greatest)
+  {
+    const double* b = f.coefficients.data();
+    double largest = 0;
+    for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
+    const double error = 6 * (f.radius + 4 * internal::rounding * largest + internal::underflow) / width * (1 + 16 * internal::rounding);
+    for(int a = 0, s = 1; a < 3; ++a, s *= 4) {
+      Level_range range;
+      for(int n = 0; n < 64; ++n)
+        if((n / s) % 4 < 3) range.include(b[n + s] - b[n]);
+      least[a] = 3 * range.min / width - error;
+      greatest[a] = 3 * range.max / width + error;
+    }
+  }
+
+  // bounds the length of the gradient and the second derivatives, likewise
   static void bound_derivatives(const Enclosed_tricubic& f, double width, double& slope, double& curvature)
   {
     const double* b = f.coefficients.data();
@@ -217,6 +260,7 @@ private:
     Cell_bounds& bounds = m_cells[c];
     double slope;
     bound_derivatives(f, cell.width(), slope, bounds.curvature);
+    enclose_gradient(f, cell.width(), bounds.least_gradient, bounds.greatest_gradient);
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
     const double component = 6 * value_error(f) / cell.width() + 8 * internal::rounding * bounds.curvature * cell.width();
     bounds.gradient_error = 2 * component;
@@ -303,21 +347,21 @@ private:
       }
       const double length = std::sqrt(longest) * up + 2 * e;
       const bool is_small = length < large_extent * m_largest_width;
-      if(const std::optional<Cell_bounds> bounds = is_small ? largest_bounds(part, e) : std::nullopt) {
-        if(!part.is_contained) {
-          const double margin = (std::min)({ part.corner[0].margin, part.corner[1].margin, part.corner[2].margin });
-          part.is_contained = margin >= (bounds->margin_slope * e + bounds->margin_curvature * length * length / 6) * up;
+      const Part_bounds bounds = is_small ? bounds_on(part, normal, e) : Part_bounds{ false };
+      if(bounds.is_covered && !part.is_contained) {
+        const double margin = (std::min)({ part.corner[0].margin, part.corner[1].margin, part.corner[2].margin });
+        part.is_contained = margin >= (bounds.margin_slope * e + bounds.margin_curvature * length * length / 6) * up;
+      }
+      if(bounds.is_covered && !part.is_transversal) {
+        double least = std::numeric_limits<double>::infinity();
+        for(const Sample& s : part.corner) {
+          const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
+          least = (std::min)(least, slope(s, normal) - length_of_normal * m_cells[s.cell].gradient_error
+                                      - (2 * normal.radius + 8 * internal::rounding) * size);
         }
-        if(!part.is_transversal) {
-          double least = std::numeric_limits<double>::infinity();
-          for(const Sample& s : part.corner) {
-            const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
-            least = (std::min)(least, slope(s, normal) - length_of_normal * m_cells[s.cell].gradient_error
-                                        - (2 * normal.radius + 8 * internal::rounding) * size);
-          }
-          constexpr double inverse_of_root_of_three = 0.5774;      // rounded upwards
-          part.is_transversal = least > length_of_normal * bounds->curvature * (e + inverse_of_root_of_three * length) * up;
-        }
+        constexpr double inverse_of_root_of_three = 0.5774;      // rounded upwards
+        part.is_transversal = bounds.slope > 0
+                           || least > length_of_normal * bounds.curvature * (e + inverse_of_root_of_three * length) * up;
       }
       if(part.is_contained && part.is_transversal) continue;
       if(part.refinements == max_refinements || part.depth == max_depth || bisections == most_bisections) {
@@ -346,8 +390,29 @@ private:
     return Placement_verdict::ACCEPTED;
   }
 
-  // of all cells that a part meets, if its corners are displaced by less than e; nothing if they do not cover it
-  std::optional<Cell_bounds> largest_bounds(const Part& part, double e) const
+  // What is known of all cells that a part meets
+  struct Part_bounds
+  {
+    bool is_covered;              // by cells
+    double curvature = 0, margin_curvature = 0, margin_slope = 0;
+    double slope = std::numeric_limits<double>::infinity();     // along a normal, lower bound by the cells' gradients
+  };
+
+  void include(const Cell_bounds& cell, const Facet_normal& normal, Part_bounds& bounds) const
+  {
+    bounds.curvature = (std::max)(bounds.curvature, cell.curvature);
+    bounds.margin_curvature = (std::max)(bounds.margin_curvature, cell.margin_curvature);
+    bounds.margin_slope = (std::max)(bounds.margin_slope, cell.margin_slope);
+    double sum = 0, size = 0;
+    for(int a = 0; a < 3; ++a) {
+      sum += (std::min)(normal.direction[a] * cell.least_gradient[a], normal.direction[a] * cell.greatest_gradient[a]);
+      size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.greatest_gradient[a]));
+    }
+    bounds.slope = (std::min)(bounds.slope, sum - (2 * normal.radius + 8 * internal::rounding) * size);
+  }
+
+  // if the corners of the part are displaced by less than e
+  Part_bounds bounds_on(const Part& part, const Facet_normal& normal, double e) const
   {
     Coordinates least, most;
     for(int a = 0; a < 3; ++a) {
@@ -355,22 +420,21 @@ private:
       least[a] = mm.first - e;
       most[a] = mm.second + e;
     }
+    Part_bounds bounds;
     const Cell_index first = part.corner[0].cell;
     if(part.corner[1].cell == first && part.corner[2].cell == first) {
       const typename Field::Cell cell = m_shell->field().cell(first);
       const Coordinates& corner = cell.corner();
-      bool is_inside = true;
-      for(int a = 0; a < 3; ++a) is_inside = is_inside && least[a] >= corner[a] && most[a] <= corner[a] + cell.width();
-      if(is_inside) return m_cells[first];
+      bounds.is_covered = true;
+      for(int a = 0; a < 3; ++a)
+        bounds.is_covered = bounds.is_covered && least[a] >= corner[a] && most[a] <= corner[a] + cell.width();
+      if(bounds.is_covered) {
+        include(m_cells[first], normal, bounds);
+        return bounds;
+      }
     }
-    Cell_bounds bounds;
-    const bool covered
-      = m_shell->field().visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]), [&](Cell_index c) {
-          bounds.curvature = (std::max)(bounds.curvature, m_cells[c].curvature);
-          bounds.margin_curvature = (std::max)(bounds.margin_curvature, m_cells[c].margin_curvature);
-          bounds.margin_slope = (std::max)(bounds.margin_slope, m_cells[c].margin_slope);
-        });
-    if(!covered) return std::nullopt;
+    bounds.is_covered = m_shell->field().visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
+                                                     [&](Cell_index c) { include(m_cells[c], normal, bounds); });
     return bounds;
   }
 

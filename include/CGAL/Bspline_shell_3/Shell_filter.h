@@ -36,7 +36,7 @@ namespace Bspline_shells {
  * The last two claims of the certificate, one sheet and degree one, then stay as they are, too: `simplify_in_shell()` proves all
  * of them again.
  *
- * Copies, as \cgal makes them, share their statistics, so that one filter and its copies serve one thread at a time. The oracle
+ * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies serve one thread at a time. The oracle
  * may serve several.
  *
  * \cgalModels `PlacementFilter`
@@ -50,7 +50,7 @@ class Shell_filter
 public:
   /// \pre `oracle` outlives this object and its copies
   explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
-    : m_oracle(&oracle), m_base_filter(base_filter), m_statistics(std::make_shared<Placement_statistics>())
+    : m_oracle(&oracle), m_base_filter(base_filter), m_state(std::make_shared<State>())
   {}
 
   /// the placement, or none if it is rejected
@@ -59,14 +59,20 @@ public:
   {
     placement = m_base_filter(profile, placement);
     const Placement_verdict verdict = placement ? judge(profile, *placement) : Placement_verdict::BASE_FILTER;
-    ++m_statistics->by_verdict[std::size_t(verdict)];
+    ++m_state->statistics.by_verdict[std::size_t(verdict)];
     return verdict == Placement_verdict::ACCEPTED ? placement : OptionalPoint();
   }
 
   /// of this filter and its copies
-  const Placement_statistics& statistics() const { return *m_statistics; }
+  const Placement_statistics& statistics() const { return m_state->statistics; }
 
 private:
+  struct State
+  {
+    Placement_statistics statistics;
+    typename Oracle::Memory memory;
+  };
+
   template <typename Profile, typename Point>
   Placement_verdict judge(const Profile& profile, const Point& p) const
   {
@@ -76,12 +82,12 @@ private:
     const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());
     std::vector<Point> link;
     for(std::size_t n = first; n < triangles.size(); ++n) link.push_back(get(vpm, triangles[n].v2));
-    return (*m_oracle)(p, link);
+    return (*m_oracle)(p, link, m_state->memory);
   }
 
   const Oracle* m_oracle;
   BaseFilter m_base_filter;
-  std::shared_ptr<Placement_statistics> m_statistics;
+  std::shared_ptr<State> m_state;
 };
 
 } // namespace Bspline_shells
