@@ -30,9 +30,19 @@ using BS::Placement_verdict;
 typedef CGAL::Bspline_shell_3<> Shell;
 typedef BS::Shell_facet_oracle_3<> Oracle;
 
-const Shell& shell()
+// as tight as it can be around its mesh
+const Shell& tight_shell()
 {
   static const Shell shell = CGAL::bspline_shell_3(sphere(1), P::resolution(12));
+  return shell;
+}
+
+// with room around it
+const Shell& shell()
+{
+  static const Shell shell(tight_shell().field(), BS::Level_range{ tight_shell().inner_level() - 0.08, tight_shell().outer_level() + 0.08 },
+                           std::vector<char>(tight_shell().field().number_of_cells(), 1), tight_shell().facet_ranges(),
+                           tight_shell().report());
   return shell;
 }
 
@@ -117,6 +127,16 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
   CHECK(oracle().winding_number(pole, star) == 2);
 }
 
+TEST_CASE("Oracle: the facets that touch a threshold are accepted")
+{
+  const Mesh mesh = sphere(1);
+  const Oracle tight(tight_shell());
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    CHECK(tight(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))) == Placement_verdict::ACCEPTED);
+  }
+}
+
 TEST_CASE("Oracle: it accepts facets of all sizes and shapes only where the predicates prove both claims, and most of those")
 {
   const BS::Field_predicates_3<Shell::Field> predicates(shell().field());
@@ -150,16 +170,13 @@ TEST_CASE("Oracle: it accepts facets of all sizes and shapes only where the pred
 
 TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, and every fan at one turn")
 {
-  const Shell wide(shell().field(), BS::Level_range{ shell().inner_level() - 0.08, shell().outer_level() + 0.08 },
-                   std::vector<char>(shell().field().number_of_cells(), 1), shell().facet_ranges(), shell().report());
-  const Oracle oracle(wide);
   const Mesh start = sphere(3);
   for(auto f : start.faces()) {
     const auto h = start.halfedge(f);
-    REQUIRE(oracle(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
+    REQUIRE(oracle()(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
               == Placement_verdict::ACCEPTED);
   }
-  const BS::Shell_filter<Oracle> filter(oracle);
+  const BS::Shell_filter<Oracle> filter(oracle());
   BS::Collapse_visitor<Mesh> visitor;
   Mesh mesh = start;
   const int removed = collapse(mesh, 6, filter, visitor);
@@ -168,10 +185,10 @@ TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, an
   CHECK(mesh.number_of_faces() < start.number_of_faces() / 2);
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    CHECK(oracle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+    CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
             == Placement_verdict::ACCEPTED);
   }
-  for(auto v : mesh.vertices()) CHECK(oracle.winding_number(mesh.point(v), link_of(mesh, v)) == 1);
+  for(auto v : mesh.vertices()) CHECK(oracle().winding_number(mesh.point(v), link_of(mesh, v)) == 1);
 
   // statistics are shared by the copies that CGAL makes; history is complete
   const auto& statistics = filter.statistics();
@@ -218,6 +235,7 @@ TEST_CASE("Filter: an envelope, or any other predicate on triangles, takes the p
   CHECK(filter.statistics().number(Placement_verdict::LEAVES_SHELL) > 0);
 
   // with the shell's own containment, what the oracle of facets accepts is accepted
+  REQUIRE(shell());
   const BS::Shell_containment_3<> contains(shell());
   const BS::Triangle_predicate_oracle<BS::Shell_containment_3<> > contained(contains);
   const Mesh small = sphere(1);

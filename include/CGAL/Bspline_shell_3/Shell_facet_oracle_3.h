@@ -88,13 +88,22 @@ public:
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
   {
     const std::size_t size = link.size();
-    std::vector<const Placement_verdict*> known;
-    for(std::size_t n = 0; n < size; ++n) {
+    const auto key = [&](std::size_t n) {
       const Point_3 &q = link[n], &r = link[(n + 1) % size];
-      const auto found = memory.m_verdicts.find({ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] });
-      known.push_back(found == memory.m_verdicts.end() ? nullptr : &found->second);
-      if(known.back() && *known.back() != Placement_verdict::ACCEPTED) return *known.back();
+      return typename Memory::Facet{ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] };
+    };
+    std::vector<char> is_known(size, 0);
+    for(std::size_t n = 0; n < size; ++n) {
+      const auto found = memory.m_verdicts.find(key(n));
+      if(found == memory.m_verdicts.end()) continue;
+      if(found->second != Placement_verdict::ACCEPTED) return found->second;
+      is_known[n] = 1;
     }
+    const auto remember = [&](std::size_t n, Placement_verdict verdict) {
+      memory.m_verdicts.emplace(key(n), verdict);
+      return verdict;
+    };
+
     const Sample at_p = sample(to_array(p));
     if(at_p.margin < 0) return Placement_verdict::LEAVES_SHELL;
     const std::size_t turns = winding_number(p, at_p, link);
@@ -102,25 +111,23 @@ public:
     if(turns > 1) return Placement_verdict::WINDS_TWICE;
     // first what is cheap, for all facets: corners, and the middles of the edges at `p`
     std::vector<Sample> corners, middles;
-    for(const Point_3& q : link) {
-      corners.push_back(sample(to_array(q)));
+    for(std::size_t n = 0; n < size; ++n) {
+      corners.push_back(sample(to_array(link[n])));
       middles.push_back(sample(midpoint(at_p, corners.back())));
-      if(corners.back().margin < 0 || middles.back().margin < 0) return Placement_verdict::LEAVES_SHELL;
+      if(corners.back().margin < 0 || middles.back().margin < 0) return remember(n, Placement_verdict::LEAVES_SHELL);
     }
     std::vector<Facet_normal> normals;
     for(std::size_t n = 0; n < size; ++n) {
       const std::size_t m = (n + 1) % size;
       normals.push_back(facet_normal(p, link[n], link[m]));
       for(const Sample* s : { &corners[n], &corners[m], &middles[n], &middles[m] })
-        if(slope(*s, normals.back()) <= 0) return Placement_verdict::FACES_AWAY;
+        if(slope(*s, normals.back()) <= 0) return remember(n, Placement_verdict::FACES_AWAY);
     }
     for(std::size_t n = 0; n < size; ++n) {
-      if(known[n]) continue;
+      if(is_known[n]) continue;
       const std::size_t m = (n + 1) % size;
       const Placement_verdict verdict = examine({ p, link[n], link[m] }, { at_p, corners[n], corners[m] }, normals[n], few_parts);
-      memory.m_verdicts.emplace(typename Memory::Facet{ p[0], p[1], p[2], link[n][0], link[n][1], link[n][2], link[m][0], link[m][1], link[m][2] },
-                                verdict);
-      if(verdict != Placement_verdict::ACCEPTED) return verdict;
+      if(remember(n, verdict) != Placement_verdict::ACCEPTED) return verdict;
     }
     return Placement_verdict::ACCEPTED;
   }
@@ -194,55 +201,69 @@ private:
 
   static double norm(const Coordinates& v) { return std::sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]); }
 
-  // encloses the components of the gradient, by differences of the coefficients
-  static void enclose_gradient(const Enclosed_tricubic& f, double width, Coordinates& least, Coordinates& greatest)
+  // Coefficients, or their differences along some axes: fewer by one along each
+  struct Differences
   {
-    const double* b = f.coefficients.data();
-    double largest = 0;
-    for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
-    const double error = 6 * (f.radius + 4 * internal::rounding * largest + internal::underflow) / width * (1 + 16 * internal::rounding);
-    for(int a = 0, s = 1; a < 3; ++a, s *= 4) {
-      Level_range range;
-      for(int n = 0; n < 64; ++n)
-        if((n / s) % 4 < 3) range.include(b[n + s] - b[n]);
-      least[a] = 3 * range.min / width - error;
-      greatest[a] = 3 * range.max / width + error;
-    }
-  }
+    std::array<double, 64> b;
+    std::array<int, 3> size;
 
-  // bounds the length of the gradient and the second derivatives, likewise
-  static void bound_derivatives(const Enclosed_tricubic& f, double width, double& slope, double& curvature)
+    Differences along(int axis) const
+    {
+      Differences d;
+      d.size = size;
+      --d.size[axis];
+      const std::array<int, 3> stride = { 1, size[0], size[0] * size[1] };
+      double* out = d.b.data();
+      for(int k = 0; k < d.size[2]; ++k)
+        for(int j = 0; j < d.size[1]; ++j) {
+          const double* in = b.data() + j * stride[1] + k * stride[2];
+          for(int i = 0; i < d.size[0]; ++i) *out++ = in[i + stride[axis]] - in[i];
+        }
+      return d;
+    }
+
+    Level_range range() const
+    {
+      const auto mm = std::minmax_element(b.begin(), b.begin() + size[0] * size[1] * size[2]);
+      return { *mm.first, *mm.second };
+    }
+    double largest() const
+    {
+      double x = 0;
+      for(int n = 0; n < size[0] * size[1] * size[2]; ++n) x = (std::max)(x, std::abs(b[n]));
+      return x;
+    }
+  };
+
+  struct Derivative_bounds
   {
-    const double* b = f.coefficients.data();
-    double largest = 0;
-    for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
+    double slope, curvature;                            // lengths of the gradient, second derivatives along any direction
+    Coordinates least_gradient, greatest_gradient;      // components
+  };
+
+  static Derivative_bounds derivative_bounds(const Enclosed_tricubic& f, double width)
+  {
+    constexpr double up = 1 + 64 * internal::rounding;
+    const Differences value = { f.coefficients, {{ 4, 4, 4 }} };
+    const double largest = value.largest();
     // each difference carries the radius of two or four coefficients, and at most three roundings of four times the largest
-    const double first_error = 2 * f.radius + 2 * internal::rounding * largest + internal::underflow;
-    const double second_error = 4 * f.radius + 12 * internal::rounding * largest + internal::underflow;
-    constexpr int stride[3] = { 1, 4, 16 };
+    const double first_error = 2 * f.radius + 4 * internal::rounding * largest + internal::underflow;
+    const double second_error = 4 * f.radius + 16 * internal::rounding * largest + internal::underflow;
+    Derivative_bounds bounds;
     double first = 0, second = 0;
     for(int a = 0; a < 3; ++a) {
-      const int s = stride[a];
-      double steepest = 0, most_curved = 0;
-      for(int n = 0; n < 64; ++n) {
-        const int i = (n / s) % 4;
-        if(i < 3) steepest = (std::max)(steepest, std::abs(b[n + s] - b[n]));
-        if(i < 2) most_curved = (std::max)(most_curved, std::abs((b[n + 2*s] - b[n + s]) - (b[n + s] - b[n])));
-      }
+      const Differences d = value.along(a);
+      const Level_range range = d.range();
+      const double steepest = (std::max)(std::abs(range.min), std::abs(range.max)), error = 16 * internal::rounding * steepest + 2 * first_error;
+      bounds.least_gradient[a] = 3 * (range.min - error) / width;
+      bounds.greatest_gradient[a] = 3 * (range.max + error) / width;
       first += square(3 * (steepest + first_error));
-      second += square(6 * (most_curved + second_error));
-      for(int other = 0; other < a; ++other) {
-        const int t = stride[other];
-        double twist = 0;
-        for(int n = 0; n < 64; ++n)
-          if((n / s) % 4 < 3 && (n / t) % 4 < 3)
-            twist = (std::max)(twist, std::abs((b[n + s + t] - b[n + s]) - (b[n + t] - b[n])));
-        second += 2 * square(9 * (twist + second_error));
-      }
+      second += square(6 * (d.along(a).largest() + second_error));
+      for(int other = 0; other < a; ++other) second += 2 * square(9 * (d.along(other).largest() + second_error));
     }
-    constexpr double up = 1 + 64 * internal::rounding;
-    slope = std::sqrt(first) / width * up;
-    curvature = std::sqrt(second) / (width * width) * up;
+    bounds.slope = std::sqrt(first) / width * up;
+    bounds.curvature = std::sqrt(second) / (width * width) * up;
+    return bounds;
   }
 
   static double square(double x) { return x * x; }
@@ -258,9 +279,10 @@ private:
     const typename Field::Cell cell = m_shell->field().cell(c);
     const Enclosed_tricubic f = enclosed_value(cell);
     Cell_bounds& bounds = m_cells[c];
-    double slope;
-    bound_derivatives(f, cell.width(), slope, bounds.curvature);
-    enclose_gradient(f, cell.width(), bounds.least_gradient, bounds.greatest_gradient);
+    const Derivative_bounds field = derivative_bounds(f, cell.width());
+    bounds.curvature = field.curvature;
+    bounds.least_gradient = field.least_gradient;
+    bounds.greatest_gradient = field.greatest_gradient;
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
     const double component = 6 * value_error(f) / cell.width() + 8 * internal::rounding * bounds.curvature * cell.width();
     bounds.gradient_error = 2 * component;
@@ -268,10 +290,9 @@ private:
     for(const Threshold* threshold : { &m_shell->inner_threshold(), &m_shell->outer_threshold() }) {
       const Enclosed_tricubic d = threshold->difference(f, c);
       above[threshold == &m_shell->outer_threshold()] = d.coefficients;
-      double s, k;
-      bound_derivatives(d, cell.width(), s, k);
-      bounds.margin_slope = (std::max)(bounds.margin_slope, s);
-      bounds.margin_curvature = (std::max)(bounds.margin_curvature, k);
+      const Derivative_bounds margin = derivative_bounds(d, cell.width());
+      bounds.margin_slope = (std::max)(bounds.margin_slope, margin.slope);
+      bounds.margin_curvature = (std::max)(bounds.margin_curvature, margin.curvature);
       bounds.margin_error = (std::max)(bounds.margin_error, value_error(d));
     }
     if(!m_shell->shell_cells()[c]) return;
@@ -441,7 +462,7 @@ private:
   static constexpr double large_extent = 4;           // cells; larger parts are subdivided before they are bounded
   static constexpr int max_depth = 40, max_refinements = 10;
   static constexpr std::size_t most_bisections = 4096;
-  static constexpr std::size_t few_parts = 8;         // that predicates are asked for when there are other places to try
+  static constexpr std::size_t few_parts = 64;        // that predicates are asked for when there are other places to try
 
   const Shell* m_shell;
   Field_predicates_3<Field> m_predicates;
