@@ -21,8 +21,7 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Editing
  *
  * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell: a placement passes
- * only if the oracle accepts every facet that changes, and the fan of facets at the new vertex winds once around the
- * oracle's axis.
+ * only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
  *
  * With `Shell_facet_oracle_3`, a mesh whose facets lie in the shell and face along the gradient, and whose fans all wind once, stays
  * such a mesh:
