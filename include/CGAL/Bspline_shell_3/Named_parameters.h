@@ -41,6 +41,7 @@ enum interpolation_t { interpolation };
 enum mapping_t { mapping };
 enum symmetry_t { symmetry };
 enum samples_per_facet_t { samples_per_facet };
+enum stop_t { stop };
 
 } // namespace parameter_tags
 
@@ -82,10 +83,14 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::mapping_t, mapping)                                                         \
   ADD(parameter_tags::symmetry_t, symmetry)                                                       \
   ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
+  ADD(parameter_tags::stop_t, stop)                                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \
   ADD(internal_np::filter_t, filter)                                                              \
+  ADD(internal_np::get_cost_policy_t, get_cost)                                                   \
+  ADD(internal_np::get_placement_policy_t, get_placement)                                         \
+  ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                \
   ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
 
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)

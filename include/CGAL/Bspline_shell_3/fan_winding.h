@@ -10,6 +10,8 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -24,35 +26,45 @@ namespace Bspline_shells {
  * Exact: each facet turns by less than half a turn, so that counting the edges that come back past the first one, by
  * orientation predicates alone, counts the turns.
  *
+ * \param p the vertex; of a kernel with exact predicates
+ * \param on_axis a point on the axis, in the direction that the facets face from `p`
+ * \param link the other vertices of the facets, in cyclic order: the facets are (`p`, `link[n]`, `link[n+1]`)
+ * \return the number of turns; 0 if some facet does not face the axis
+ */
+template <typename Point_3>
+std::size_t link_winding_number(const Point_3& p, const Point_3& on_axis, const std::vector<Point_3>& link)
+{
+  std::size_t turns = 0;
+  Orientation last = COLLINEAR;
+  for(std::size_t n = 0; n < link.size(); ++n) {
+    const Point_3& next = link[(n + 1) % link.size()];
+    if(CGAL::orientation(p, on_axis, link[n], next) != POSITIVE) return 0;
+    const Orientation side = n + 1 == link.size() ? COLLINEAR : CGAL::orientation(p, on_axis, link[0], next);
+    if(last == NEGATIVE && side != NEGATIVE) ++turns;
+    last = side;
+  }
+  return turns;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief the same, `link_winding_number()`, for the facets at a vertex of a mesh.
+ *
  * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact predicates
  * \param mesh the mesh
  * \param v a vertex that is not on a border
  * \param on_axis a point on the axis, in the direction that the facets face from `v`
- * \return the number of turns; 0 if some facet does not face the axis
  */
 template <typename TriangleMesh, typename Point_3>
 std::size_t fan_winding_number(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                                const Point_3& on_axis)
 {
   const auto vpm = get(CGAL::vertex_point, mesh);
-  const Point_3& p = get(vpm, v);
-  // sources of the halfedges to v, in the order in which the facets turn: facet (v, target(next), source)
   std::vector<Point_3> link;
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-    const Point_3& q = get(vpm, target(next(h, mesh), mesh));
-    const Point_3& r = get(vpm, source(h, mesh));
-    if(CGAL::orientation(p, on_axis, q, r) != POSITIVE) return 0;
-    link.push_back(r);
-  }
-  std::size_t turns = 0;
-  // halfedges_around_target() walks against the facets' turn: link[i] to link[i-1] is a facet's step
-  Orientation last = COLLINEAR;
-  for(std::size_t n = link.size(); n-- > 0; ) {
-    const Orientation side = n == 0 ? COLLINEAR : CGAL::orientation(p, on_axis, link[0], link[n]);
-    if(last == NEGATIVE && side != NEGATIVE) ++turns;
-    last = side;
-  }
-  return turns;
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(get(vpm, source(h, mesh)));
+  std::reverse(link.begin(), link.end());       // halfedges_around_target() walks against the facets' turn
+  return link_winding_number(get(vpm, v), on_axis, link);
 }
 
 } // namespace Bspline_shells

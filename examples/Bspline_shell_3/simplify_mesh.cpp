@@ -1,0 +1,46 @@
+// Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the map between it and
+// the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that they were collapsed into.
+#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: simplify_mesh MESH [FACETS, default: as few as the shell allows] [THICKNESS, of the box, default 0.01]\n";
+    return EXIT_FAILURE;
+  }
+  const std::size_t facets = argc > 2 ? std::size_t(std::atol(argv[2])) : 0;
+  const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const auto result = BS::simplify_in_shell(mesh, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)));
+  std::cout << BS::message(result.status) << "\n";
+  if(!result) return EXIT_FAILURE;
+  std::cout << result.facets_before << " facets before, " << result.facets << " now; places rejected: ";
+  for(auto verdict : { BS::Placement_verdict::LEAVES_SHELL, BS::Placement_verdict::FACES_AWAY, BS::Placement_verdict::WINDS_TWICE })
+    std::cout << result.placements.number(verdict) << " (" << name(verdict) << ") ";
+  const Mesh::Vertex_index v = result.images[0];
+  std::cout << "\nthe first vertex is now at " << mesh.point(v) << "\nno point is farther than " << result.certificate.displacement_bound
+            << " from its image\nseconds: " << result.collapse_seconds << " (collapses) " << result.certificate_seconds << " (certificate)\n";
+  std::ofstream out("simplified.off");
+  out.precision(17);
+  out << mesh;
+  return EXIT_SUCCESS;
+}
