@@ -323,7 +323,7 @@ bool is_accepted(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& ora
  *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With `std::cref()` it is not copied.
  *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected edge, the calls are
  *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
- *     `OnNonCollapsable()`.
+ *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
  *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
