@@ -27,7 +27,7 @@ namespace P = CGAL::Bspline_shells::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMS = CGAL::Surface_mesh_simplification;
 using BS::Placement_verdict;
-typedef BS::Simplification_status Status;
+typedef BS::Edit_status Status;
 typedef CGAL::Bspline_shell_3<> Shell;
 
 // a shell with room around the mesh that it was built for

@@ -91,6 +91,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(internal_np::get_cost_policy_t, get_cost)                                                   \
   ADD(internal_np::get_placement_policy_t, get_placement)                                         \
   ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                \
+  ADD(internal_np::vertex_is_constrained_t, vertex_is_constrained_map)                            \
+  ADD(internal_np::protect_constraints_t, protect_constraints)                                    \
+  ADD(internal_np::do_project_t, do_project)                                                      \
+  ADD(internal_np::number_of_iterations_t, number_of_iterations)                                  \
+  ADD(internal_np::number_of_relaxation_steps_t, number_of_relaxation_steps)                      \
   ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
 
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)

@@ -13,7 +13,7 @@
 #include <CGAL/Bspline_shell_3/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Simplification_report.h>
-#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/internal/before_edits.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Real_timer.h>
@@ -84,7 +84,7 @@ struct Simplification_result : Simplification_report
   /// without success
   std::vector<vertex_descriptor> images;
 
-  explicit operator bool() const { return this->status == Simplification_status::SUCCESS; }
+  explicit operator bool() const { return this->status == Edit_status::SUCCESS; }
 };
 
 namespace internal {
@@ -250,47 +250,6 @@ struct Accepted_filter
   }
 };
 
-// What a filter keeps must hold to begin with: facets accepted, fans that wind once. Facets with an edge of length zero do not count:
-// they are collapsed first.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
-bool is_accepted(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, Offending_simplices& offenders)
-{
-  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  constexpr std::size_t chunk = 256;
-  const auto has_zero_edge = [&](const auto& h) {
-    return get(vpm, source(h, mesh)) == get(vpm, target(h, mesh));
-  };
-  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> facets(faces(mesh).begin(), faces(mesh).end());
-  std::vector<char> is_good(facets.size(), 1);
-  for_each_chunk<ConcurrencyTag>(facets.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t n = begin; n < end; ++n) {
-      const auto h = halfedge(facets[n], mesh);
-      if(has_zero_edge(h) || has_zero_edge(next(h, mesh)) || has_zero_edge(prev(h, mesh))) continue;
-      is_good[n] = oracle(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)))
-                     == Placement_verdict::ACCEPTED;
-    }
-  });
-  for(std::size_t n = 0; n < is_good.size(); ++n)
-    if(!is_good[n]) offenders.facets.push_back(n);
-  if(!offenders.facets.empty()) return false;
-  std::vector<Point> link;
-  std::size_t position = 0;
-  for(auto v : vertices(mesh)) {
-    const std::size_t n = position++;
-    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) continue;
-    link.clear();
-    bool is_degenerate = false;
-    for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-      link.push_back(get(vpm, source(h, mesh)));
-      is_degenerate = is_degenerate || has_zero_edge(h) || has_zero_edge(prev(h, mesh));
-    }
-    if(is_degenerate) continue;
-    std::reverse(link.begin(), link.end());
-    if(oracle.winding_number(get(vpm, v), link) != 1) offenders.vertices.push_back(n);
-  }
-  return offenders.vertices.empty();
-}
-
 } // namespace internal
 
 /*!
@@ -347,7 +306,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
-  typedef Simplification_status Status;
+  typedef Edit_status Status;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
   const auto constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
@@ -360,13 +319,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     return result;
   };
   result.facets_before = result.facets = faces(mesh).size();
-  if(!shell) return ended(Status::NO_SHELL);
-  if(result.facets == 0 || !CGAL::is_triangle_mesh(mesh)) return ended(Status::NOT_TRIANGULATED);
-  if(!CGAL::is_closed(mesh)) return ended(Status::OPEN_MESH);
-  for(auto v : vertices(mesh)) {
-    const Point& p = get(vpm, v);
-    if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) return ended(Status::NOT_FINITE);
-  }
+  const Status usable = internal::check_before_edits(mesh, vpm, shell);
+  if(usable != Status::SUCCESS) return ended(usable);
 
   Real_timer timer;
   timer.start();
@@ -440,13 +394,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   if(certified) {
     for(auto v : all) result.images.push_back(history.history().image(v));
   } else {
-    mesh = before;
+    internal::restore(before, points, mesh, vpm);
     result.facets = result.facets_before;
-    // points in the mesh came back with it, others did not
-    if constexpr(!std::is_same<Vertex_point_map, typename boost::property_map<TriangleMesh, vertex_point_t>::type>::value) {
-      std::size_t n = 0;
-      for(auto v : vertices(mesh)) put(vpm, v, points[n++]);
-    }
   }
   result.certificate_seconds = timer.time();
   return ended(certified ? Status::SUCCESS : Status::NOT_CERTIFIED);
