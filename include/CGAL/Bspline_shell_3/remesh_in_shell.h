@@ -58,10 +58,10 @@ namespace Bspline_shells {
  * \param np optional named parameters:
  *   - `number_of_iterations(unsigned int)`: default 3
  *   - `number_of_relaxation_steps(unsigned int)`: how often vertices are moved in each iteration; default 2
- *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not collapsed or flipped, and their vertices stay where they are. They are
- *     split, and their halves are constrained, unless `protect_constraints(true)`.
- *   - `vertex_is_constrained_map(M)`: vertices that stay where they are
- *   - `protect_constraints(bool)`: default `false`
+ *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay where they are. They are
+ *     split, their halves being constrained, and collapsed along themselves where two of them meet.
+ *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
+ *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`
  *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *

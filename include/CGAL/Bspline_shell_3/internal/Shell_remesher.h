@@ -86,7 +86,7 @@ public:
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
       remove(queue, e);
-      if(get(m_edge_is_constrained, e)) return;
+      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
       const double length = relative_length(h);
       if(length < shortest) insert(queue, length, h);
     };
@@ -194,13 +194,22 @@ private:
     put(m_key, e, Key());
   }
 
-  bool is_fixed(vertex_descriptor v) const
+  static constexpr bool has_constrained_edges =
+    !std::is_same<EdgeIsConstrainedMap, Static_boolean_property_map<edge_descriptor, false> >::value;
+
+  std::size_t number_of_constrained_edges(vertex_descriptor v) const
   {
-    if(get(m_vertex_is_constrained, v)) return true;
-    if constexpr(!std::is_same<EdgeIsConstrainedMap, Static_boolean_property_map<edge_descriptor, false> >::value)
+    std::size_t number = 0;
+    if constexpr(has_constrained_edges)
       for(halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh))
-        if(get(m_edge_is_constrained, edge(h, m_mesh))) return true;
-    return false;
+        if(get(m_edge_is_constrained, edge(h, m_mesh))) ++number;
+    return number;
+  }
+  bool is_fixed(vertex_descriptor v) const { return get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0; }
+  // whether constrained edges pass through it, so that it may vanish with one of them
+  bool is_passed(vertex_descriptor v) const
+  {
+    return !m_protect_constraints && !get(m_vertex_is_constrained, v) && number_of_constrained_edges(v) == 2;
   }
 
   // twice the inradius divided by the circumradius, with the sign of the facet's side
@@ -285,15 +294,14 @@ private:
     put(m_vpm, v, p);
     Euler::split_face(half, next(h, m_mesh), m_mesh);
     Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh);
-    if(is_constrained) mark_constrained(edge(half, m_mesh));
+    if(is_constrained) set_constrained(edge(half, m_mesh), true);
     ++m_report.splits;
     return v;
   }
 
-  void mark_constrained(edge_descriptor e)
+  void set_constrained(edge_descriptor e, bool value)
   {
-    if constexpr(!std::is_same<EdgeIsConstrainedMap, Static_boolean_property_map<edge_descriptor, false> >::value)
-      put(m_edge_is_constrained, e, true);
+    if constexpr(has_constrained_edges) put(m_edge_is_constrained, e, value);
   }
 
   // How sharp the mesh is at a vertex: the part of its facets' normals that their mean does not have.
@@ -321,15 +329,20 @@ private:
   bool find_place_to_collapse_to(halfedge_descriptor& h, Point& p)
   {
     if(!Euler::does_satisfy_link_condition(edge(h, m_mesh), m_mesh)) return false;
-    const bool is_source_fixed = is_fixed(source(h, m_mesh)), is_target_fixed = is_fixed(target(h, m_mesh));
+    const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
+    const auto must_stay = [&](vertex_descriptor v) { return is_constrained ? !is_passed(v) : is_fixed(v); };
+    const bool is_source_fixed = must_stay(source(h, m_mesh)), is_target_fixed = must_stay(target(h, m_mesh));
     if(is_source_fixed && is_target_fixed) return false;
     if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh)))) h = opposite(h, m_mesh);
+    // of the two sides of a facet that become one, one at most is constrained
+    for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
+      if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh)) && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh))) return false;
     // the vertex that is kept is the target, and it matters which one that is
     if(halfedge(edge(h, m_mesh), m_mesh) != h) return false;
     find_link(h);
     const Point &a = point(source(h, m_mesh)), &b = point(target(h, m_mesh));
     const std::array<Point, 3> places = {{ b, a, CGAL::midpoint(a, b) }};
-    const std::size_t number = is_source_fixed || is_target_fixed ? 1 : places.size();
+    const std::size_t number = is_source_fixed || is_target_fixed || is_constrained ? 1 : places.size();
     const double before = (std::min)(quality_around(h), regular_quality);
     for(std::size_t n = 0; n < number; ++n) {
       const bool is_short = std::all_of(m_link.begin(), m_link.end(), [&](const Point& q) {
@@ -342,6 +355,7 @@ private:
 
   vertex_descriptor collapse(halfedge_descriptor h, const Point& p)
   {
+    set_constrained(edge(h, m_mesh), false);
     const vertex_descriptor v = Euler::collapse_edge(edge(h, m_mesh), m_mesh, m_edge_is_constrained);
     put(m_vpm, v, p);
     ++m_report.collapses;
