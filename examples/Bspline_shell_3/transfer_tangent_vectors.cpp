@@ -33,14 +33,9 @@ int main(int argc, char** argv)
   double off_plane = 0, change = 0;
   for(Mesh::Face_index f : moved.faces())
     off_plane = (std::max)(off_plane, std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
-  // As the centroid of a facet is not mapped to that of its image, this is small where neighbours have similar vectors.
-  std::size_t same = 0;
-  for(Mesh::Face_index f : mesh.faces()) {
-    const double d = std::sqrt((back[f] - wind[f]).squared_length());
-    change = (std::max)(change, d);
-    same += d < 1e-6;
-  }
-  std::cout << "the images are in the planes of their facets, up to " << off_plane << "\nafter the way back, " << same << " of "
-            << mesh.number_of_faces() << " vectors are the same up to 1e-6, and others differ by up to " << change << std::endl;
+  // There and back is not exactly the identity: each facet has one vector, and its centroid is not mapped to that of another one.
+  for(Mesh::Face_index f : mesh.faces()) change = (std::max)(change, std::sqrt((back[f] - wind[f]).squared_length()));
+  std::cout << "the images are in the planes of their facets, up to " << off_plane
+            << "\nthere and back again, vectors of length 1 and less change by up to " << change << std::endl;
   return off_plane < 1e-8 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

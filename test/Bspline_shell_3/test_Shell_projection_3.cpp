@@ -348,7 +348,8 @@ TEST_CASE("Projection: through holes curves leave the shell, beside them they do
   // a facet without area is not met, whichever way it may face
   const auto h = std::find_if(mesh.halfedges_begin(), mesh.halfedges_end(), [&](auto e) { return mesh.is_border(e); });
   const std::array<Point_3, 3> t = triangle(closed, Mesh::Face_index(0));
-  const auto a = mesh.add_vertex(t[0]), b = mesh.add_vertex(CGAL::midpoint(t[1], t[2])), c = mesh.add_vertex(CGAL::midpoint(t[0], CGAL::midpoint(t[1], t[2])));
+  const auto a = mesh.add_vertex(t[0]), b = mesh.add_vertex(CGAL::midpoint(t[1], t[2])),
+             c = mesh.add_vertex(CGAL::midpoint(t[0], CGAL::midpoint(t[1], t[2])));
   mesh.add_face(a, b, c);
   REQUIRE(h != mesh.halfedges_end());
   CHECK(projection(radial_shell(), mesh)(CGAL::centroid(t[0], t[1], t[2])).status == Flow_status::LEAVES_SHELL);

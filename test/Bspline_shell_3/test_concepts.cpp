@@ -5,6 +5,10 @@
 #include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/extract_level_set.h>
+#include <CGAL/Bspline_shell_3/transfer_corner_attribute.h>
+#include <CGAL/Bspline_shell_3/transfer_face_labels.h>
+#include <CGAL/Bspline_shell_3/transfer_tangent_vectors.h>
+#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
 #ifdef HAVE_CHOLMOD
 #include <CGAL/Bspline_shell_3/Cholmod_solver.h>
 #endif
@@ -19,6 +23,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -94,6 +99,52 @@ public:
   Visitor_archetype& operator=(const Visitor_archetype&) = delete;
   bool start_step(BS::Shell_step) { ++calls; return true; }
   int calls = 0;
+};
+
+// FlowVisitor
+class Flow_visitor_archetype
+{
+public:
+  explicit Flow_visitor_archetype(int) {}
+  Flow_visitor_archetype(const Flow_visitor_archetype&) = delete;
+  Flow_visitor_archetype& operator=(const Flow_visitor_archetype&) = delete;
+  bool advance(std::size_t, std::size_t) { ++calls; return true; }
+  int calls = 0;
+};
+
+// a value that can do nothing but be copied and, for seams, be compared
+class Value_archetype
+{
+public:
+  explicit Value_archetype(double value, int) : m_value(value) {}
+  bool operator==(const Value_archetype& other) const { return m_value == other.m_value; }
+  double m_value;
+};
+
+// AttributeInterpolation: is copied, and called
+class Interpolation_archetype
+{
+public:
+  explicit Interpolation_archetype(int) {}
+  Interpolation_archetype& operator=(const Interpolation_archetype&) = delete;
+  Interpolation_archetype(const Interpolation_archetype&) = default;
+  Value_archetype operator()(const std::array<Value_archetype, 3>& v, const std::array<double, 3>& w) const
+  {
+    return Value_archetype(w[0] * v[0].m_value + w[1] * v[1].m_value + w[2] * v[2].m_value, 0);
+  }
+};
+
+// what is done to values on their way: neither copied nor assigned
+class Mapping_archetype
+{
+public:
+  explicit Mapping_archetype(int) {}
+  Mapping_archetype(const Mapping_archetype&) = delete;
+  Mapping_archetype& operator=(const Mapping_archetype&) = delete;
+  Value_archetype operator()(const Value_archetype& value, const BS::Flow_differential& d) const
+  {
+    return Value_archetype(value.m_value * d.matrix.determinant(), 0);
+  }
 };
 
 // BsplineField_3: a uniform field of which nothing else is seen
@@ -256,4 +307,49 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   BS::extract_level_set<CGAL::Sequential_tag>(shell.field(), shell.outer_level(), same_set);
   CHECK(level_set.number_of_faces() > 0);
   CHECK(level_set.number_of_faces() == same_set.number_of_faces());
+}
+
+TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and called")
+{
+  Mesh mesh = sphere(1);
+  const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8));
+  REQUIRE(shell);
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, mesh);
+  Flow_visitor_archetype visitor(0);
+  const Interpolation_archetype interpolation(0);
+  const Mapping_archetype mapping(0);
+
+  const Value_archetype none(-1, 0);
+  auto v = mesh.add_property_map<Mesh::Vertex_index, Value_archetype>("v:from", none).first,
+       v2 = mesh.add_property_map<Mesh::Vertex_index, Value_archetype>("v:to", none).first;
+  auto h = mesh.add_property_map<Mesh::Halfedge_index, Value_archetype>("h:from", none).first,
+       h2 = mesh.add_property_map<Mesh::Halfedge_index, Value_archetype>("h:to", none).first;
+  auto f = mesh.add_property_map<Mesh::Face_index, Value_archetype>("f:from", none).first,
+       f2 = mesh.add_property_map<Mesh::Face_index, Value_archetype>("f:to", none).first;
+  auto d = mesh.add_property_map<Mesh::Vertex_index, double>("v:d", 2.).first;
+  auto w = mesh.add_property_map<Mesh::Face_index, Vector_3>("f:w", Vector_3(1, 0, 0)).first;
+  for(auto x : mesh.vertices()) v[x] = Value_archetype(double(std::size_t(x)), 0);
+  for(auto x : mesh.halfedges()) h[x] = Value_archetype(double(std::size_t(x)), 0);
+  for(auto x : mesh.faces()) f[x] = Value_archetype(double(std::size_t(x)), 0);
+
+  int calls = 0;
+  const auto check = [&](const BS::Transfer_report& report) {
+    CHECK(report);
+    CHECK(visitor.calls > calls);
+    calls = visitor.calls;
+  };
+  check(BS::transfer_vertex_attribute(map, v, v2, P::interpolation(interpolation).visitor(std::ref(visitor))));
+  for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-9));
+  // of the identity the differential is the identity
+  check(BS::transfer_vertex_attribute(map, v, v2, P::interpolation(interpolation).mapping(std::cref(mapping)).visitor(std::ref(visitor))));
+  for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-6));
+  check(BS::average_vertex_attribute(map, d, d, P::visitor(std::ref(visitor))));
+  check(BS::transfer_face_labels(map, f, f2, P::visitor(std::ref(visitor))));
+  for(auto x : mesh.faces()) CHECK(f2[x] == f[x]);
+  check(BS::transfer_corner_attribute(map, h, h2, P::interpolation(interpolation).visitor(std::ref(visitor))));
+  for(auto x : mesh.halfedges()) CHECK(h2[x].m_value == Approx(h[x].m_value).margin(1e-6));
+  check(BS::transfer_tangent_vectors(map, w, w, P::visitor(std::ref(visitor))));
+  std::vector<Point_3> points(3, mesh.point(Mesh::Vertex_index(0)));
+  map.to_target().project(points, visitor);
+  CHECK(visitor.calls > calls);
 }

@@ -144,7 +144,9 @@ TEST_CASE("Transfer: between spheres, functions change by no more than the facet
   Mesh a = sphere(3, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);
   auto on_a = map_of<Vertex, double>(a, "v:d"), on_b = map_of<Vertex, double>(b, "v:d"), average = map_of<Vertex, double>(b, "v:average");
-  const auto direction = [](const Point_3& p) { return (p - CGAL::ORIGIN) * Vector_3(1, -2, 2) / std::sqrt((p - CGAL::ORIGIN).squared_length()) / 3; };
+  const auto direction = [](const Point_3& p) {
+    return (p - CGAL::ORIGIN) * Vector_3(1, -2, 2) / std::sqrt((p - CGAL::ORIGIN).squared_length()) / 3;
+  };
   for(auto v : a.vertices()) on_a[v] = direction(a.point(v));
   CHECK(BS::transfer_vertex_attribute(map, on_a, on_b));
   CHECK(BS::average_vertex_attribute(map, on_a, average));
@@ -180,7 +182,8 @@ TEST_CASE("Transfer: averages of a constant are that constant, whatever the numb
 TEST_CASE("Transfer: an average keeps what the values add up to, if each is spread over the area around it")
 {
   // from a fine sheet to a coarse one in the same rectangle: sum of (value times area around a vertex)
-  Mesh a = sheet(steps(-0.7, 0.7, 20), steps(-0.7, 0.7, 20), [](double, double) { return 0.1; }), b = sheet(steps(-0.7, 0.7, 3), steps(-0.7, 0.7, 2), tilt);
+  Mesh a = sheet(steps(-0.7, 0.7, 20), steps(-0.7, 0.7, 20), [](double, double) { return 0.1; }),
+       b = sheet(steps(-0.7, 0.7, 3), steps(-0.7, 0.7, 2), tilt);
   const Map map(slab(), a, b);
   auto d = map_of<Vertex, double>(a, "v:d"), d2 = map_of<Vertex, double>(b, "v:d");
   CGAL::Random random(5);

@@ -151,7 +151,8 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   CHECK(report.transferred + failed.size() == b.number_of_faces());
 
   Mesh quads = a;
-  CGAL::Euler::join_face(*std::find_if(quads.halfedges_begin(), quads.halfedges_end(), [&](Halfedge h) { return !quads.is_border(quads.edge(h)); }), quads);
+  CGAL::Euler::join_face(*std::find_if(quads.halfedges_begin(), quads.halfedges_end(),
+                                       [&](Halfedge h) { return !quads.is_border(quads.edge(h)); }), quads);
   Texture on_quads = texture_of(quads, "h:other");
   report = BS::transfer_corner_attribute(Polynomial_map(slab(), quads, b), on_quads, on_b);
   CHECK(report.transferred == 0);

@@ -259,7 +259,9 @@ private:
     constexpr double thin = 1e-3;
     if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
     typedef Exact_rational ET;
-    const auto exact = [](const Coordinates& a, const Coordinates& b) { return std::array<ET, 3>{{ ET(a[0]) - ET(b[0]), ET(a[1]) - ET(b[1]), ET(a[2]) - ET(b[2]) }}; };
+    const auto exact = [](const Coordinates& a, const Coordinates& b) {
+      return std::array<ET, 3>{{ ET(a[0]) - ET(b[0]), ET(a[1]) - ET(b[1]), ET(a[2]) - ET(b[2]) }};
+    };
     const std::array<ET, 3> eu = exact(q, p), ev = exact(r, p);
     Coordinates result;
     for(int a = 0; a < 3; ++a) {

@@ -246,12 +246,9 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     if(facets[n].across) report.facets_across_seams.push_back(n);
     auto h = prev(halfedge(target.face_of(typename Target::Index(n)), map.target()), map.target());      // to the first corner
     for(const Corner& corner : facets[n].corners) {
-      auto g = prev(halfedge(source.face_of(corner.facet), map.source()), map.source());
-      std::array<Value, 3> values;
-      for(Value& value : values) {
-        value = get(source_values, g);
-        g = next(g, map.source());
-      }
+      const auto g = halfedge(source.face_of(corner.facet), map.source());      // from the first corner to the second
+      const std::array<Value, 3> values = {{ get(source_values, prev(g, map.source())), get(source_values, g),
+                                             get(source_values, next(g, map.source())) }};
       put(target_values, h, interpolate(values, corner.weights));
       h = next(h, map.target());
     }
