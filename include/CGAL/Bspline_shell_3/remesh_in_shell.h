@@ -41,8 +41,9 @@ namespace Bspline_shells {
  *
  * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that are longer than 4/3 of the
  * target length, collapses those that are shorter than 4/5 of it, flips edges towards six edges at each vertex, and moves vertices within the tangent
- * plane towards the centroid of their neighbours; then, along the gradient, back onto the mesh as it was. In the end, edges are flipped where that makes
- * the smallest angle larger. An operation that the shell forbids is left out, or done by a part.
+ * plane towards the centroid of their neighbours; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges are
+ * flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
+ * flipped. An operation that the shell forbids is left out, or done by a part.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the check before and the certificate;
  *         the result is the same
@@ -137,8 +138,8 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
                            std::remove_cv_t<decltype(vertex_is_constrained)> >
     remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
   for(unsigned int i = 0; i < iterations; ++i) {
-    remesher.split_long_edges();
     remesher.flip_to_larger_angles();
+    remesher.split_long_edges();
     remesher.collapse_short_edges();
     remesher.flip_to_regular_valences();
     for(unsigned int j = 0; j < relaxations; ++j)

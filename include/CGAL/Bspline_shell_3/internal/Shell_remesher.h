@@ -12,6 +12,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/property_map.h>
 
@@ -166,6 +167,7 @@ private:
   };
 
   static constexpr double longest = 4. / 3, shortest = 4. / 5;      // edges, relative to the target length
+  static constexpr double least_shrinkage = 0.9;      // of edges, from that which is split to the new ones
   static constexpr double regular_quality = 0.3;      // that a flip towards regular valences must leave, if it was better before
   static constexpr double good_quality = 0.7;         // that a move must leave, if it was better before
   static constexpr double least_gain = 1.01;          // of a flip
@@ -283,6 +285,10 @@ private:
     const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
     m_link = { point(q.b), point(q.c), point(q.a), point(q.d) };
     Point p = CGAL::midpoint(point(q.a), point(q.b));
+    // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no shorter than
+    // they were, for ever.
+    const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
+    if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b))) return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
     if(judge(p) != Placement_verdict::ACCEPTED) {
       const auto moved = m_oracle.moved_to_level(p, point(q.a), point(q.b));
