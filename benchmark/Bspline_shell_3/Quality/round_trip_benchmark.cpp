@@ -110,10 +110,11 @@ Jumps jumps(const Map& map, std::size_t lines)
     while((last - first) * length > 1e-7 * unit) {
       const double middle = (first + last) / 2;
       const auto m = map.to_target()(at(middle));
-      if(!m) break;
+      if(!m) { a = m; break; }
       if(m.location.first == a.location.first) { first = middle; a = m; }
       else { last = middle; b = m; }
     }
+    if(!a) continue;        // the line leaves the shell
     const auto da = map.to_target().differential(at(first), a), db = map.to_target().differential(at(last), b);
     if(!da || !db) continue;
     const double size = da.matrix.norm();

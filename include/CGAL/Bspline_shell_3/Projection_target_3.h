@@ -57,7 +57,8 @@ public:
 
   /// copies coordinates and neighbours; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of a
   /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid.
-  /// \pre the mesh outlives this object, unchanged
+  /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh` does, must not be prepared by
+  /// two threads at once.
   template <typename VertexPointMap>
   Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm)
     : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh))

@@ -41,7 +41,7 @@ namespace Bspline_shells {
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
  * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
- * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target
+ * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be triangles
  * \param map the map from the source to the target; its inverse transfers the other way
  * \param source_values the attribute
  * \param target_values what gets its values
@@ -111,7 +111,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param target_values what gets its values
  * \param np optional named parameters
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which vertices of the target have no value. Integers are rounded. Vertices of the source without an image are left out.
+ * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices of the source without an image are left out.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -175,7 +175,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
       [&](std::size_t i, const auto& p) { pulled[missed[i]] = map.to_source()(p); });
   n = 0;
   for(auto v : vertices(map.target())) {
-    if(internal::record(report, n, sum[n] ? Flow_status::SUCCESS : pulled[n].status)) {
+    if(internal::record(report, n, !complete ? Flow_status::CANCELED : sum[n] ? Flow_status::SUCCESS : pulled[n].status)) {
       if(sum[n]) {
         if constexpr(std::is_integral<Value>::value) put(target_values, v, Value(std::lround(*sum[n] / weight[n])));
         else put(target_values, v, Value(1 / weight[n] * *sum[n]));

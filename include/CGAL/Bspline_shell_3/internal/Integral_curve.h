@@ -165,7 +165,7 @@ private:
   typedef boost::numeric::odeint::controlled_runge_kutta<Runge_kutta, Error_checker> Stepper;
 
   static constexpr double slack = 1e-6;             // of a cell's width
-  static constexpr double steps_per_curve = 4;      // that share the tolerance
+  static constexpr double steps_per_curve = 10;     // that share the tolerance
   static constexpr int max_steps = 2000;
   static constexpr double smallest_step = 1e-12;    // of a cell's width
   static constexpr double smallest_gradient = 1e-4; // relative to the range of f on a cell: where steps get that small, it is to blame
