@@ -3,11 +3,13 @@
 //
 //   round_trip_benchmark [--points N] [MESH ...]
 //
-// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow. Points are random ones, and all
-// vertices, midpoints of edges and centroids of facets, of both meshes. Lengths are in units of the longest box side.
+// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow, and then, on a second line, the
+// first as coarse as the shell allows. Points are random ones, and all vertices, midpoints of edges and centroids of facets, of both
+// meshes. Lengths are in units of the longest box side.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
 
 #include <Eigen/Dense>
 
@@ -131,6 +133,25 @@ Jumps jumps(const Map& map, std::size_t lines)
   return result;
 }
 
+void measure(const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& second, const std::string& kind, std::size_t number)
+{
+  const Map map(shell, mesh, second);
+  Round_trip trip;
+  travel(map.to_target(), map.to_source(), points_of(mesh, number), trip);
+  travel(map.to_source(), map.to_target(), points_of(second, number), trip);
+  const Jumps jump = jumps(map, 2000);
+  std::cout << "{\"mesh\":\"" << name << "\",\"facets\":" << mesh.number_of_faces() << ",\"second\":\"" << kind << "\",\"facets_of_second\":"
+            << second.number_of_faces() << ",\"points\":" << trip.points << ",\"lost\":" << trip.lost << ",\"reasons\":{";
+  bool comma = false;
+  for(const auto& reason : trip.reasons) {
+    std::cout << (comma ? "," : "") << "\"" << reason.first << "\":" << reason.second;
+    comma = true;
+  }
+  std::cout << "},\"farthest\":" << trip.farthest << ",\"triangles\":" << trip.triangles << ",\"turned\":" << trip.turned
+            << ",\"jumps\":{\"of_flow\":" << jump.of_flow << ",\"within_facets\":" << jump.within_facets << ",\"across_edges\":"
+            << jump.across_edges << ",\"not_explained_by_normals\":" << jump.unexplained << "}}" << std::endl;
+}
+
 int main(int argc, char** argv)
 {
   std::size_t number = 100000;
@@ -151,21 +172,12 @@ int main(int argc, char** argv)
       std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified pair of meshes\"}" << std::endl;
       continue;
     }
-    const Map map(*shell, mesh, *moved);
-    Round_trip trip;
-    travel(map.to_target(), map.to_source(), points_of(mesh, number), trip);
-    travel(map.to_source(), map.to_target(), points_of(*moved, number), trip);
-    const Jumps jump = jumps(map, 2000);
-    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"facets\":" << mesh.number_of_faces() << ",\"moved_by\":" << part
-              << ",\"points\":" << trip.points << ",\"lost\":" << trip.lost << ",\"reasons\":{";
-    bool comma = false;
-    for(const auto& reason : trip.reasons) {
-      std::cout << (comma ? "," : "") << "\"" << reason.first << "\":" << reason.second;
-      comma = true;
+    measure(mesh_name(file), *shell, mesh, *moved, "moved by " + std::to_string(part), number);
+    Mesh coarse = mesh;
+    if(BS::simplify_in_shell(coarse, *shell)) {
+      coarse.collect_garbage();
+      measure(mesh_name(file), *shell, mesh, coarse, "simplified", number);
     }
-    std::cout << "},\"farthest\":" << trip.farthest << ",\"triangles\":" << trip.triangles << ",\"turned\":" << trip.turned
-              << ",\"jumps\":{\"of_flow\":" << jump.of_flow << ",\"within_facets\":" << jump.within_facets << ",\"across_edges\":"
-              << jump.across_edges << ",\"not_explained_by_normals\":" << jump.unexplained << "}}" << std::endl;
   }
   return EXIT_SUCCESS;
 }

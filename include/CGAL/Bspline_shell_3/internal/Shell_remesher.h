@@ -35,9 +35,9 @@ namespace internal {
 
 // Splits, collapses, flips and moves, each only if the oracle accepts all facets that change.
 //
-// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At all others, the facets that an operation
-// replaces lie between the same two edges as those that replace them, and one of the two numbers of facets is one: what they turn is less than half
-// a turn there, less than a whole one here, and the same but for whole turns. (Collapses: see Shell_filter.)
+// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At the others, one or two facets are replaced by one or
+// two, between the same two edges: they turn by less than a whole turn before and after, and by the same angle but for whole
+// turns. (Collapses: see Shell_filter.)
 //
 // Edges are dealt with in an order that depends on lengths, and among equal ones on the order of the mesh, never on addresses.
 template <typename TriangleMesh, typename VertexPointMap, typename Oracle, typename Sizing, typename EdgeIsConstrainedMap,
