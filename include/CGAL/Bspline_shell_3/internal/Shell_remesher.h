@@ -372,7 +372,7 @@ private:
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
     if(get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
-       || CGAL::halfedge(q.c, q.d, m_mesh).second)
+       || halfedge(q.c, q.d, m_mesh).second)
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
     if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;
