@@ -173,7 +173,8 @@ private:
   static constexpr double least_gain = 1.01;          // of a flip
   static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
 
-  const Point& point(vertex_descriptor v) const { return get(m_vpm, v); }
+  // a reference, or a point, as the map has it
+  decltype(auto) point(vertex_descriptor v) const { return get(m_vpm, v); }
 
   double relative_length(halfedge_descriptor h) const
   {
