@@ -299,9 +299,10 @@ private:
     const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
     const vertex_descriptor v = target(half, m_mesh);
     put(m_vpm, v, p);
-    Euler::split_face(half, next(h, m_mesh), m_mesh);
-    Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh);
-    if(is_constrained) set_constrained(edge(half, m_mesh), true);
+    // a map may have any value for edges that are new, unless it is told
+    set_constrained(edge(half, m_mesh), is_constrained);
+    set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
+    set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh), false);
     ++m_report.splits;
     return v;
   }
