@@ -318,7 +318,7 @@ TEST_CASE("Remeshing: a sizing function makes one side finer")
   CHECK(lengths.back() < 1.5);
   CHECK(median(quality) > 0.95);
   CHECK(quality.front() > 0.6);
-  // Equilateral triangles of the sizes asked for would be: area of the sphere between x and x + dx, 2 pi dx, by sqrt(3) / 4 s^2. With s = a + b x, the
+  // How many equilateral triangles that would be: area of the sphere between x and x + dx, 2 pi dx, by sqrt(3) / 4 s^2. With s = a + b x, the
   // integral over [-1, 1] of 1 / s^2 is 2 / (a^2 - b^2).
   const double expected = 2 * std::acos(-1.) * 4 / std::sqrt(3.) * 2 / (0.16 * 0.16 - 0.08 * 0.08);
   CHECK(double(report.facets) == Approx(expected).epsilon(0.1));
@@ -610,7 +610,7 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
-  // properties of several sizes: the arrays of what the remesher attached itself must not be mistaken for them
+  // Properties of several sizes: those that the remesher attached itself must not be removed in place of these, wherever they are in memory.
   mesh.add_property_map<Mesh::Edge_index, bool>("e:flag", true);
   mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number", 17);
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, double> >("e:pair", { 1., 2. });

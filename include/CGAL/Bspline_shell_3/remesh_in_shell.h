@@ -139,19 +139,22 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
-                           std::remove_cv_t<decltype(vertex_is_constrained)> >
-    remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
-  for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
+  {
+    // Properties that it attached to the mesh must be gone before another mesh is assigned: their removal might hit those of the other one.
+    internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
+                             std::remove_cv_t<decltype(vertex_is_constrained)> >
+      remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
+    for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
+      remesher.flip_to_larger_angles();
+      remesher.split_long_edges();
+      remesher.collapse_short_edges();
+      remesher.flip_to_regular_valences();
+      for(unsigned int j = 0; j < relaxations; ++j)
+        if(do_project) remesher.relax(project);
+        else remesher.relax([](const Point& p) { return p; });
+    }
     remesher.flip_to_larger_angles();
-    remesher.split_long_edges();
-    remesher.collapse_short_edges();
-    remesher.flip_to_regular_valences();
-    for(unsigned int j = 0; j < relaxations; ++j)
-      if(do_project) remesher.relax(project);
-      else remesher.relax([](const Point& p) { return p; });
   }
-  remesher.flip_to_larger_angles();
   report.facets = faces(mesh).size();
   report.remeshing_seconds = timer.time();
   const auto undone = [&](Status status) {
