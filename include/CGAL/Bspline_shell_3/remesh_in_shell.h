@@ -25,6 +25,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -52,9 +53,9 @@ namespace Bspline_shells {
  * \tparam Sizing `double`, or a function from points to `double`
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, a copy of what it was is assigned to it, so that property maps that the caller took from it
- *        are invalid; with all others it was not touched.
- * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive
+ *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, a copy of what
+ *        it was is assigned to it, so that property maps that the caller took from it are invalid; with all others it was not touched.
+ * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `number_of_iterations(unsigned int)`: default 3
@@ -101,14 +102,18 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
+  // An edge with a target length that is none is left alone, and there is no result: it might be split for ever.
+  bool is_sizing_valid = true;
   const auto sizing = [&](const Point& p) -> double {
-    if constexpr(std::is_arithmetic<Sizing>::value) return (void)p, double(target_edge_length);
-    else return target_edge_length(p);
+    double length = 0;
+    if constexpr(std::is_arithmetic<Sizing>::value) (void)p, length = double(target_edge_length);
+    else length = target_edge_length(p);
+    if(length > 0 && std::isfinite(length)) return length;
+    is_sizing_valid = false;
+    return std::numeric_limits<double>::quiet_NaN();
   };
-  for(auto v : vertices(mesh)) {
-    const double length = sizing(get(vpm, v));
-    if(!(length > 0 && std::isfinite(length))) return ended(Status::INVALID_PARAMETER);
-  }
+  for(auto v : vertices(mesh)) sizing(get(vpm, v));
+  if(!is_sizing_valid) return ended(Status::INVALID_PARAMETER);
 
   Real_timer timer;
   timer.start();
@@ -134,32 +139,37 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
-                           std::remove_cv_t<decltype(vertex_is_constrained)> >
-    remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
-  for(unsigned int i = 0; i < iterations; ++i) {
+  {
+    // Properties that it attached to the mesh must be gone before another mesh is assigned: their removal might hit those of the other one.
+    internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
+                             std::remove_cv_t<decltype(vertex_is_constrained)> >
+      remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
+    for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
+      remesher.flip_to_larger_angles();
+      remesher.split_long_edges();
+      remesher.collapse_short_edges();
+      remesher.flip_to_regular_valences();
+      for(unsigned int j = 0; j < relaxations; ++j)
+        if(do_project) remesher.relax(project);
+        else remesher.relax([](const Point& p) { return p; });
+    }
     remesher.flip_to_larger_angles();
-    remesher.split_long_edges();
-    remesher.collapse_short_edges();
-    remesher.flip_to_regular_valences();
-    for(unsigned int j = 0; j < relaxations; ++j)
-      if(do_project) remesher.relax(project);
-      else remesher.relax([](const Point& p) { return p; });
   }
-  remesher.flip_to_larger_angles();
   report.facets = faces(mesh).size();
   report.remeshing_seconds = timer.time();
+  const auto undone = [&](Status status) {
+    internal::restore(before, points, mesh, vpm);
+    report.facets = report.facets_before;
+    return ended(status);
+  };
+  if(!is_sizing_valid) return undone(Status::INVALID_PARAMETER);
 
   timer.reset();
   Shell_certificate_3<Field, Threshold> certificate(shell);
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
   report.certificate = certificate.report();
-  if(!certified) {
-    internal::restore(before, points, mesh, vpm);
-    report.facets = report.facets_before;
-  }
   report.certificate_seconds = timer.time();
-  return ended(certified ? Status::SUCCESS : Status::NOT_CERTIFIED);
+  return certified ? ended(Status::SUCCESS) : undone(Status::NOT_CERTIFIED);
 }
 
 } // namespace Bspline_shells

@@ -173,7 +173,8 @@ private:
   static constexpr double least_gain = 1.01;          // of a flip
   static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
 
-  const Point& point(vertex_descriptor v) const { return get(m_vpm, v); }
+  // a reference, or a point, as the map has it
+  decltype(auto) point(vertex_descriptor v) const { return get(m_vpm, v); }
 
   double relative_length(halfedge_descriptor h) const
   {
@@ -298,9 +299,10 @@ private:
     const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
     const vertex_descriptor v = target(half, m_mesh);
     put(m_vpm, v, p);
-    Euler::split_face(half, next(h, m_mesh), m_mesh);
-    Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh);
-    if(is_constrained) set_constrained(edge(half, m_mesh), true);
+    // a map may have any value for edges that are new, unless it is told
+    set_constrained(edge(half, m_mesh), is_constrained);
+    set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
+    set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh), false);
     ++m_report.splits;
     return v;
   }
@@ -372,7 +374,7 @@ private:
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
     if(get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
-       || CGAL::halfedge(q.c, q.d, m_mesh).second)
+       || halfedge(q.c, q.d, m_mesh).second)
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
     if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;

@@ -1,0 +1,65 @@
+// Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its vertices over to the result. That
+// cannot intersect itself, and the map between it and the mesh before is one-to-one: both are proved.
+#include <CGAL/Bspline_shell_3/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] [THICKNESS, of the box, default 0.01]\n";
+    return EXIT_FAILURE;
+  }
+  const double edges = argc > 2 ? std::atof(argv[2]) : 50;
+  const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  if(!shell) {
+    std::cerr << message(shell.status()) << std::endl;
+    return EXIT_FAILURE;
+  }
+  const double unit = shell.report().unit;      // the longest side of the box
+
+  // a function on the mesh as it is now
+  Mesh before = mesh;
+  auto wave = before.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
+  for(Mesh::Vertex_index v : before.vertices()) wave[v] = std::sin(20 * before.point(v).x() / unit);
+
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, sharp);
+  const auto report = BS::remesh_in_shell(mesh, unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
+  std::cout << BS::message(report.status) << "\n";
+  if(!report) return EXIT_FAILURE;
+  std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, " << report.collapses
+            << " collapses, " << report.flips << " flips, " << report.moves << " moves; refused: " << report.placements.rejected()
+            << "\nseconds: " << report.remeshing_seconds << " (operations) " << report.certificate_seconds << " (certificate)\n";
+
+  // to the result, along the integral curves
+  mesh.collect_garbage();
+  auto wave_now = mesh.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
+  const BS::Shell_map_3<Shell, Mesh> map(shell, before, mesh);
+  const BS::Transfer_report transfer = BS::transfer_vertex_attribute(map, wave, wave_now);
+  if(!transfer) {
+    std::cerr << transfer.failures.size() << " vertices have no value: " << message(transfer.failures[0].second) << std::endl;
+    return EXIT_FAILURE;
+  }
+  if(!CGAL::IO::write_polygon_mesh("remeshed.ply", mesh, CGAL::parameters::use_binary_mode(false))) {
+    std::cerr << "remeshed.ply cannot be written." << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
