@@ -532,7 +532,7 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   CHECK(qualities(mesh).front() >= qualities(start).front());
 }
 
-TEST_CASE("Remeshing: where the shell leaves no room, next to nothing is done, and nothing breaks")
+TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refused, and nothing breaks")
 {
   // between the least and the greatest value of the field on the mesh
   const Shell shell = widened(tight_sphere_shell(), 1e-9);
@@ -541,6 +541,7 @@ TEST_CASE("Remeshing: where the shell leaves no room, next to nothing is done, a
     const auto report = remesh(mesh, target, shell);
     check_result(report, shell, mesh);
     CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
+    if(target == 1.) CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 10 * report.collapses);
   }
 }
 
@@ -610,6 +611,14 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
+  // and there was something else, which was removed
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
+  std::vector<Mesh::Face_index> removed;
+  for(auto f : mesh.faces())
+    if(std::size_t(f) >= 640) removed.push_back(f);
+  REQUIRE(removed.size() == 4);
+  for(auto f : removed) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  REQUIRE(mesh.number_of_removed_edges() == 6);
   // Properties of several sizes: those that the remesher attached itself must not be removed in place of these, wherever they are in memory.
   mesh.add_property_map<Mesh::Edge_index, bool>("e:flag", true);
   mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number", 17);
@@ -627,6 +636,27 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   const auto numbers = mesh.property_map<Mesh::Edge_index, std::size_t>("e:number");
   REQUIRE(numbers.second);
   for(auto e : mesh.edges()) CHECK(numbers.first[e] == 17);
+
+  // maps that the caller has stay valid, and say what they said, though constrained edges were split
+  Constraints constraints(mesh);
+  auto numbered = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  for(auto e : mesh.edges()) constraints.edges[e] = e.idx() % 10 == 0;
+  for(auto v : mesh.vertices()) put(numbered, v, v.idx());
+  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false)).status == Status::NOT_CERTIFIED);
+  CHECK(is_equal(mesh, before));
+  CHECK(mesh.is_valid());
+  CHECK(mesh.number_of_removed_vertices() == before.number_of_removed_vertices());
+  CHECK(mesh.number_of_removed_edges() == before.number_of_removed_edges());
+  CHECK(mesh.number_of_removed_faces() == before.number_of_removed_faces());
+  std::size_t wrong = 0;
+  for(auto e : mesh.edges()) wrong += constraints.edges[e] != (e.idx() % 10 == 0);
+  for(auto v : mesh.vertices()) wrong += get(numbered, v) != v.idx();
+  CHECK(wrong == 0);
+  // the places of what was removed before are used again
+  Mesh more = mesh;
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), more);
+  CHECK(more.is_valid());
+  CHECK(more.num_faces() == mesh.num_faces());
 
   // the same where points are not in the mesh
   Computed_points points;

@@ -53,8 +53,9 @@ namespace Bspline_shells {
  * \tparam Sizing `double`, or a function from points to `double`
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, a copy of what
- *        it was is assigned to it, so that property maps that the caller took from it are invalid; with all others it was not touched.
+ *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
+ *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then; the elements of other meshes are new,
+ *        so that descriptors and maps that the caller has of them are invalid. With all other statuses it was not touched.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Status.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
@@ -80,11 +81,29 @@ bool is_accepted(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& ora
   return offenders.vertices.empty();
 }
 
+template <typename TriangleMesh>
+void assign(const TriangleMesh& before, TriangleMesh& mesh)
+{
+  mesh = before;
+}
+
+// Assigned to, a Surface_mesh would replace its properties: maps of the caller's would dangle, and those that are dynamic would remove others when
+// they go. So it is emptied, and filled again. \pre `before` is a copy of what the mesh was
+template <typename Point>
+void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
+{
+  for(auto v : mesh.vertices()) mesh.remove_vertex(v);
+  for(auto e : mesh.edges()) mesh.remove_edge(e);
+  for(auto f : mesh.faces()) mesh.remove_face(f);
+  mesh.collect_garbage();
+  mesh.join(before);
+}
+
 // the mesh as it was; `points` are those that its vertices had, in their order
 template <typename TriangleMesh, typename Point, typename VertexPointMap>
 void restore(const TriangleMesh& before, const std::vector<Point>& points, TriangleMesh& mesh, VertexPointMap vpm)
 {
-  mesh = before;
+  assign(before, mesh);
   // points in the mesh came back with it, others did not
   if constexpr(!std::is_same<VertexPointMap, typename boost::property_map<TriangleMesh, vertex_point_t>::type>::value) {
     std::size_t n = 0;
