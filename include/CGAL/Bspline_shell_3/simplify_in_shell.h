@@ -270,8 +270,9 @@ struct Accepted_filter
  *         predicates and `FT` = `double`
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, a copy of what it was is assigned to it, so that property maps that the caller took from it
- *        are invalid; with all others it was not touched.
+ *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then;
+ *        the elements of other meshes are new, so that descriptors and maps that the caller has of them are invalid. With all other
+ *        statuses it was not touched.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
