@@ -280,6 +280,16 @@ private:
       for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g)) m_link.push_back(point(source(g, m_mesh)));
   }
 
+  // Large facets may need more effort than the oracle makes for a whole star. Four facets around a vertex, less than half a turn each, wind
+  // once in any case.
+  bool may_split_at(const Point& p)
+  {
+    if(judge(p) == Placement_verdict::ACCEPTED) return true;
+    for(std::size_t n = 0; n < m_link.size(); ++n)
+      if(count(m_oracle(p, m_link[n], m_link[(n + 1) % m_link.size()])) != Placement_verdict::ACCEPTED) return false;
+    return true;
+  }
+
   vertex_descriptor split(halfedge_descriptor h)
   {
     const Quadrilateral q(h, m_mesh);
@@ -291,9 +301,9 @@ private:
     const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
     if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b))) return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
-    if(judge(p) != Placement_verdict::ACCEPTED) {
+    if(!may_split_at(p)) {
       const auto moved = m_oracle.moved_to_level(p, point(q.a), point(q.b));
-      if(is_constrained || !moved || judge(*moved) != Placement_verdict::ACCEPTED) return Graph_traits::null_vertex();
+      if(is_constrained || !moved || !may_split_at(*moved)) return Graph_traits::null_vertex();
       p = *moved;
     }
     const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
