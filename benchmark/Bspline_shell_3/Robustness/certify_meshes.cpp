@@ -293,7 +293,7 @@ int main(int argc, char** argv)
   }
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
-    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M]"
+    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M]"
                  " [--write-shells DIR]\n";
     return 2;
   }
