@@ -74,7 +74,8 @@ public:
 
   /// \pre `shell` outlives this object
   /// \param shell a shell
-  /// \param tolerance how far an arrival may be from the exact one, user units; 0 stands for the default
+  /// \param tolerance of the tracing, user units; 0 stands for the default. The error of each step is estimated to be a tenth of it at most; what
+  ///        many steps add up to, and what curves make of it that diverge, is not bounded.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance * shell.report().unit)
   {}

@@ -59,7 +59,7 @@ public:
   /// \param target another one
   /// \param np_source
   ///   - `vertex_point_map(VPM)`: of the source
-  ///   - `tolerance(double)`: how far an image may be from the exact one, user units; by default 1e-9 of the longest side of the box
+  ///   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box
   ///     of the mesh that the shell was built for
   /// \param np_target
   ///   - `vertex_point_map(VPM)`: of the target

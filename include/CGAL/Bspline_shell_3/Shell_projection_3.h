@@ -77,7 +77,8 @@ public:
   /// \pre `shell` outlives this object
   /// \param shell a shell
   /// \param target the mesh to project to, prepared; may be shared
-  /// \param tolerance how far an image may be from the exact one, user units; 0 stands for the default of `Gradient_flow_3`
+  /// \param tolerance of the tracing, as for `Gradient_flow_3`, and how far an image may be from the end of the curve that was traced; user units; 0
+  ///        stands for the default of `Gradient_flow_3`
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target))
     , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance * shell.report().unit)
@@ -85,7 +86,6 @@ public:
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
-  std::shared_ptr<const Target> shared_target() const { return m_target; }
   double tolerance() const { return m_tolerance; }
 
   /// the image of a point.

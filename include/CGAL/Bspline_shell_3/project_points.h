@@ -36,7 +36,7 @@ namespace Bspline_shells {
  * \param target a mesh of triangles
  * \param np optional named parameters
  *   - `vertex_point_map(VPM)`: of the target
- *   - `tolerance(double)`: how far an image may be from the exact one, user units; by default 1e-9 of the longest side of the box of
+ *   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box of
  *     the mesh that the shell was built for
  *   - `visitor(V)`: a model of `FlowVisitor`
  * \return for each point its `Projected_point`

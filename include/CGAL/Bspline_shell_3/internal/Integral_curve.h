@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -78,7 +77,6 @@ class Integral_curve
   typedef typename Shell::Point_3 Point_3;
 public:
   typedef typename Velocity::State State;
-  static constexpr std::size_t dimension = std::tuple_size<State>::value;
 
   // `tolerance`, in user units: of a step, and of what is in the shell
   Integral_curve(const Shell& shell, double tolerance)
