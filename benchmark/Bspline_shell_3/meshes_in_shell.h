@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -84,6 +86,38 @@ inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_
     result.emplace_back(facets[(std::min)(f, facets.size() - 1)], std::array<double, 3>{ 1 - u - v, u, v });
   }
   return result;
+}
+
+// [--points N] [MESH ...]
+struct Arguments
+{
+  Arguments(int argc, char** argv, std::size_t default_points, const std::string& default_file) : points(default_points)
+  {
+    for(int i = 1; i < argc; ++i) {
+      if(std::string(argv[i]) == "--points" && i + 1 < argc) points = std::size_t(std::atoll(argv[++i]));
+      else files.push_back(argv[i]);
+    }
+    if(files.empty()) files.push_back(default_file);
+  }
+
+  std::size_t points;
+  std::vector<std::string> files;
+};
+
+// calls measure(name, shell, mesh, moved, part) for each mesh that has a certified shell and a second mesh in it; says so if not
+template <typename Measure>
+void for_each_pair(const std::vector<std::string>& files, const Measure& measure)
+{
+  for(const std::string& file : files) {
+    Mesh mesh;
+    double part = 0;
+    std::optional<Mesh> moved;
+    std::optional<Shell> shell;
+    if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
+    if(shell && shell->is_certified()) moved = moved_along_flow(*shell, mesh, part);
+    if(moved) measure(mesh_name(file), *shell, mesh, *moved, part);
+    else std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified pair of meshes\"}" << std::endl;
+  }
 }
 
 #endif // BENCHMARK_MESHES_IN_SHELL_H

@@ -154,30 +154,14 @@ void measure(const std::string& name, const Shell& shell, const Mesh& mesh, cons
 
 int main(int argc, char** argv)
 {
-  std::size_t number = 100000;
-  std::vector<std::string> files;
-  for(int i = 1; i < argc; ++i) {
-    if(std::string(argv[i]) == "--points" && i + 1 < argc) number = std::size_t(std::atoll(argv[++i]));
-    else files.push_back(argv[i]);
-  }
-  if(files.empty()) files.push_back(MESHES "/elephant.off");
-  for(const std::string& file : files) {
-    Mesh mesh;
-    double part = 0;
-    std::optional<Mesh> moved;
-    std::optional<Shell> shell;
-    if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
-    if(shell && shell->is_certified()) moved = moved_along_flow(*shell, mesh, part);
-    if(!moved) {
-      std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified pair of meshes\"}" << std::endl;
-      continue;
-    }
-    measure(mesh_name(file), *shell, mesh, *moved, "moved by " + std::to_string(part), number);
+  const Arguments arguments(argc, argv, 100000, MESHES "/elephant.off");
+  for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
+    measure(name, shell, mesh, moved, "moved by " + std::to_string(part), arguments.points);
     Mesh coarse = mesh;
-    if(BS::simplify_in_shell(coarse, *shell)) {
+    if(BS::simplify_in_shell(coarse, shell)) {
       coarse.collect_garbage();
-      measure(mesh_name(file), *shell, mesh, coarse, "simplified", number);
+      measure(name, shell, mesh, coarse, "simplified", arguments.points);
     }
-  }
+  });
   return EXIT_SUCCESS;
 }
