@@ -35,23 +35,6 @@ inline std::vector<double> steps(double first, double last, int number)
   return result;
 }
 
-// a rectangle at height z(x, y), facing upwards, cut at the given coordinates
-template <typename Height>
-Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const Height& z)
-{
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for(double x : xs)
-    for(double y : ys) v.push_back(mesh.add_vertex(Point_3(x, y, z(x, y))));
-  const std::size_t n = ys.size();
-  for(std::size_t i = 0; i + 1 < xs.size(); ++i)
-    for(std::size_t j = 0; j + 1 < n; ++j) {
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j], v[(i+1)*n + j+1]);
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
-    }
-  return mesh;
-}
-
 inline std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);

@@ -99,23 +99,6 @@ void check_consistent(const Shell& shell, const Mesh& mesh, const Image& image, 
   CHECK(std::abs(*shell.field().value(image.point) - image.value) <= 2 * tolerance * g);
 }
 
-// a square [-side, side]^2 at height z(x, y), facing upwards, cut into triangles at the given x and y
-template <typename Height>
-Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const Height& z)
-{
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for(double x : xs)
-    for(double y : ys) v.push_back(mesh.add_vertex(Point_3(x, y, z(x, y))));
-  const std::size_t n = ys.size();
-  for(std::size_t i = 0; i + 1 < xs.size(); ++i)
-    for(std::size_t j = 0; j + 1 < n; ++j) {
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j], v[(i+1)*n + j+1]);
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
-    }
-  return mesh;
-}
-
 // in the radial shell
 std::vector<Point_3> random_points(int number, int seed = 1)
 {

@@ -133,4 +133,33 @@ inline Mesh dumbbell(double neck_radius, int around = 16)
   return mesh;
 }
 
+// a rectangle at height z(x, y), facing upwards, cut at the given coordinates
+template <typename Height>
+Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const Height& z)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(double x : xs)
+    for(double y : ys) v.push_back(mesh.add_vertex(Point_3(x, y, z(x, y))));
+  const std::size_t n = ys.size();
+  for(std::size_t i = 0; i + 1 < xs.size(); ++i)
+    for(std::size_t j = 0; j + 1 < n; ++j) {
+      mesh.add_face(v[i*n + j], v[(i+1)*n + j], v[(i+1)*n + j+1]);
+      mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
+    }
+  return mesh;
+}
+
+// the same points in the same facets, in the same order
+inline bool is_equal(const Mesh& a, const Mesh& b)
+{
+  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices()) return false;
+  for(auto f = a.faces().begin(), g = b.faces().begin(); f != a.faces().end(); ++f, ++g) {
+    auto h = a.halfedge(*f), i = b.halfedge(*g);
+    for(int n = 0; n < 3; ++n, h = a.next(h), i = b.next(i))
+      if(a.point(a.target(h)) != b.point(b.target(i))) return false;
+  }
+  return true;
+}
+
 #endif // TEST_MESHES_H

@@ -94,17 +94,6 @@ Mesh sliced_sphere(int slices, int rings)
   return mesh;
 }
 
-bool is_equal(const Mesh& a, const Mesh& b)
-{
-  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices()) return false;
-  for(auto f = a.faces().begin(), g = b.faces().begin(); f != a.faces().end(); ++f, ++g) {
-    auto h = a.halfedge(*f), i = b.halfedge(*g);
-    for(int n = 0; n < 3; ++n, h = a.next(h), i = b.next(i))
-      if(a.point(a.target(h)) != b.point(b.target(i))) return false;
-  }
-  return true;
-}
-
 double length(const Mesh& mesh, Mesh::Edge_index e)
 {
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));

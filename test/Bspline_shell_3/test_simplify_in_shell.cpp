@@ -49,17 +49,6 @@ const Shell& torus_shell()
   return shell;
 }
 
-bool is_equal(const Mesh& a, const Mesh& b)
-{
-  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices()) return false;
-  for(auto f = a.faces().begin(), g = b.faces().begin(); f != a.faces().end(); ++f, ++g) {
-    auto h = a.halfedge(*f), i = b.halfedge(*g);
-    for(int n = 0; n < 3; ++n, h = a.next(h), i = b.next(i))
-      if(a.point(a.target(h)) != b.point(b.target(i))) return false;
-  }
-  return true;
-}
-
 bool is_certified(const Shell& shell, const Mesh& mesh)
 {
   BS::Shell_certificate_3<> certificate(shell);
