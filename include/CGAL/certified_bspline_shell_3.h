@@ -197,7 +197,10 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
     for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
     report.seconds[std::size_t(current)] += timer.time();
     report.status = Status::SUCCESS;
-    return Shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets), report);
+    Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets), report);
+    if(report.certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED)
+      shell.set_proved_cover(refinement.certificate()->cover()->boxes());
+    return shell;
   };
   if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
     return refine(BS::Mesh_signed_distance_3(*input));

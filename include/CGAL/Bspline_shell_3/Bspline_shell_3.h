@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_BSPLINE_SHELL_3_H
 
 #include <CGAL/Bspline_shell_3/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Status.h>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -135,6 +137,15 @@ public:
   /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
+  /// the boxes of the cover by which it was proved, when the shell was built, that it has no critical point: what the certificates of other
+  /// meshes in the shell need not find out again. Empty if that was not proved, and for shells that were read from a file.
+  const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
+  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it
+  void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
+  {
+    m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
+  }
+
   /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
   /// answer is that of `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
@@ -153,6 +164,7 @@ private:
   std::vector<char> m_cells;
   std::vector<Level_range> m_facets;
   Shell_report m_report;
+  std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;       // shared by copies
 };
 
 } // namespace CGAL

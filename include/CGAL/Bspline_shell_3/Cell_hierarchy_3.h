@@ -119,7 +119,7 @@ public:
   /// the leaf's least corner, on the lattice of its level
   const Lattice_3::Point& lattice_point(Index c) const { return m_leaves[c].point; }
   double width(Index c) const { return level_width(level(c)); }
-  double level_width(int level) const { return std::ldexp(m_roots.width(), -level); }
+  double level_width(int level) const { return m_level_width[std::size_t(level)]; }
   /// a coordinate of the plane number `i` across an axis between cells of a level, exact
   double coordinate(int level, int axis, int i) const { return m_roots.lattice().origin()[axis] + i * level_width(level); }
   std::array<double, 3> corner(Index c) const { return corner(level(c), lattice_point(c)); }
@@ -239,6 +239,7 @@ private:
 
   void number_cells()
   {
+    for(std::size_t l = 0; l < m_level_width.size(); ++l) m_level_width[l] = std::ldexp(m_roots.width(), -int(l));
     m_levels.clear();
     m_leaves.clear();
     Keys keys;
@@ -303,6 +304,7 @@ private:
 
   Cell_complex_3 m_roots;
   int m_max_level = 0;
+  std::array<double, most_levels + 2> m_level_width;
   std::vector<Keys> m_split;          // of each level, the cells that are split
   std::vector<Level> m_levels;
   std::vector<Leaf> m_leaves;

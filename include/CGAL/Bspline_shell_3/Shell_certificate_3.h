@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
@@ -60,6 +61,7 @@ class Shell_certificate_3
 public:
   typedef Field_ Field;
   typedef Shell_cover_3<Field, Threshold> Cover;
+  typedef Second_order_bounds_3<Field, Threshold> Bounds;
   typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
 
   /// what was found on a facet
@@ -76,9 +78,14 @@ public:
   {}
 
   /// of the shell's field, between its thresholds. \pre there is a shell, and it outlives this object
-  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell)
+  /// What does not depend on the mesh is taken over: the cover, if the shell has it, and bounds, if they are given.
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
-  {}
+  {
+    m_bounds = std::move(bounds);
+    m_proved_cover = shell.proved_cover();
+    m_proved_gradient = shell.report().certificate.least_gradient;
+  }
 
   /// examines a mesh: the one that the shell was built for, or any other.
   ///
@@ -110,7 +117,7 @@ public:
     Real_timer timer;
     timer.start();
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-    *this = Shell_certificate_3(*m_field, m_inner, m_outer);
+    forget();
     m_arithmetic = arithmetic_self_test();
     if(m_arithmetic != Arithmetic_status::SOUND) return false;
     if(!m_field->has_exact_cells()) {
@@ -281,6 +288,16 @@ private:
   typedef Triangle_mesh::Face_index Face_index;
   typedef Triangle_mesh::Vertex_index Vertex_index;
 
+  // all but what does not depend on the mesh
+  void forget()
+  {
+    Shell_certificate_3 empty(*m_field, m_inner, m_outer);
+    empty.m_bounds = std::move(m_bounds);
+    empty.m_proved_cover = std::move(m_proved_cover);
+    empty.m_proved_gradient = m_proved_gradient;
+    *this = std::move(empty);
+  }
+
   static Point_3 to_field(const Triangle_mesh::Point& p) { return Point_3(p.x(), p.y(), p.z()); }
   static std::array<double, 3> to_array(const Triangle_mesh::Point& p) { return { p.x(), p.y(), p.z() }; }
   static Verdict worse(Verdict a, Verdict b)
@@ -356,6 +373,8 @@ private:
     };
     std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
     std::vector<Facet_verdict> verdicts(triangles.size());
+    constexpr std::size_t most_bisections = 1024;
+    if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer, ConcurrencyTag());
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       Result& result = results[begin / chunk];
       for(std::size_t n = begin; n < end; ++n) {
@@ -372,12 +391,20 @@ private:
           witness.value = w.value;
           result.witnesses.push_back(witness);
         };
+        const auto found = m_bounds->examine({ m_bounds->sample(triangle[0]), m_bounds->sample(triangle[1]), m_bounds->sample(triangle[2]) },
+                                             facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
+                                             result.least_slope);      // what is above need not be known well
         Witness w;
-        verdicts[n].containment = m_predicates->values_within(triangle, m_inner, m_outer, &w, &result.containment);
-        if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
-        verdicts[n].slope = (std::min)(result.least_slope, 0.25);       // what is above need not be known better
-        verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
-        if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
+        if(!found.is_contained) {
+          verdicts[n].containment = m_predicates->values_within(triangle, m_inner, m_outer, &w, &result.containment);
+          if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
+        }
+        verdicts[n].slope = found.slope;
+        if(!found.is_transversal) {
+          verdicts[n].slope = (std::min)(result.least_slope, 0.25);
+          verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
+          if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
+        }
         result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
       }
     });
@@ -415,21 +442,24 @@ private:
     return std::sqrt(squared) / cell.width() * (1 + 16 * internal::rounding);
   }
 
-  // P3 and P4, given P1: the mesh's components stay in the components of their seeds
-  template <typename ConcurrencyTag>
-  void examine_cover(const Input_mesh_3& input)
+  // whether the cover is known, and has a component for each of the mesh
+  bool adopt_proved_cover(const Triangle_mesh& mesh)
   {
-    const Triangle_mesh& mesh = input.mesh();
+    if(!m_proved_cover) return false;
+    std::vector<Point_3> points;
+    for(Vertex_index v : m_seeds) points.push_back(to_field(mesh.point(v)));
+    m_cover.emplace(*m_field, m_inner, m_outer);
+    return m_cover->adopt(*m_proved_cover, points);
+  }
+
+  // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no critical
+  // point between them, and a closer cover separates them.
+  template <typename ConcurrencyTag>
+  std::vector<std::array<std::size_t, 2> > find_cover(const Triangle_mesh& mesh)
+  {
     // the cells at the mesh are needed in any case
     std::vector<std::uint32_t> cells;
-    m_seeds.assign(m_number_of_components, Triangle_mesh::null_vertex());
-    for(Face_index f : mesh.faces()) {
-      const Vertex_index v = mesh.target(mesh.halfedge(f));
-      cells.push_back(m_field->locate(to_field(mesh.point(v))));
-      if(m_seeds[m_component[f]] == Triangle_mesh::null_vertex()) m_seeds[m_component[f]] = v;
-    }
-    // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no
-    // critical point between them, and a closer cover separates them.
+    for(Face_index f : mesh.faces()) cells.push_back(m_field->locate(to_field(mesh.point(mesh.target(mesh.halfedge(f))))));
     std::vector<std::array<std::size_t, 2> > shared;
     for(int depth = 0;
         depth == 0 || (!shared.empty() && m_cover->number_of_undecided_boxes() == 0 && depth <= max_least_depth); ++depth) {
@@ -441,6 +471,20 @@ private:
         if(known != c) shared.push_back({ known, c });
       }
     }
+    return shared;
+  }
+
+  // P3 and P4, given P1: the mesh's components stay in the components of their seeds
+  template <typename ConcurrencyTag>
+  void examine_cover(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    m_seeds.assign(m_number_of_components, Triangle_mesh::null_vertex());
+    for(Face_index f : mesh.faces())
+      if(m_seeds[m_component[f]] == Triangle_mesh::null_vertex()) m_seeds[m_component[f]] = mesh.target(mesh.halfedge(f));
+    const bool is_known = adopt_proved_cover(mesh);
+    std::vector<std::array<std::size_t, 2> > shared;
+    if(!is_known) shared = find_cover<ConcurrencyTag>(mesh);
     const Cover& cover = *m_cover;
     m_report.covers = m_number_of_components - shared.size();
     for(const std::array<std::size_t, 2>& pair : shared) {
@@ -489,7 +533,8 @@ private:
     m_report.statistics.cover_cells = cover.number_of_cells();
     if(verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
       m_report.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
-    if(verdict(Claim::GRADIENT) == Verdict::PROVED) m_report.least_gradient = cover.template least_gradient<ConcurrencyTag>();
+    if(verdict(Claim::GRADIENT) == Verdict::PROVED)
+      m_report.least_gradient = is_known ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_report.least_gradient > 0)
       m_report.displacement_bound = (thresholds.max - thresholds.min) / m_report.least_gradient * (1 + 4 * internal::rounding);
   }
@@ -643,6 +688,9 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  std::shared_ptr<const Bounds> m_bounds;
+  std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
+  double m_proved_gradient = 0;
   std::optional<Field_predicates_3<Field> > m_predicates;
   std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
   Shell_status m_status = Shell_status::NOT_BUILT;

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SHELL_COVER_3_H
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
@@ -19,41 +20,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief what is known of a box.
- */
-enum class Box_kind : std::uint8_t
-{
-  EXCLUDED,     ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
-  MONOTONE,     ///< the field increases along a fixed direction on all of the closed box: no critical point
-  UNDECIDED     ///< neither was shown
-};
-
-/*!
- * \ingroup PkgBsplineShell3Certificate
- *
- * \brief a closed dyadic part of a leaf cell.
- */
-struct Cover_box
-{
-  static constexpr std::uint32_t no_component = std::uint32_t(-1);
-
-  std::uint32_t cell;                     ///< leaf cell of the field
-  std::uint16_t position[3];              ///< of the least corner, in units of the cell's width / 2^depth
-  std::uint8_t depth;                     ///< number of halvings
-  Box_kind kind;
-  std::uint32_t component = no_component; ///< of the cover, or none: not part of it
-  std::array<double, 3> direction = {};   ///< of a monotone box; its largest component is one in size
-};
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
@@ -104,6 +77,39 @@ public:
         m_boxes.back().component = Cover_box::no_component;
       }
     }
+  }
+
+  /// takes over the boxes of another cover of the same shell, and those of its components that hold given points, numbered in their order.
+  /// Returns whether each point lies in a component of its own; if not, this cover is of no use.
+  /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
+  bool adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
+  {
+    m_boxes = std::move(boxes);
+    for(std::size_t b = 0; b < m_boxes.size(); ++b) {
+      if(m_first[m_boxes[b].cell] == unseen) {
+        m_first[m_boxes[b].cell] = m_cells.size();
+        m_cells.push_back({ m_boxes[b].cell, b, b });
+      }
+      m_cells.back().end = b + 1;
+    }
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for(const Point_3& p : points) {
+      const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+      std::uint32_t component = Cover_box::no_component;
+      m_field->visit_cells(at, [&](typename Field::Cell_index c) {
+        if(m_first[c] != unseen)
+          for_each_touching(c, at, [&](Box_index b) {
+            if(m_boxes[b].component != Cover_box::no_component) component = m_boxes[b].component;
+          });
+      });
+      const std::uint32_t number = std::uint32_t(numbers.size());
+      if(component == Cover_box::no_component || !numbers.emplace(component, number).second) return false;
+    }
+    for(Cover_box& box : m_boxes) {
+      const auto number = numbers.find(box.component);
+      box.component = number == numbers.end() ? Cover_box::no_component : number->second;
+    }
+    return true;
   }
 
   /// subdivides cells that are known to be needed, several at a time
@@ -195,7 +201,7 @@ public:
   Bbox_3 bbox(const Cover_box& box) const
   {
     const Cell cell = m_field->cell(box.cell);
-    const double width = std::ldexp(cell.width(), -int(box.depth));
+    const double width = cell.width() / double(1 << box.depth);
     std::array<double, 3> least;
     for(int a = 0; a < 3; ++a) least[a] = cell.corner()[a] + box.position[a] * width;
     return Bbox_3(least[0], least[1], least[2], least[0] + width, least[1] + width, least[2] + width);

@@ -120,7 +120,7 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   timer.start();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   typedef Shell_facet_oracle_3<Field, Threshold> Oracle;
-  const Oracle oracle(shell);
+  const Oracle oracle(shell, ConcurrencyTag());
   const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
   report.check_seconds = timer.time();
   if(!accepted) return ended(Status::NOT_IN_SHELL);
@@ -166,7 +166,7 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   if(!is_sizing_valid) return undone(Status::INVALID_PARAMETER);
 
   timer.reset();
-  Shell_certificate_3<Field, Threshold> certificate(shell);
+  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
   report.certificate = certificate.report();
   report.certificate_seconds = timer.time();

@@ -327,7 +327,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   timer.start();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   typedef Shell_facet_oracle_3<Field, Threshold> Oracle;
-  const Oracle oracle(shell);
+  const Oracle oracle(shell, ConcurrencyTag());
   const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, result.offending_simplices);
   result.check_seconds = timer.time();
   if(!accepted) return ended(Status::NOT_IN_SHELL);
@@ -389,7 +389,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   result.collapse_seconds = timer.time();
 
   timer.reset();
-  Shell_certificate_3<Field, Threshold> certificate(shell);
+  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
   result.certificate = certificate.report();
   if(certified) {
