@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# From nothing to the shell of a mesh, with pictures (Debian 12):
-#   bash examples/quickstart.sh [MESH] [RESOLUTION]
+# From nothing to a mesh that is simplified in its shell and keeps what the mesh carried, with a picture (Debian 12):
+#   bash examples/quickstart.sh [MESH] [FACETS]
 # Installs what is missing, builds, runs, and says where the results are. MESH is OFF, OBJ, PLY or STL; without it, the
-# elephant of the Debian package libcgal-demo is used. RESOLUTION: cells along the longest side of the mesh's box.
-# If there is no shell, the exit code is that of build_shell, whose usage explains it.
+# elephant of the Debian package libcgal-demo is used. FACETS: how many are to be left; by default, as few as the shell allows.
+# If there is no result, the exit code is that of simplify_and_transfer, whose usage explains it.
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
@@ -11,9 +11,8 @@ if [ -n "$mesh" ]; then
   mesh=$(realpath -- "$mesh")
 fi
 if [ $# -ge 2 ]; then
-  [[ $2 =~ ^[0-9]*\.?[0-9]*$ && $2 =~ [1-9] ]] ||
-    { echo "The resolution must be a positive number such as 80, not $2." >&2; exit 2; }
-  options=(--resolution "$2")
+  [[ $2 =~ ^0*[1-9][0-9]*$ ]] || { echo "The number of facets must be a positive integer such as 1000, not $2." >&2; exit 2; }
+  options=(--facets "$2")
 fi
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
@@ -25,7 +24,7 @@ command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 echo "Building (a minute or two, the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
-  cmake --build "$build" --target build_shell; } >"$build/build.log" 2>&1 ||
+  cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
   { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
 
 if [ -z "$mesh" ]; then
@@ -38,19 +37,21 @@ fi
 name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
-rm -f "results/$name"_{inner,outer,mesh}.ply "results/$name.png"
-"$build/examples/Bspline_shell_3/build_shell" "$mesh" "${options[@]}" --output "results/$name"
+rm -f "results/$name"_{mesh,simplified,detail,inner,outer}.ply "results/$name.png"
+"$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name"
 if xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "results/$name" "results/$name.png" 2>"$build/render.log" &&
    [ -s "results/$name.png" ]; then
   picture="
-  results/$name.png         the mesh coloured by f, and a cut: inner surface blue, mesh grey, outer surface red"
+  results/$name.png              before and after, and a cut: inner surface blue, meshes black and green, outer surface red"
 else
   picture="
   (no picture: see $build/render.log)"
 fi
 cat <<END
 Results:
-  results/${name}_inner.ply   inner bounding surface, f = eps1
-  results/${name}_outer.ply   outer bounding surface, f = eps2
-  results/${name}_mesh.ply    the mesh, with f and a colour at its vertices$picture
+  results/${name}_mesh.ply         the mesh, with colours and a distance at its vertices
+  results/${name}_simplified.ply   the simplified mesh, with what was carried over
+  results/${name}_detail.ply       the same surface in small triangles, with the colour at every vertex
+  results/${name}_inner.ply        inner bounding surface of the shell
+  results/${name}_outer.ply        outer bounding surface$picture
 END

@@ -1,12 +1,22 @@
 #!/usr/bin/python3
-"""Draws a shell that build_shell has written: the whole mesh coloured by f, and a cut through mesh and shell.
+"""Draws what build_shell or simplify_and_transfer have written.
 
-Usage: render_shell.py PREFIX PICTURE.png      (reads PREFIX_{inner,outer,mesh}.ply)
+Usage: render_shell.py PREFIX PICTURE.png
+
+Reads PREFIX_{mesh,inner,outer}.ply, and draws the mesh with its colours, and a cut through mesh and shell with a magnifier. If
+there are PREFIX_{simplified,detail}.ply, the simplified mesh with the colours that were carried over is drawn between the two, and
+in the cut: its edges are those of simplified, its colours those of detail.
 """
 import os
 import sys
 
 import vtk
+
+PANEL = 600             # width, in pixels
+TITLE = 40              # height
+MAGNIFIER = 0.32        # part of a panel
+SAMPLES = 3             # per pixel and direction
+BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0.92, 0.90), (0.1, 0.1, 0.1), (0.0, 0.55, 0.25)
 
 
 def read(name):
@@ -21,7 +31,7 @@ def read(name):
     return data
 
 
-def actor(data, color=None, opacity=1.0, edges=False):
+def actor(data, color=None, opacity=1.0):
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(data)
     if color is not None:
@@ -32,12 +42,26 @@ def actor(data, color=None, opacity=1.0, edges=False):
     if color is not None:
         p.SetColor(*color)
     p.SetOpacity(opacity)
-    p.SetInterpolationToFlat() if edges else p.SetInterpolationToPhong()
-    if edges:
-        p.EdgeVisibilityOn()
-        p.SetEdgeColor(0.35, 0.35, 0.35)
-        p.SetLineWidth(0.5)
+    p.SetInterpolationToFlat()
+    p.SetAmbient(0.45)
+    p.SetDiffuse(0.6)
     return a
+
+
+def lines(data, color, width):
+    a = actor(data, color)
+    a.GetProperty().LightingOff()
+    a.GetProperty().SetLineWidth(SAMPLES * width)
+    a.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+    a.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4)
+    return a
+
+
+def edges(data):
+    extract = vtk.vtkExtractEdges()
+    extract.SetInputData(data)
+    extract.Update()
+    return lines(extract.GetOutput(), (0.15, 0.15, 0.15), 0.6)
 
 
 def half(data, plane):
@@ -53,18 +77,79 @@ def outline(data, plane, color, width):
     cut.SetInputData(data)
     cut.SetCutFunction(plane)
     cut.Update()
-    a = actor(cut.GetOutput(), color)
-    a.GetProperty().SetLineWidth(width)
-    a.GetProperty().LightingOff()
+    return lines(cut.GetOutput(), color, width)
+
+
+def largest_loop(data, plane):
+    cut = vtk.vtkCutter()
+    cut.SetInputData(data)
+    cut.SetCutFunction(plane)
+    loop = vtk.vtkPolyDataConnectivityFilter()
+    loop.SetInputConnection(cut.GetOutputPort())
+    loop.SetExtractionModeToLargestRegion()
+    used = vtk.vtkCleanPolyData()           # points of the other loops are dropped
+    used.SetInputConnection(loop.GetOutputPort())
+    used.Update()
+    return used.GetOutput()
+
+
+def square(center, right, up, radius):
+    source = vtk.vtkPlaneSource()
+    source.SetOrigin([center[a] - radius * (right[a] + up[a]) for a in range(3)])
+    source.SetPoint1([center[a] + radius * (right[a] - up[a]) for a in range(3)])
+    source.SetPoint2([center[a] - radius * (right[a] - up[a]) for a in range(3)])
+    border = vtk.vtkFeatureEdges()
+    border.SetInputConnection(source.GetOutputPort())
+    border.ColoringOff()
+    border.Update()
+    return lines(border.GetOutput(), BLACK, 1)
+
+
+def in_view(data, camera):
+    transform = vtk.vtkTransform()
+    transform.SetMatrix(camera.GetViewTransformMatrix())
+    move = vtk.vtkTransformPolyDataFilter()
+    move.SetInputData(data)
+    move.SetTransform(transform)
+    move.Update()
+    return move.GetOutput()
+
+
+def emptiest_corner(data, scale, rows):
+    """Of a panel, above its title. The data are in coordinates of the view, which are zero in the middle of the panel."""
+    width, height, middle = scale * PANEL, scale * (rows - TITLE), scale * TITLE / 2
+    points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+    size = MAGNIFIER * width
+
+    def covered(corner):
+        x, y = corner
+        return sum(x * p[0] > width / 2 - size and y * (p[1] - middle) > height / 2 - size for p in points)
+    return min(((-1, 1), (1, 1), (-1, -1), (1, -1)), key=covered)
+
+
+def title(text, x=0.5, color=(0.15, 0.15, 0.15)):
+    a = vtk.vtkTextActor()
+    a.SetInput(text)
+    p = a.GetTextProperty()
+    p.SetFontSize(20 * SAMPLES)
+    p.SetColor(*color)
+    p.SetJustificationToCentered()
+    p.SetVerticalJustificationToBottom()
+    a.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    a.SetPosition(x, 0.015)
     return a
 
 
 def main(prefix, picture):
     mesh, inner, outer = (read(f"{prefix}_{part}.ply") for part in ("mesh", "inner", "outer"))
-    bounds = mesh.GetBounds()
+    simplified = detail = None
+    simplified_legend = []
+    if os.path.isfile(f"{prefix}_simplified.ply"):
+        simplified, detail = (read(f"{prefix}_{part}.ply") for part in ("simplified", "detail"))
+
+    bounds = outer.GetBounds()
     center = [(bounds[2*a] + bounds[2*a + 1]) / 2 for a in range(3)]
     spans = [bounds[2*a + 1] - bounds[2*a] for a in range(3)]
-    size = max(spans)
     thin = spans.index(min(spans))          # look along the shortest side of the box
     view = [0.0, 0.0, 0.0]
     view[thin] = 1.0
@@ -74,42 +159,98 @@ def main(prefix, picture):
     plane.SetOrigin(center)
     plane.SetNormal(*[-x for x in view])
 
+    # what is in each panel, and what it is called
+    panels = [([actor(mesh), edges(mesh)], [title(f"mesh: {mesh.GetNumberOfPolys()} facets")])]
+    cut = [actor(half(inner, plane), BLUE), actor(half(outer, plane), RED, 0.3)]
+    cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
+    if simplified:
+        panels.append(([actor(detail), edges(simplified)],
+                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, colours carried over")]))
+        cut += [actor(half(simplified, plane), GREY), outline(simplified, plane, GREEN, 1.5)]
+        simplified_legend = [("simplified", GREEN)]
+    else:
+        cut.append(actor(half(mesh, plane), GREY))
+    legend = [("inner surface", BLUE), ("mesh", BLACK)] + simplified_legend + [("outer surface", RED)]
+    panels.append((cut, [title(text, (n + 0.5) / len(legend), color) for n, (text, color) in enumerate(legend)]))
+
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(1600, 800)
-    blue, red, grey = (0.25, 0.45, 0.85), (0.85, 0.3, 0.25), (0.9, 0.9, 0.88)
-
-    left = vtk.vtkRenderer()
-    left.SetViewport(0, 0, 0.5, 1)
-    left.AddActor(actor(mesh, edges=True))
-    right = vtk.vtkRenderer()
-    right.SetViewport(0.5, 0, 1, 1)
-    right.AddActor(actor(half(inner, plane), blue))
-    right.AddActor(actor(half(mesh, plane), grey))
-    right.AddActor(actor(half(outer, plane), red, 0.35))
-    right.AddActor(outline(mesh, plane, (0.1, 0.1, 0.1), 2))
-    right.AddActor(outline(inner, plane, blue, 2))
-    right.AddActor(outline(outer, plane, red, 2))
-    for renderer, tilt in ((left, 0.5), (right, 0.25)):
+    window.SetMultiSamples(0)
+    renderers = []
+    for n, (actors, titles) in enumerate(panels):
+        renderer = vtk.vtkRenderer()
+        renderer.SetViewport(n / len(panels), 0, (n + 1) / len(panels), 1)
         renderer.SetBackground(1, 1, 1)
+        for a in actors:
+            renderer.AddActor(a)
+        for t in titles:
+            renderer.AddActor2D(t)
         window.AddRenderer(renderer)
-        camera = renderer.GetActiveCamera()
+        tilt = 0.5 if actors is not cut else 0.25
         side = [tilt * up[(a + 1) % 3] for a in range(3)]
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
         camera.SetFocalPoint(center)
-        camera.SetPosition([center[a] + 3 * size * (view[a] + 0.25 * up[a] + side[a]) for a in range(3)])
+        camera.SetPosition([center[a] + max(spans) * (view[a] + 0.25 * up[a] + side[a]) for a in range(3)])
         camera.SetViewUp(up)
-        renderer.ResetCamera()
-        camera.Zoom(1.25)
+        renderers.append(renderer)
+
+    # the outer surface fills each panel, above the title
+    extents = [in_view(outer, r.GetActiveCamera()).GetBounds() for r in renderers]
+    width = 1.06 * max(b[1] - b[0] for b in extents)
+    height = 1.06 * max(b[3] - b[2] for b in extents)
+    rows = int(min(max(PANEL * height / width, 0.5 * PANEL), 1.3 * PANEL)) + TITLE
+    scale = max(width / PANEL, height / (rows - TITLE))        # of a pixel
+    window.SetSize(SAMPLES * PANEL * len(panels), SAMPLES * rows)
+    for renderer, b in zip(renderers, extents):
+        camera = renderer.GetActiveCamera()
+        camera.SetParallelScale(scale * rows / 2)
+        matrix = camera.GetViewTransformMatrix()
+        x, y = (b[0] + b[1]) / 2, (b[2] + b[3]) / 2 - TITLE / 2 * scale
+        shift = [matrix.GetElement(0, a) * x + matrix.GetElement(1, a) * y for a in range(3)]
+        camera.SetFocalPoint([camera.GetFocalPoint()[a] + shift[a] for a in range(3)])
+        camera.SetPosition([camera.GetPosition()[a] + shift[a] for a in range(3)])
+        renderer.ResetCameraClippingRange()
+
+    # a magnifier, at the upper left of the cut
+    loop = largest_loop(mesh, plane)
+    right = [up[(a + 1) % 3] * view[(a + 2) % 3] - up[(a + 2) % 3] * view[(a + 1) % 3] for a in range(3)]
+    place = max((loop.GetPoint(i) for i in range(loop.GetNumberOfPoints())),
+                key=lambda p: sum(p[a] * (up[a] - right[a]) for a in range(3)), default=center)
+    radius = 0.025 * max(spans)
+    renderers[-1].AddActor(square(place, right, up, radius))
+    magnifier = vtk.vtkRenderer()
+    magnifier.SetBackground(1, 1, 1)
+    x, y = emptiest_corner(in_view(half(mesh, plane), renderers[-1].GetActiveCamera()), scale, rows)
+    first = (len(panels) - 1 + (0.01 if x < 0 else 0.99 - MAGNIFIER)) / len(panels)
+    bottom = (TITLE if y < 0 else rows - (MAGNIFIER + 0.01) * PANEL) / rows
+    magnifier.SetViewport(first, bottom, first + MAGNIFIER / len(panels), bottom + MAGNIFIER * PANEL / rows)
+    window.AddRenderer(magnifier)
+    for a in cut:
+        magnifier.AddActor(a)
+    magnifier.AddActor(square(place, right, up, 0.995 * radius))
+    camera = magnifier.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(radius)
+    camera.SetFocalPoint(place)
+    camera.SetPosition([place[a] + 2 * max(spans) * view[a] for a in range(3)])
+    camera.SetViewUp(up)
+    magnifier.ResetCameraClippingRange()
     window.Render()
 
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
+    shrink = vtk.vtkImageShrink3D()
+    shrink.SetInputConnection(image.GetOutputPort())
+    shrink.SetShrinkFactors(SAMPLES, SAMPLES, 1)
+    shrink.AveragingOn()
     writer = vtk.vtkPNGWriter()
-    writer.SetFileName(picture)
-    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetCompressionLevel(9)
+    writer.SetFileName(picture + ".part")
+    writer.SetInputConnection(shrink.GetOutputPort())
     writer.Write()
+    os.replace(picture + ".part", picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,185 @@
+// The whole chain: a mesh, its certified shell, a simplified mesh in the shell, and colours and a scalar at the vertices that are
+// carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding surfaces;
+// render_shell.py draws them.
+#include "shell_files.h"
+
+#include <CGAL/Bspline_shell_3/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iomanip>
+
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef BS::Shell_map_3<Shell, Mesh> Map;
+
+const char* const usage =
+  "Usage: simplify_and_transfer MESH [--facets FACETS] [--output PREFIX]\n"
+  "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
+  "  simplified if not given. detail is the simplified mesh, cut into small triangles that show the colour of every point.\n"
+  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
+  "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
+  "  (Status.h) if the mesh is refused or the shell fails.\n";
+
+void list_witnesses(const BS::Certificate_report& certificate)
+{
+  const auto& witnesses = certificate.witnesses;
+  for(std::size_t i = 0; i < (std::min)(witnesses.size(), std::size_t(10)); ++i) {
+    const BS::Certificate_witness& w = witnesses[i];
+    std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2];
+    if(w.facet != BS::Certificate_witness::none) std::cerr << ", facet " << w.facet;
+    std::cerr << "\n";
+  }
+  if(witnesses.size() > 10) std::cerr << "... (" << witnesses.size() << " places)" << std::endl;
+}
+
+// Stripes around the point where the largest sum of coordinates is, and its distance.
+void add_attributes(Mesh& mesh)
+{
+  auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
+  auto color = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  const auto height = [&](Mesh::Vertex_index v) { return mesh.point(v).x() + mesh.point(v).y() + mesh.point(v).z(); };
+  const Kernel::Point_3 top = mesh.point(*std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
+    [&](auto v, auto w) { return height(v) < height(w); }));
+  double largest = 0;
+  for(auto v : mesh.vertices()) {
+    distance[v] = std::sqrt(CGAL::squared_distance(mesh.point(v), top));
+    largest = (std::max)(largest, distance[v]);
+  }
+  const std::array<std::array<double, 3>, 4> palette = {{ { 253, 200, 60 }, { 225, 85, 85 }, { 125, 60, 150 }, { 35, 110, 170 } }};
+  for(auto v : mesh.vertices()) {
+    const double t = distance[v] / largest, at = 3 * t, stripe = 0.65 + 0.35 * std::tanh(2 * std::cos(18 * CGAL_PI * t));
+    const std::size_t i = (std::min)(std::size_t(at), std::size_t(2));
+    std::array<unsigned char, 3> c;
+    for(std::size_t a = 0; a < 3; ++a) {
+      const double full = palette[i][a] + (at - double(i)) * (palette[i + 1][a] - palette[i][a]);
+      c[a] = static_cast<unsigned char>(std::lround(stripe * full + (1 - stripe) * 255));
+    }
+    color[v] = CGAL::IO::Color(c[0], c[1], c[2]);
+  }
+}
+
+// cuts facets into four, and leaves them where they are
+struct Flat_mask
+{
+  const Mesh* mesh;
+
+  void vertex_node(Mesh::Vertex_index v, Kernel::Point_3& p) const { p = mesh->point(v); }
+  void edge_node(Mesh::Halfedge_index h, Kernel::Point_3& p) const
+  {
+    p = CGAL::midpoint(mesh->point(mesh->source(h)), mesh->point(mesh->target(h)));
+  }
+  void border_node(Mesh::Halfedge_index h, Kernel::Point_3& middle, Kernel::Point_3& end) const
+  {
+    edge_node(h, middle);
+    vertex_node(mesh->target(h), end);
+  }
+};
+
+// Gives the vertices of the target what the source has where their curves meet it. Returns whether all of them got it, or says why not.
+template <typename Value>
+bool carry_over(const Map& map, Mesh& target, const std::string& attribute)
+{
+  const auto values = map.source().property_map<Mesh::Vertex_index, Value>(attribute).first;
+  const BS::Transfer_report report =
+    BS::transfer_vertex_attribute(map, values, target.add_property_map<Mesh::Vertex_index, Value>(attribute).first);
+  if(!report)
+    std::cerr << report.failures.size() << " points are lost, the first at vertex " << report.failures[0].first << ": "
+              << message(report.failures[0].second) << std::endl;
+  return bool(report);
+}
+
+int main(int argc, char** argv)
+{
+  std::string file, output = "simplified";
+  std::size_t facets = 0;
+  bool usable = true;
+  for(int i = 1; i < argc; ++i) {
+    const std::string arg = argv[i];
+    if(arg == "--facets" && i + 1 < argc) {
+      char* end;
+      facets = std::strtoul(argv[++i], &end, 10);
+      usable = usable && *end == '\0' && facets > 0 && argv[i][0] != '-';
+    }
+    else if(arg == "--output" && i + 1 < argc) output = argv[++i];
+    else if(file.empty() && arg[0] != '-') file = arg;
+    else usable = false;
+  }
+  if(file.empty() || !usable) {
+    std::cerr << usage;
+    return WRONG_USAGE;
+  }
+  const std::string mesh_file = output + "_mesh.ply", simplified_file = output + "_simplified.ply", detail_file = output + "_detail.ply",
+                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply";
+  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file })) return code;
+
+  Mesh mesh;
+  BS::Offending_simplices offenders;
+  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
+  if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+
+  // a shell in which the map between meshes is proved to be one-to-one
+  Step_printer printer;
+  CGAL::Real_timer timer;
+  timer.start();
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.).visitor(std::ref(printer)));
+  printer.clear();
+  if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
+  if(!shell.is_certified()) {
+    std::cerr << "There is a shell, but it is not certified. " << message(shell.report().refinement) << std::endl;
+    list_witnesses(shell.report().certificate);
+    return NOT_CERTIFIED;
+  }
+  const double shell_seconds = timer.time();
+
+  printer.show("simplification");
+  Mesh coarse = mesh;
+  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)));
+  printer.clear();
+  if(!simplified) {
+    complain(simplified.status, simplified.offending_simplices);
+    if(simplified.status == BS::Edit_status::NOT_CERTIFIED) list_witnesses(simplified.certificate);
+    return NOT_SIMPLIFIED;
+  }
+  coarse.collect_garbage();
+
+  // what the mesh carries, to the vertices of the coarse mesh, and to many points of its facets
+  timer.reset();
+  add_attributes(mesh);
+  Mesh detail = coarse;
+  while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
+  const Map to_coarse(shell, mesh, coarse), to_detail(shell, mesh, detail);
+  if(!carry_over<double>(to_coarse, coarse, "v:distance") || !carry_over<CGAL::IO::Color>(to_coarse, coarse, "v:color")
+     || !carry_over<CGAL::IO::Color>(to_detail, detail, "v:color"))
+    return POINTS_LOST;
+  const double transfer_seconds = timer.time();
+
+  if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
+  if(!write_mesh(simplified_file, coarse)) return cannot_write(simplified_file);
+  if(!write_mesh(detail_file, detail)) return cannot_write(detail_file);
+  const int inner = write_surface(inner_file, shell, shell.inner_threshold());
+  const int outer = write_surface(outer_file, shell, shell.outer_threshold());
+
+  const auto row = [](const char* what) -> std::ostream& { return std::cout << std::left << std::setw(14) << what; };
+  std::cout << std::setprecision(3);
+  row("mesh") << mesh.number_of_faces() << " facets\n";
+  row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells << " cells; "
+               << shell_seconds << " s\n";
+  row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
+                    << " %; certified; " << simplified.total_seconds() << " s\n";
+  if(facets > 0 && simplified.facets > facets) row("") << "the shell allows no fewer\n";
+  row("carried over") << "distance and colour at " << coarse.number_of_vertices() << " vertices, colour at " << detail.number_of_vertices()
+                      << " points; none is lost; " << transfer_seconds << " s\n";
+  return (std::max)(inner, outer);
+}
