@@ -307,6 +307,15 @@ private:
       Cell_index cell;
       bool is_transversal;                      // by the gradients on the cell
     };
+    // of cells met, by number, and what is known of all of them
+    struct Region
+    {
+      std::size_t begin, end;
+      Symmetric_matrix above, below;            // q of the margins
+      Symmetric_matrix radius;                  // R of the field
+      double width, steepness, curvature;       // the least width, otherwise the largest
+      bool is_transversal;
+    };
     struct Edges
     {
       std::array<Symmetric_matrix, 3> products;       // of components; of those off the diagonal, twice
@@ -428,7 +437,8 @@ private:
         else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
           if(plane_meets(m_all.m_cells[c], part)) meet(c);
         });
-        if(is_covered) examine(part, e, 0);
+        is_covered = is_covered && !m_cells.empty();
+        if(is_covered) examine(part, e, region_from(0));
         m_cells.clear();
         if(is_covered) return;
       }
@@ -468,53 +478,30 @@ private:
       return m_all.locate(x);
     }
 
-    // a part, which meets no other cells than those from a number on
-    void examine(Part part, const Edges& e, std::size_t begin)
+    // the cells met from a number on
+    Region region_from(std::size_t begin) const
     {
-      const std::size_t end = m_cells.size();
-      const Bbox_3 box = bbox(part);
-      for(std::size_t n = begin; n < end; ++n)
-        if(begin == 0 || do_meet(box, m_all.m_cells[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
-      double width = std::numeric_limits<double>::infinity(), curvature = 0;
-      for(std::size_t n = end; n < m_cells.size(); ++n) {
-        const Cell_bounds& cell = m_all.m_cells[m_cells[n].cell];
-        width = (std::min)(width, cell.width);
-        curvature = (std::max)(curvature, cell.curvature);
-      }
-      const bool has_cells = m_cells.size() > end;
-      if(!part.is_contained) part.is_contained = has_cells && is_contained(part, e, end, curvature);
-      if(!part.is_transversal) part.is_transversal = has_cells && is_transversal(part, box, end, curvature);
-      if(!(part.is_contained && part.is_transversal)) {
-        part.refinements += e.longest < width;
-        bisect(part, e, [&](const Part& half) { examine(half, edges(half), end); });
-      }
-      m_cells.resize(end);
-    }
-
-    static constexpr double up = 1 + 32 * internal::rounding;
-
-    bool is_contained(const Part& part, const Edges& e, std::size_t begin, double curvature) const
-    {
-      double steepness = 0;
       const Cell_bounds& first = m_all.m_cells[m_cells[begin].cell];
-      Matrix_range above = first.above, below = first.below;
-      for(std::size_t n = begin; n < m_cells.size(); ++n) {
+      Region region = { begin, m_cells.size(), {}, {}, {}, first.width, first.steepness, first.curvature, m_cells[begin].is_transversal };
+      Matrix_range above = first.above, below = first.below, field = first.field;
+      for(std::size_t n = begin + 1; n < m_cells.size(); ++n) {
         const Cell_bounds& cell = m_all.m_cells[m_cells[n].cell];
-        steepness = (std::max)(steepness, cell.steepness);
-        if(n == begin) continue;
+        region.width = (std::min)(region.width, cell.width);
+        region.steepness = (std::max)(region.steepness, cell.steepness);
+        region.curvature = (std::max)(region.curvature, cell.curvature);
+        region.is_transversal = region.is_transversal && m_cells[n].is_transversal;
         above.include(cell.above);
         below.include(cell.below);
+        field.include(cell.field);
       }
-      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too.
-      const double error = (steepness + 2 * curvature * (e.longest + m_shift)) * m_shift;
-      const double least_above = (curving(above, e) / 6 + error) * up, least_below = (curving(below, e) / 6 + error) * up;
-      for(const Sample& s : part.corner)
-        if(!(s.above >= least_above && s.below >= least_below)) return false;
-      return true;
+      region.above = form(above);
+      region.below = form(below);
+      for(int m = 0; m < 6; ++m) region.radius[m] = (field.most[m] - field.least[m]) / 2;
+      return region;
     }
 
-    // max(0, q) of the edges
-    static double curving(const Matrix_range& h, const Edges& e)
+    // q
+    static Symmetric_matrix form(const Matrix_range& h)
     {
       Symmetric_matrix q, radius;
       for(int m = 0; m < 6; ++m) {
@@ -522,28 +509,64 @@ private:
         radius[m] = (h.most[m] - h.least[m]) / 2;
       }
       for(int a = 0; a < 3; ++a) q[a] += radius[a] + radius[3 + (a + 1) % 3] + radius[3 + (a + 2) % 3];
+      return q;
+    }
+
+    // a part that meets no cells but those of a region
+    void examine(Part part, const Edges& e, const Region& around)
+    {
+      const Bbox_3 box = bbox(part);
+      const std::size_t size = m_cells.size();
+      for(std::size_t n = around.begin; n < around.end; ++n)
+        if(around.end - around.begin == 1 || do_meet(box, m_all.m_cells[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
+      const bool is_smaller = m_cells.size() - size < around.end - around.begin;
+      if(!is_smaller) m_cells.resize(size);
+      if(is_smaller && m_cells.size() > size) examine(part, e, box, region_from(size));
+      else examine(part, e, box, around);
+      m_cells.resize(size);
+    }
+
+    void examine(Part& part, const Edges& e, const Bbox_3& box, const Region& region)
+    {
+      if(!part.is_contained) part.is_contained = is_contained(part, e, region);
+      if(!part.is_transversal) part.is_transversal = is_transversal(part, box, region);
+      if(part.is_contained && part.is_transversal) return;
+      part.refinements += e.longest < region.width;
+      bisect(part, e, [&](const Part& half) { examine(half, edges(half), region); });
+    }
+
+    static constexpr double up = 1 + 32 * internal::rounding;
+
+    bool is_contained(const Part& part, const Edges& e, const Region& region) const
+    {
+      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too.
+      const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift;
+      const double above = (largest_on_edges(region.above, e) / 6 + error) * up, below = (largest_on_edges(region.below, e) / 6 + error) * up;
+      for(const Sample& s : part.corner)
+        if(!(s.above >= above && s.below >= below)) return false;
+      return true;
+    }
+
+    // max(0, q)
+    static double largest_on_edges(const Symmetric_matrix& q, const Edges& e)
+    {
       double largest = 0;
       for(const Symmetric_matrix& p : e.products)
         largest = (std::max)(largest, q[0]*p[0] + q[1]*p[1] + q[2]*p[2] + q[3]*p[3] + q[4]*p[4] + q[5]*p[5]);
       return largest;
     }
 
-    bool is_transversal(const Part& part, const Bbox_3& box, std::size_t begin, double curvature)
+    bool is_transversal(const Part& part, const Bbox_3& box, const Region& region)
     {
-      bool by_cells = true;
-      for(std::size_t n = begin; n < m_cells.size(); ++n) by_cells = by_cells && m_cells[n].is_transversal;
-      if(by_cells) return true;
-      Matrix_range h = m_all.m_cells[m_cells[begin].cell].field;
-      for(std::size_t n = begin + 1; n < m_cells.size(); ++n) h.include(m_all.m_cells[m_cells[n].cell].field);
-      Symmetric_matrix r;
-      for(int m = 0; m < 6; ++m) r[m] = (h.most[m] - h.least[m]) / 2;
+      if(region.is_transversal) return true;
+      const Symmetric_matrix& r = region.radius;
       const Coordinates& n = m_absolute_normal;
       const double deviation = (box.xmax() - box.xmin()) * (r[0]*n[0] + r[5]*n[1] + r[4]*n[2])
                              + (box.ymax() - box.ymin()) * (r[5]*n[0] + r[1]*n[1] + r[3]*n[2])
                              + (box.zmax() - box.zmin()) * (r[4]*n[0] + r[3]*n[1] + r[2]*n[2]);
       double least = std::numeric_limits<double>::infinity();
       for(const Sample& s : part.corner) least = (std::min)(least, slope(s, m_normal.direction) - slope_error(s));
-      least -= (deviation / 2 + 4 * curvature * m_shift) * up;
+      least -= (deviation / 2 + 4 * region.curvature * m_shift) * up;
       if(!(least > 0 && least >= m_enough)) return false;
       m_result.slope = (std::min)(m_result.slope, least);
       return true;
@@ -556,7 +579,7 @@ private:
     double m_enough;                    // of slope on a part, as a bound
     std::size_t m_bisections_left;
     Facet_bounds m_result;
-    boost::container::small_vector<Cell_met, 256> m_cells;      // of the part that is looked at, after those of the parts that it is in
+    boost::container::small_vector<Cell_met, 256> m_cells;      // of the region that is looked at, after those of the regions that it is in
   };
 
   static constexpr double large_extent = 3;           // cells

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/facet_normal.h>
 #include <CGAL/Bspline_shell_3/fan_winding.h>
+#include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/tags.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -45,8 +47,10 @@ namespace Bspline_shells {
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex, and for the bounds on all
+ *         cells that are computed first; verdicts are the same
  */
-template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold, typename ConcurrencyTag = Sequential_tag>
 class Shell_facet_oracle_3
 {
 public:
@@ -71,11 +75,10 @@ public:
     std::vector<Sample> m_samples;          // of its vertices
   };
 
-  /// \tparam ConcurrencyTag for the bounds on all cells that are computed first
   /// \pre there is a shell, and it outlives this object
-  template <typename ConcurrencyTag = Sequential_tag>
-  explicit Shell_facet_oracle_3(const Shell& shell, ConcurrencyTag tag = ConcurrencyTag())
-    : m_shell(&shell), m_predicates(shell.field()), m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), tag))
+  explicit Shell_facet_oracle_3(const Shell& shell)
+    : m_shell(&shell), m_predicates(shell.field())
+    , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
   {
     for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
       m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
@@ -116,16 +119,22 @@ public:
       if(found->second != Placement_verdict::ACCEPTED) return found->second;
       is_known[n] = 1;
     }
-    for(std::size_t n = 0; n < size; ++n) {
-      if(is_known[n]) continue;
+    // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
+    std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
+    std::atomic<std::size_t> first_rejected(size);
+    internal::for_each_chunk<ConcurrencyTag>(size, 1, [&](std::size_t n, std::size_t) {
+      if(is_known[n] || n > first_rejected) return;
       const std::size_t m = (n + 1) % size;
       const Facet_bounds found = m_bounds->examine({ at_p, memory.m_samples[n], memory.m_samples[m] }, facet_normal(p, link[n], link[m]),
-                                                  most_bisections);
-      const Placement_verdict verdict = !found.is_contained   ? Placement_verdict::LEAVES_SHELL
-                                      : !found.is_transversal ? Placement_verdict::FACES_AWAY
-                                                              : Placement_verdict::ACCEPTED;
-      memory.m_verdicts.emplace(key(n), verdict);
-      if(verdict != Placement_verdict::ACCEPTED) return verdict;
+                                                   most_bisections);
+      if(found.is_contained && found.is_transversal) return;
+      verdicts[n] = found.is_contained ? Placement_verdict::FACES_AWAY : Placement_verdict::LEAVES_SHELL;
+      for(std::size_t other = first_rejected; n < other; )
+        if(first_rejected.compare_exchange_weak(other, n)) break;
+    });
+    for(std::size_t n = 0; n < size; ++n) {
+      if(!is_known[n]) memory.m_verdicts.emplace(key(n), verdicts[n]);
+      if(verdicts[n] != Placement_verdict::ACCEPTED) return verdicts[n];
     }
     return Placement_verdict::ACCEPTED;
   }

@@ -46,7 +46,7 @@ namespace Bspline_shells {
  * flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
  * flipped. An operation that the shell forbids is left out, or done by a part.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the check before and the certificate;
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
  *         the result is the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
@@ -119,8 +119,8 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   Real_timer timer;
   timer.start();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  typedef Shell_facet_oracle_3<Field, Threshold> Oracle;
-  const Oracle oracle(shell, ConcurrencyTag());
+  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
+  const Oracle oracle(shell);
   const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
   report.check_seconds = timer.time();
   if(!accepted) return ended(Status::NOT_IN_SHELL);

@@ -264,7 +264,7 @@ struct Accepted_filter
  * place and the middle, moved along the gradient to the level of the edge. An edge that is given up is considered again
  * when its neighbourhood has changed. Edges of length zero are collapsed first, which changes no shape.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the check before and the certificate;
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
  *         the result is the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
@@ -326,8 +326,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   Real_timer timer;
   timer.start();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  typedef Shell_facet_oracle_3<Field, Threshold> Oracle;
-  const Oracle oracle(shell, ConcurrencyTag());
+  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
+  const Oracle oracle(shell);
   const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, result.offending_simplices);
   result.check_seconds = timer.time();
   if(!accepted) return ended(Status::NOT_IN_SHELL);
