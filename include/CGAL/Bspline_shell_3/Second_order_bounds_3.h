@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SECOND_ORDER_BOUNDS_3_H
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Level_range.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/facet_normal.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
@@ -141,6 +142,9 @@ private:
     Coordinates least_gradient, greatest_gradient;      // of the field, components
     double steepness, curvature;                        // sums of absolute first and second derivatives, of the margins and the field
     double value_error, gradient_error;                 // of a margin, and of a gradient's component, that are computed at a point
+    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards.
+    bool has_flat_thresholds;
+    double inner, outer;
   };
 
   static Coordinates middle(const Sample& p, const Sample& q)
@@ -166,9 +170,9 @@ private:
     }
     s.above = s.below = 0;
     if(wants_margins) {
-      const double error = m_cells[c].value_error;
-      s.above = value - m_inner.value(x, c) - error;
-      s.below = m_outer.value(x, c) - value - error;
+      const Cell_bounds& bounds = m_cells[c];
+      s.above = value - (bounds.has_flat_thresholds ? bounds.inner : m_inner.value(x, c)) - bounds.value_error;
+      s.below = (bounds.has_flat_thresholds ? bounds.outer : m_outer.value(x, c)) - value - bounds.value_error;
     }
     return s;
   }
@@ -242,6 +246,15 @@ private:
     return sum;
   }
 
+  // encloses a threshold on a cell
+  static Level_range range(const Threshold& threshold, Enclosed_tricubic zero, Cell_index c)
+  {
+    zero.coefficients.fill(0);
+    zero.radius = 0;
+    const Level_range negative = threshold.difference(zero, c).range();
+    return { -negative.max, -negative.min };
+  }
+
   void bound(Cell_index c)
   {
     const typename Field::Cell cell = m_field->cell(c);
@@ -264,6 +277,12 @@ private:
     // field and a margin.
     const internal::Form_error error(8 * internal::rounding);
     bounds.value_error = 2 * error(f) + error(above) + error(below);
+    const Level_range inner = range(m_inner, f, c), outer = range(m_outer, f, c);
+    bounds.inner = inner.max;
+    bounds.outer = outer.min;
+    const double variation = (std::max)(inner.max - inner.min, outer.max - outer.min);
+    bounds.has_flat_thresholds = variation < flat * (outer.min - inner.max);
+    if(bounds.has_flat_thresholds) bounds.value_error += variation;
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
     bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width;
   }
@@ -583,6 +602,7 @@ private:
   };
 
   static constexpr double large_extent = 3;           // cells
+  static constexpr double flat = 1e-3;                // variation of thresholds, relative to the thickness
   static constexpr int max_depth = 40, max_refinements = 14;
 
   const Field* m_field;
