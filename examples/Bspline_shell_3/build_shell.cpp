@@ -1,6 +1,6 @@
 // Reads a mesh, builds its shell on equal cells, as in the paper, prints a table, and writes the two bounding surfaces and the mesh with f
 // and a colour at its vertices; render_shell.py draws them. The usage, below, says what it returns.
-#include "shell_files.h"
+#include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
 

@@ -1,7 +1,7 @@
 // The whole chain: a mesh, its certified shell, a simplified mesh in the shell, and colours and a scalar at the vertices that are
 // carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding surfaces;
 // render_shell.py draws them.
-#include "shell_files.h"
+#include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/simplify_in_shell.h>

@@ -1,6 +1,6 @@
 // What the examples that write a shell share: messages, progress, and files that are complete or not there.
-#ifndef SHELL_FILES_H
-#define SHELL_FILES_H
+#ifndef EXAMPLE_OUTPUT_H
+#define EXAMPLE_OUTPUT_H
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
@@ -122,4 +122,4 @@ int write_surface(const std::string& file, const Shell& shell, const typename Sh
   return write_mesh(file, surface) ? 0 : cannot_write(file);
 }
 
-#endif // SHELL_FILES_H
+#endif // EXAMPLE_OUTPUT_H
