@@ -1,4 +1,6 @@
-// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: what holds on equal cells holds here.
+// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: what holds on equal cells holds here. What is
+// taken over from a shell whose cover is known.
+#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
@@ -21,6 +23,7 @@ namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Field_predicates_3<Field> Predicates;
 typedef BS::Shell_certificate_3<Field> Certificate;
+typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Constant_threshold Constant;
 typedef BS::Certificate_witness Place;
 typedef std::array<Point_3, 3> Triangle;
@@ -135,6 +138,65 @@ std::vector<Verdict> verdicts(const Certificate& certificate)
 }
 
 const std::vector<Verdict> all_proved(5, Verdict::PROVED);
+
+// two balls, about the points (-0.75, 0, 0) and (0.75, 0, 0): about the distance to the nearer one
+Field two_balls()
+{
+  Field field(refined_at(Hierarchy(cube(8, 0.1875)), Point_3(0.75, 0, 0.45), 1));
+  set(field, [](double x, double y, double z, int) {
+    const double u = std::abs(x) - 0.75;
+    return std::sqrt(u*u + y*y + z*z);
+  });
+  return field;
+}
+
+Mesh together(const Mesh& a, const Mesh& b)
+{
+  Mesh mesh = a;
+  CGAL::copy_face_graph(b, mesh);
+  return mesh;
+}
+
+Mesh left(double radius = 0.45) { return sphere(2, radius, Point_3(-0.75, 0, 0)); }
+Mesh right(double radius = 0.45) { return sphere(2, radius, Point_3(0.75, 0, 0)); }
+constexpr double inner_level = 0.36, outer_level = 0.52;
+
+// with the cover of a certificate, and a bound of the gradient that is known again
+Shell shell_with_cover(const Field& field, const Certificate& certificate, double gradient)
+{
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.certificate = certificate.report();
+  report.certificate.least_gradient = gradient;
+  Shell shell(field, BS::Level_range{ inner_level, outer_level }, std::vector<char>(field.number_of_cells(), 1), {}, report);
+  shell.set_proved_cover(certificate.cover()->boxes());
+  return shell;
+}
+
+// all but the time, and the cells that were looked at
+void check_equal(const Certificate& certificate, const Certificate& reference)
+{
+  CHECK(verdicts(certificate) == verdicts(reference));
+  CHECK(certificate.number_of_covers() == reference.number_of_covers());
+  CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
+  CHECK(certificate.statistics().monotone_boxes == reference.statistics().monotone_boxes);
+  CHECK(certificate.statistics().undecided_boxes == reference.statistics().undecided_boxes);
+  CHECK(certificate.least_angle() == reference.least_angle());
+  CHECK(certificate.paths().size() == reference.paths().size());
+  REQUIRE(certificate.witnesses().size() == reference.witnesses().size());
+  for(std::size_t n = 0; n < certificate.witnesses().size(); ++n) {
+    CHECK(certificate.witnesses()[n].reason == reference.witnesses()[n].reason);
+    CHECK(certificate.witnesses()[n].point == reference.witnesses()[n].point);
+  }
+  if(certificate.cover() && certificate.verdict(Claim::ONE_SHEET) == Verdict::PROVED)
+    for(std::size_t c = 0; c < certificate.number_of_covers(); ++c) {
+      const auto boxes = [&](const Certificate& x) {
+        const auto& all = x.cover()->boxes();
+        return std::count_if(all.begin(), all.end(), [&](const BS::Cover_box& box) { return box.component == c; });
+      };
+      CHECK(boxes(certificate) == boxes(reference));
+    }
+}
 
 Mesh pentagram_bipyramid()
 {
@@ -416,4 +478,105 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   BS::Shell_certificate_3<Field, Varying> unproved(field, Varying(inner), Varying(no_number));
   CHECK_FALSE(unproved.verify<CGAL::Sequential_tag>(sphere(2)));
   CHECK(unproved.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Certificate with a cover that is known: as without it for other meshes, also for those with fewer components, in any order")
+{
+  const Field field = two_balls();
+  const Certificate proved = certify(field, inner_level, outer_level, together(left(), right()));
+  REQUIRE(verdicts(proved) == all_proved);
+  REQUIRE(proved.number_of_covers() == 2);
+  const double gradient = 0.75 * proved.least_gradient();      // told from one that is found out
+  const Shell shell = shell_with_cover(field, proved, gradient);
+  Certificate certificate(shell);
+  // one after the other, by the same certificate; a mesh that is not in the shell among them
+  for(const Mesh& mesh : { together(left(), right()), together(left(0.46), right(0.44)), left(), sphere(2), right(), together(right(), left(0.46)) }) {
+    const Certificate reference = certify(field, inner_level, outer_level, mesh);
+    certificate.verify<CGAL::Sequential_tag>(mesh);
+    check_equal(certificate, reference);
+    if(reference.verdict(Claim::CONTAINMENT) != Verdict::PROVED) {
+      CHECK_FALSE(certificate.is_certified());
+      CHECK(certificate.least_gradient() == 0);
+      continue;
+    }
+    CHECK(certificate.is_certified());
+    CHECK(certificate.least_gradient() == gradient);
+    CHECK(certificate.least_gradient() <= reference.least_gradient());
+    CHECK(certificate.displacement_bound() >= reference.displacement_bound());
+    CHECK(certificate.displacement_bound() <= 2 * reference.displacement_bound());
+    const std::vector<double> bounds = certificate.displacement_bounds<CGAL::Sequential_tag>(),
+                              without = reference.displacement_bounds<CGAL::Sequential_tag>();
+    REQUIRE(bounds.size() == without.size());
+    for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
+  }
+  // with bounds that are shared
+  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), CGAL::Sequential_tag());
+  Certificate sharing(shell, bounds);
+  sharing.verify<CGAL::Parallel_if_available_tag>(left(0.46));
+  check_equal(sharing, certify(field, inner_level, outer_level, left(0.46)));
+  CHECK(sharing.facets().front().slope == certify(field, inner_level, outer_level, left(0.46)).facets().front().slope);
+}
+
+TEST_CASE("Certificate with a cover that is known: it is of no use where components share a part of it, or where it knows nothing")
+{
+  const Field field = two_balls();
+  const Certificate all = certify(field, inner_level, outer_level, together(left(), right()));
+  const Certificate of_left = certify(field, inner_level, outer_level, left());
+  REQUIRE(all.is_certified());
+  REQUIRE(of_left.is_certified());
+  const Shell shell = shell_with_cover(field, all, 0.75 * all.least_gradient()),
+              partial = shell_with_cover(field, of_left, 0.75 * of_left.least_gradient());
+  Certificate by_all(shell), by_part(partial);
+  const Mesh nested = together(left(0.42), left(0.47));
+  for(const Mesh& mesh : { nested, together(right(), nested) }) {
+    const Certificate reference = certify(field, inner_level, outer_level, mesh);
+    REQUIRE(reference.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
+    by_all.verify<CGAL::Sequential_tag>(mesh);
+    check_equal(by_all, reference);
+    CHECK(by_all.least_gradient() == reference.least_gradient());
+  }
+  // on the other side, not at all or not alone
+  for(const Mesh& mesh : { right(), together(left(), right()) }) {
+    const Certificate reference = certify(field, inner_level, outer_level, mesh);
+    by_part.verify<CGAL::Sequential_tag>(mesh);
+    check_equal(by_part, reference);
+    CHECK(by_part.is_certified());
+    CHECK(by_part.least_gradient() == reference.least_gradient());
+  }
+  by_part.verify<CGAL::Sequential_tag>(left());
+  CHECK(by_part.least_gradient() == 0.75 * of_left.least_gradient());
+  // the shell's report says nothing of the gradient
+  const Shell silent = shell_with_cover(field, all, 0);
+  Certificate by_silent(silent);
+  CHECK(by_silent.verify<CGAL::Sequential_tag>(left()));
+  CHECK(by_silent.least_gradient() == of_left.least_gradient());
+}
+
+TEST_CASE("Certificate: a field that has changed since the last mesh was examined is another field")
+{
+  Field field = radial_field();
+  Certificate certificate(field, Constant(0.85), Constant(1.2));
+  const Mesh mesh = sphere(2);
+  REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  // a bump in the smallest leaves, which no corner of a facet, and few middles of edges, know of
+  Eigen::VectorXd x = field.coefficients();
+  const int finest = field.number_of_levels() - 1;
+  int bumps = 0;
+  for(Index n = 0; n < field.points(finest).size(); ++n) {
+    const Index coefficient = field.coefficient_of_point(field.first_point(finest) + n);
+    if(coefficient == Field::npos) continue;
+    const CGAL::Bbox_3 b = field.support(coefficient);
+    const Point_3 top((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+    const bool meets_vertex = std::any_of(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) {
+      return CGAL::do_overlap(mesh.point(v).bbox(), b);
+    });
+    if(meets_vertex || std::abs(field.value(top).value() - 0.98) > 0.01 || bumps > 0) continue;
+    x[coefficient] += 1;
+    ++bumps;
+  }
+  REQUIRE(bumps == 1);
+  field.set_coefficients(x);
+  REQUIRE(certify(field, 0.85, 1.2, mesh).verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+  CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 }

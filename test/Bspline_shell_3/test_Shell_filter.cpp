@@ -127,6 +127,31 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
   CHECK(oracle().winding_number(pole, star) == 2);
 }
 
+TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of the shell's, leave the shell")
+{
+  // where the shell may be, as far as its cells tell: not below
+  std::vector<char> cells(shell().field().number_of_cells());
+  for(std::size_t c = 0; c < cells.size(); ++c) cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
+  const Shell upper(shell().field(), BS::Level_range{ shell().inner_level(), shell().outer_level() }, cells, shell().facet_ranges(),
+                    shell().report());
+  const Oracle of_upper(upper);
+  const Mesh mesh = sphere(3);
+  int above = 0, below = 0;
+  for(auto v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    const std::vector<Point_3> link = link_of(mesh, v);
+    if(std::abs(p.z() + 0.5) < 0.3) continue;
+    const bool is_above = p.z() > -0.5;
+    ++(is_above ? above : below);
+    const Placement_verdict expected = is_above ? Placement_verdict::ACCEPTED : Placement_verdict::LEAVES_SHELL;
+    Oracle::Memory memory;
+    CHECK(of_upper(p, link, memory) == expected);
+    CHECK(of_upper(p, link[0], link[1]) == expected);
+  }
+  CHECK(above > 0);
+  CHECK(below > 0);
+}
+
 TEST_CASE("Oracle: the facets that touch a threshold are accepted")
 {
   const Mesh mesh = sphere(1);

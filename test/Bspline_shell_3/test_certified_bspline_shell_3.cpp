@@ -44,6 +44,11 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   // again, from what is kept
   Certificate certificate(shell);
   CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  REQUIRE(shell.proved_cover());
+  CHECK(certificate.number_of_covers() == shell.report().certificate.covers);
+  CHECK(certificate.statistics().cover_boxes == shell.report().certificate.statistics.cover_boxes);
+  CHECK(certificate.least_gradient() == shell.report().certificate.least_gradient);
+  CHECK(certificate.displacement_bound() == shell.report().certificate.displacement_bound);
   BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
   CHECK(is_in_shell(mesh));
   for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
@@ -144,6 +149,8 @@ TEST_CASE("certified shells: limits end refinement with what there is")
     CHECK(shell.report().rounds.size() == 1);
     CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
     CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
+    // nothing is taken over from a shell that may have critical points
+    CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
   }
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
 }

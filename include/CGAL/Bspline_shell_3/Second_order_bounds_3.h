@@ -185,7 +185,7 @@ private:
     double largest = 0;
     for(double x : b) largest = (std::max)(largest, std::abs(x));
     // a difference of four coefficients, and three roundings of at most four times the largest
-    const double error = 4 * f.radius + 16 * internal::rounding * largest + internal::underflow;
+    const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
     Matrix_range h;
     for(int m = 0; m < 6; ++m) {
       double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -210,10 +210,10 @@ private:
               include((p[s + t] - p[s]) - (p[t] - p[0]));
             }
       }
-      const double scale = (m < 3 ? 6 : 9) / (width * width);
-      const double rounded = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most));
-      h.least[m] = scale * (least - error - rounded);
-      h.most[m] = scale * (most + error + rounded);
+      // divided twice: the square of a width may be no finite number, or zero
+      const double factor = m < 3 ? 6 : 9, rounded = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most));
+      h.least[m] = factor * (least - error - rounded) / width / width - internal::underflow;
+      h.most[m] = factor * (most + error + rounded) / width / width + internal::underflow;
     }
     return h;
   }
@@ -232,9 +232,10 @@ private:
         least = (std::min)(least, x);
         most = (std::max)(most, x);
       }
-      const double error = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius + internal::underflow;
-      slopes.least[axis] = 3 * (least - error) / width;
-      slopes.most[axis] = 3 * (most + error) / width;
+      const double error = (1 + 16 * internal::rounding)
+                         * (8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius + internal::underflow);
+      slopes.least[axis] = 3 * (least - error) / width - internal::underflow;
+      slopes.most[axis] = 3 * (most + error) / width + internal::underflow;
     }
     return slopes;
   }
@@ -284,7 +285,10 @@ private:
     bounds.has_flat_thresholds = variation < flat * (outer.min - inner.max);
     if(bounds.has_flat_thresholds) bounds.value_error += variation;
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
-    bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width;
+    bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width + internal::underflow;
+    // Comparisons pass over what is no number; what is infinite they keep.
+    if(!(bounds.steepness + bounds.curvature + bounds.value_error + bounds.gradient_error < std::numeric_limits<double>::infinity()))
+      bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
   }
 
   // of one triangle
@@ -558,8 +562,9 @@ private:
 
     bool is_contained(const Part& part, const Edges& e, const Region& region) const
     {
-      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too.
-      const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift;
+      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these underflow.
+      const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift
+                         + region.curvature * internal::underflow;
       const double above = (largest_on_edges(region.above, e) / 6 + error) * up, below = (largest_on_edges(region.below, e) / 6 + error) * up;
       for(const Sample& s : part.corner)
         if(!(s.above >= above && s.below >= below)) return false;

@@ -72,16 +72,18 @@ public:
     double slope = std::numeric_limits<double>::infinity();   ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units
   };
 
-  /// \pre `field` outlives this object
+  /// \pre `field` outlives this object; it may change between verifications
   Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
 
-  /// of the shell's field, between its thresholds. \pre there is a shell, and it outlives this object
+  /// of the shell's field, between its thresholds. \pre there is a shell, and it outlives this object and stays as it is
   /// What does not depend on the mesh is taken over: the cover, if the shell has it, and bounds, if they are given.
+  /// \pre `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
+    m_is_of_shell = true;
     m_bounds = std::move(bounds);
     m_proved_cover = shell.proved_cover();
     m_proved_gradient = shell.report().certificate.least_gradient;
@@ -288,11 +290,12 @@ private:
   typedef Triangle_mesh::Face_index Face_index;
   typedef Triangle_mesh::Vertex_index Vertex_index;
 
-  // all but what does not depend on the mesh
+  // all but what does not depend on the mesh, which is kept for a shell: a field may have got other coefficients
   void forget()
   {
     Shell_certificate_3 empty(*m_field, m_inner, m_outer);
-    empty.m_bounds = std::move(m_bounds);
+    empty.m_is_of_shell = m_is_of_shell;
+    if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
     empty.m_proved_cover = std::move(m_proved_cover);
     empty.m_proved_gradient = m_proved_gradient;
     *this = std::move(empty);
@@ -534,7 +537,7 @@ private:
     if(verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
       m_report.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
     if(verdict(Claim::GRADIENT) == Verdict::PROVED)
-      m_report.least_gradient = is_known ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
+      m_report.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_report.least_gradient > 0)
       m_report.displacement_bound = (thresholds.max - thresholds.min) / m_report.least_gradient * (1 + 4 * internal::rounding);
   }
@@ -688,6 +691,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  bool m_is_of_shell = false;
   std::shared_ptr<const Bounds> m_bounds;
   std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
   double m_proved_gradient = 0;

@@ -143,8 +143,10 @@ public:
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
-    const Facet_bounds found = m_bounds->examine({ m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) }, facet_normal(p, q, r),
-                                                most_bisections);
+    const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
+    for(const Sample& s : corners)
+      if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
+    const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
     if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
     if(found.faces_away) return Placement_verdict::FACES_AWAY;
     const std::array<Point_3, 3> triangle = { p, q, r };
@@ -189,10 +191,9 @@ private:
 
   static double squared_norm(const Coordinates& v) { return v[0]*v[0] + v[1]*v[1] + v[2]*v[2]; }
 
-  bool is_in(const Sample& s) const
-  {
-    return s.cell != Field::npos && m_shell->shell_cells()[s.cell] && s.above >= 0 && s.below >= 0;
-  }
+  // What is between the thresholds elsewhere is none of the shell.
+  bool is_in_cells(const Sample& s) const { return s.cell != Field::npos && m_shell->shell_cells()[s.cell]; }
+  bool is_in(const Sample& s) const { return is_in_cells(s) && s.above >= 0 && s.below >= 0; }
 
   // whether a facet faces along the gradient at a point, rounded
   static bool faces_along(const Sample& s, const Point_3& p, const Point_3& q, const Point_3& r)
