@@ -574,7 +574,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     mesh.point(Mesh::Vertex_index(3)) = Point_3(0, coordinate, 0);
     CHECK(remesh(mesh, 0.2, sphere_shell()).status == Status::NOT_FINITE);      // NaN is not equal to itself
   }
-  for(double target : { 0., -0.2, nan_value, infinite, -infinite })
+  for(double target : { 0., -0.2, nan_value, infinite, -infinite, 1e-6, 1e-200 })
     CHECK(refused(sphere(2), sphere_shell(), target).status == Status::INVALID_PARAMETER);
   mesh = sphere(2);
   const Sizing_function partly_zero = [](const Point_3& p) { return p.x() < 0 ? 0.2 : 0.; };

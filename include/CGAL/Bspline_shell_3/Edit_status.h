@@ -15,7 +15,7 @@ enum class Edit_status
 {
   SUCCESS,               ///< the result is certified
   NO_SHELL,              ///< there is no shell
-  INVALID_PARAMETER,     ///< a length is not positive, or not finite
+  INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
@@ -33,7 +33,7 @@ inline const char* message(Edit_status status)
     case Edit_status::NO_SHELL:
       return "There is no shell: its own status says why.";
     case Edit_status::INVALID_PARAMETER:
-      return "The target length of edges must be a positive number everywhere.";
+      return "The target length of edges must be a positive number everywhere, not so small that there are more facets than have numbers.";
     case Edit_status::NOT_FINITE:
       return "The mesh has vertices whose coordinates are infinite or not a number.";
     case Edit_status::NOT_TRIANGULATED:
@@ -43,7 +43,8 @@ inline const char* message(Edit_status status)
     case Edit_status::NOT_IN_SHELL:
       return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh for which the shell is certified.";
     case Edit_status::NOT_CERTIFIED:
-      return "The certificate of the result fails, as it does for the mesh before: ask for a certified shell of this mesh.";
+      return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "
+             "certified shell of this mesh.";
   }
   return "";
 }

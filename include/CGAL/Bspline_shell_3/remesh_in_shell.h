@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/internal/before_edits.h>
 
 #include <CGAL/FPU.h>
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -56,7 +57,8 @@ namespace Bspline_shells {
  *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
  *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then; the elements of other meshes are new,
  *        so that descriptors and maps that the caller has of them are invalid. With all other statuses it was not touched.
- * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite
+ * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
+ *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `number_of_iterations(unsigned int)`: default 3
@@ -114,7 +116,16 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
     return std::numeric_limits<double>::quiet_NaN();
   };
   for(auto v : vertices(mesh)) sizing(get(vpm, v));
-  if(!is_sizing_valid) return ended(Status::INVALID_PARAMETER);
+  // Far more facets than memory holds come of a length in the wrong unit: as many as elements of a mesh have numbers.
+  constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
+  double expected = 0;
+  for(auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)), &r = get(vpm, target(next(h, mesh), mesh));
+    const double length = sizing(CGAL::centroid(p, q, r));
+    expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
+  }
+  if(!is_sizing_valid || !(expected < most_facets)) return ended(Status::INVALID_PARAMETER);
 
   Real_timer timer;
   timer.start();
