@@ -490,7 +490,8 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
   const Shell shell = shell_with_cover(field, proved, gradient);
   Certificate certificate(shell);
   // one after the other, by the same certificate; a mesh that is not in the shell among them
-  for(const Mesh& mesh : { together(left(), right()), together(left(0.46), right(0.44)), left(), sphere(2), right(), together(right(), left(0.46)) }) {
+  for(const Mesh& mesh : { together(left(), right()), together(left(0.46), right(0.44)), left(), sphere(2), right(),
+                           together(right(), left(0.46)) }) {
     const Certificate reference = certify(field, inner_level, outer_level, mesh);
     certificate.verify<CGAL::Sequential_tag>(mesh);
     check_equal(certificate, reference);
@@ -510,7 +511,8 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
     for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
   }
   // with bounds that are shared
-  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), CGAL::Sequential_tag());
+  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(),
+                                                                  CGAL::Sequential_tag());
   Certificate sharing(shell, bounds);
   sharing.verify<CGAL::Parallel_if_available_tag>(left(0.46));
   check_equal(sharing, certify(field, inner_level, outer_level, left(0.46)));

@@ -140,8 +140,8 @@ public:
   /// the boxes of the cover by which it was proved, when the shell was built, that it has no critical point: what the certificates of other
   /// meshes in the shell need not find out again. Empty if that was not proved, and for shells that were read from a file.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of `report()`, or
-  /// the least gradient in that is zero, and found out again when it is asked for
+  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of
+  /// `report()`, or the least gradient in that is zero, and found out when it is needed
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
