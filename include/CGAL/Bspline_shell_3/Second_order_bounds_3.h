@@ -247,15 +247,6 @@ private:
     return sum;
   }
 
-  // encloses a threshold on a cell
-  static Level_range range(const Threshold& threshold, Enclosed_tricubic zero, Cell_index c)
-  {
-    zero.coefficients.fill(0);
-    zero.radius = 0;
-    const Level_range negative = threshold.difference(zero, c).range();
-    return { -negative.max, -negative.min };
-  }
-
   void bound(Cell_index c)
   {
     const typename Field::Cell cell = m_field->cell(c);
@@ -278,7 +269,7 @@ private:
     // field and a margin.
     const internal::Form_error error(8 * internal::rounding);
     bounds.value_error = 2 * error(f) + error(above) + error(below);
-    const Level_range inner = range(m_inner, f, c), outer = range(m_outer, f, c);
+    const Level_range inner = threshold_range(m_inner, c), outer = threshold_range(m_outer, c);
     bounds.inner = inner.max;
     bounds.outer = outer.min;
     const double variation = (std::max)(inner.max - inner.min, outer.max - outer.min);

@@ -77,9 +77,9 @@ public:
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
 
-  /// of the shell's field, between its thresholds. \pre there is a shell, and it outlives this object and stays as it is
-  /// What does not depend on the mesh is taken over: the cover, if the shell has it, and bounds, if they are given.
-  /// \pre `bounds` are those of the shell
+  /// of the shell's field, between its thresholds. What does not depend on the mesh is taken over: the cover, if the shell has it, and
+  /// bounds, if they are given.
+  /// \pre there is a shell, and it outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
@@ -548,12 +548,8 @@ private:
     if constexpr(Threshold::is_constant) {
       return { m_inner.level(), m_outer.level() };
     } else {
-      Enclosed_tricubic zero = enclosed_value(m_field->cell(c));
-      zero.coefficients.fill(0);
-      zero.radius = 0;
-      const Level_range inner = m_inner.difference(zero, c).range(), outer = m_outer.difference(zero, c).range();
-      Level_range range = { -inner.max, -inner.min };
-      range.include(Level_range{ -outer.max, -outer.min });
+      Level_range range = Bspline_shells::threshold_range(m_inner, c);
+      range.include(Bspline_shells::threshold_range(m_outer, c));
       return range;
     }
   }

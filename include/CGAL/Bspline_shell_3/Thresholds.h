@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_THRESHOLDS_H
 
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Level_range.h>
 
 #include <cstdint>
 #include <memory>
@@ -79,6 +80,17 @@ public:
 private:
   std::shared_ptr<const Field> m_field;
 };
+
+/// \ingroup PkgBsplineShell3Certificate
+/// encloses a threshold on a leaf cell
+template <typename Threshold>
+Level_range threshold_range(const Threshold& threshold, std::uint32_t cell)
+{
+  Enclosed_tricubic zero;
+  zero.coefficients.fill(0);
+  const Level_range negative = threshold.difference(zero, cell).range();
+  return { -negative.max, -negative.min };
+}
 
 } // namespace Bspline_shells
 } // namespace CGAL
