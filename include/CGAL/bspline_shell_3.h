@@ -16,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/fit_field.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
+#include <CGAL/Bspline_shell_3/prove_containment.h>
 #include <CGAL/Bspline_shell_3/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/shell_component.h>
 
@@ -155,7 +156,7 @@ inline double estimated_bytes(double cells, double unknowns, double pieces, bool
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
- * \return a shell, or none and the reason (`Bspline_shell_3::status()`)
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`)
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -315,6 +316,8 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
       continue;
     }
 
+    if(!BS::prove_containment<ConcurrencyTag>(field, BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max), input))
+      return stop(Status::MESH_NOT_CONTAINED);
     // num_faces() may count removed facets
     std::vector<BS::Level_range> facets(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
     for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);

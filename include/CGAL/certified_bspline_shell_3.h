@@ -70,8 +70,8 @@ typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
  *
- * \return a shell, or none and the reason (`Bspline_shell_3::status()`). Whether it is certified, and why not,
- *         `Bspline_shell_3::is_certified()` and its report tell.
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). Whether it is certified, and why
+ *         not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
  * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in the
  * number of facets
  */
@@ -188,6 +188,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
     report.cells = refinement.field().number_of_cells();
     report.unknowns = refinement.field().number_of_coefficients();
     report.certificate = refinement.certificate()->report();
+    if(report.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
     std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh(thickness);
     std::vector<char> shell_cells(report.cells, 0);
     if(refinement.certificate()->cover())

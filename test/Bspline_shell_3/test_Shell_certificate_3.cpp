@@ -13,6 +13,7 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <set>
 #include <vector>
 
@@ -613,4 +614,126 @@ TEST_CASE("Thresholds that vary: a box is said to be between them only if it is"
     = count(fixed, [&](const Point_3& p) { return *field.value(p) >= 0.8 - 1e-12 && *field.value(p) <= 1.2 + 1e-12; });
   CHECK(fixed_boxes[0] > 100);
   CHECK(fixed_boxes[1] > 100);
+}
+
+// a field that fails after some cells were asked for, as any field or allocation may
+struct Failing_field : Field
+{
+  explicit Failing_field(const Field& field) : Field(field) {}
+  Field::Cell cell(Field::Cell_index c) const
+  {
+    if(left-- == 0) throw std::bad_alloc();
+    return Field::cell(c);
+  }
+  mutable long left = -1;
+};
+
+TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothing proved")
+{
+  Failing_field field(radial_field());
+  const Mesh mesh = sphere(1);
+  BS::Shell_certificate_3<Failing_field> certificate(field, Constant(0.7), Constant(1.3));
+  REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  field.left = -1;
+  certificate.verify<CGAL::Sequential_tag>(mesh);
+  const long calls = -1 - field.left;
+  REQUIRE(calls > 1000);
+  for(int n = 0; n < 40; ++n) {
+    field.left = -1;
+    REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+    field.left = calls * n / 40;
+    CHECK_THROWS_AS(certificate.verify<CGAL::Sequential_tag>(mesh), std::bad_alloc);
+    CHECK_FALSE(certificate.is_certified());
+    for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+    CHECK(certificate.facets().empty());
+    CHECK(certificate.paths().empty());
+    CHECK(certificate.least_gradient() == 0);
+    CHECK(certificate.displacement_bound() == std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST_CASE("Certificate: witnesses are bounded, and counted")
+{
+  const Field field = radial_field();
+  Mesh mesh = sphere(3);
+  const std::size_t facets = mesh.number_of_faces();
+  REQUIRE(facets > 2 * BS::Certificate_report::max_witnesses);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  const Certificate certificate = certify(field, 0.7, 1.3, mesh);
+  const std::size_t transversality = std::size_t(Claim::TRANSVERSALITY);
+  CHECK(certificate.report().number_of_witnesses[transversality] == facets);
+  CHECK(std::size_t(std::count_if(certificate.witnesses().begin(), certificate.witnesses().end(), [](const Place& w) {
+    return w.claim == Claim::TRANSVERSALITY;
+  })) == BS::Certificate_report::max_witnesses);
+  for(const auto& facet : certificate.facets()) CHECK(facet.transversality == Verdict::REFUTED);
+}
+
+TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the field, however small both are")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  for(double s : { 1., 1e-150, 1.8e-163, 1.84e-163, 1.9e-163, 1e-200, 1e-290 }) {
+    CAPTURE(s);
+    // f = s x^2, and a threshold that has its value at x = 4.05 with the slope 8.3 s instead of 8.1 s
+    Field field = cube_field(5, 1), inner = field, outer = field;
+    set(field, [=](double x, double, double) { return s * (x*x - 1./3); });
+    set(inner, [=](double, double, double) { return s; });
+    set(outer, [=](double x, double, double) { return s * (16.4025 + 8.3 * (x - 4.05)); });
+    BS::Shell_cover_3<Field, Varying> cover(field, Varying(inner), Varying(outer));
+    cover.flood<CGAL::Sequential_tag>(Point_3(4.02, 0.5, 0.5), 0);
+    std::size_t boxes = 0;
+    for(const BS::Cover_box& box : cover.boxes()) {
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      if(box.component != 0 || b.xmin() > 4.05 || b.xmax() < 4.05) continue;
+      ++boxes;
+      CHECK(box.kind == BS::Box_kind::UNDECIDED);
+    }
+    CHECK(boxes > 0);
+  }
+}
+
+TEST_CASE("Cover: the least gradient is not more than what the field has, however small it is")
+{
+  for(double s : { 1., 1e-140, 1e-155, 1e-160, 1e-200 }) {
+    CAPTURE(s);
+    Field field = cube_field(2, 1);
+    set(field, [=](double x, double y, double z) { return s * (x + 0.3 * y - 0.7 * z + 0.01 * (x*x - 1./3)); });
+    BS::Shell_cover_3<Field> cover(field, Constant(-0.5 * s), Constant(0.5 * s));
+    cover.flood<CGAL::Sequential_tag>(Point_3(0, 0, 0), 0);
+    double sampled = std::numeric_limits<double>::infinity();
+    for(const BS::Cover_box& box : cover.boxes()) {
+      if(box.component != 0) continue;
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      const Vector_3 g = *field.gradient(Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / s;
+      sampled = (std::min)(sampled, std::sqrt(g.squared_length()));
+    }
+    REQUIRE(sampled < 2);
+    CHECK(cover.least_gradient<CGAL::Sequential_tag>() / s <= sampled * (1 + 1e-12));
+    if(cover.number_of_undecided_boxes() == 0) CHECK(cover.least_gradient<CGAL::Sequential_tag>() / s > 0.5 * sampled);
+    else CHECK(s < 1e-155);
+    for(double bound : cover.least_gradients<CGAL::Sequential_tag>())
+      if(bound < std::numeric_limits<double>::infinity()) CHECK(bound / s <= 2);
+  }
+}
+
+TEST_CASE("Certificate: thresholds on other cells than the field's are refused")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  Field inner = field, outer = field, fewer = cube_field(11, 1. / 8), moved = cube_field(12, 1. / 16);
+  set(inner, [](double, double, double) { return 0.8; });
+  set(outer, [](double, double, double) { return 1.2; });
+  set(fewer, [](double, double, double) { return 1.2; });
+  set(moved, [](double, double, double) { return 1.2; });
+  const Mesh mesh = sphere(2);
+  BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  for(const Field& other : { fewer, moved }) {
+    BS::Shell_certificate_3<Field, Varying> refused(field, Varying(inner), Varying(other));
+    CHECK_FALSE(refused.verify<CGAL::Sequential_tag>(mesh));
+    CHECK(refused.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
+    BS::Shell_report report;
+    report.status = BS::Shell_status::SUCCESS;
+    const CGAL::Bspline_shell_3<Field, Varying> shell(field, Varying(other), Varying(outer), std::vector<char>(field.number_of_cells(), 1), {}, report);
+    CHECK(shell.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
+  }
 }

@@ -1,6 +1,7 @@
 // Shell_containment_3.h: the call shapes of Polyhedral_envelope, with answers that are proofs.
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Shell_containment_3.h>
 #include <CGAL/bspline_shell_3.h>
 
@@ -8,6 +9,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -92,8 +96,66 @@ TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at eve
   CHECK(not_contained > 20);
 }
 
+TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in the same cells")
+{
+  // about 4 (|x| - 0.8) (0.95 - |x|): the shell is at the inner sphere, and its leaves hold parts of the component at the outer one, too
+  namespace BS = CGAL::Bspline_shells;
+  typedef BS::Uniform_bspline_field_3<> Field;
+  constexpr int half = 12;
+  constexpr double width = 1. / 8, h = half * width, outer = 0.95;
+  std::vector<std::uint64_t> keys;
+  for(int k = -half; k < half; ++k)
+    for(int j = -half; j < half; ++j)
+      for(int i = -half; i < half; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto& p = field.functions().point(Field::Cell_index(n));
+    const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+    x[Eigen::Index(n)] = 4 * (r - 0.8) * (outer - r) + 0.025;
+  }
+  field.set_coefficients(x);
+  const BS::Level_range levels{ -0.02, 0.008 };
+  const Mesh mesh = sphere(3, 0.797);
+  BS::Shell_certificate_3<Field> certificate(field, BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  REQUIRE(certificate.verify(mesh));
+  std::vector<char> cells(field.number_of_cells(), 0);
+  for(const BS::Cover_box& box : certificate.cover()->boxes())
+    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells, {}, report);
+  CGAL::Bspline_shell_3<Field> with_cover(without_cover);
+  with_cover.set_proved_cover(certificate.cover()->boxes());
+
+  const auto at = [&](double theta, double phi) {
+    return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi), outer * std::sin(phi));
+  };
+  std::size_t segments = 0;
+  for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
+    const BS::Shell_containment_3<Field> contains(*shell);
+    CHECK(contains(mesh));
+    for(int a = 0; a < 100; ++a)
+      for(int b = 0; b < 50; ++b) {
+        const double theta = 1.57 * a / 100, phi = 1.5 * b / 50;
+        const Point_3 p = at(theta, phi), q = at(theta + 0.05, phi);
+        if(shell == &with_cover) CHECK_FALSE(contains(p));      // the component has no mesh
+        if(!contains(p, q)) continue;
+        ++segments;
+        CHECK(shell == &without_cover);
+        for(double t : { 0., 0.2, 0.5, 0.9, 1. }) CHECK(contains(p + t * (q - p)));
+      }
+  }
+  CHECK(segments > 10);
+}
+
 TEST_CASE("Containment: no shell contains nothing")
 {
   const CGAL::Bspline_shell_3<> none;
-  CHECK(Containment(none).is_empty());
+  const Containment contains(none);
+  CHECK(contains.is_empty());
+  CHECK_FALSE(contains(Point_3(0, 0, 0)));
+  CHECK_FALSE(contains(Point_3(0, 0, 0), Point_3(1, 0, 0)));
+  CHECK(contains.match(sphere(1)).verdict() == CGAL::Bspline_shells::Verdict::UNDECIDED);
 }

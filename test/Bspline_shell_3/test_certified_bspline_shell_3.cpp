@@ -8,6 +8,8 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <string>
+
 namespace BS = CGAL::Bspline_shells;
 namespace parameters = CGAL::Bspline_shells::parameters;
 typedef CGAL::Certified_bspline_shell_3 Shell;
@@ -176,4 +178,30 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
   struct Canceling { bool start_step(BS::Shell_step step) { return step != BS::Shell_step::CERTIFICATE; } };
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(Canceling())).status() == Status::CANCELED);
+}
+
+TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh intersects itself")
+{
+  const Mesh overlapping = together(sphere(3), sphere(3, 1, Point_3(1.2, 0, 0))),
+             plate = box(Point_3(-1, -1, -0.004), Point_3(1, 1, 0.004));
+  std::size_t shells = 0, refused = 0;
+  for(const Mesh& mesh : { overlapping, plate })
+    for(double megabytes : { 1., 30., 60., 100., 150., 200. }) {
+      CAPTURE(megabytes);
+      const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::allow_self_intersections(true).memory_limit(megabytes * 1e6));
+      CHECK_FALSE(std::string(shell.message()).empty());
+      if(!shell) {
+        ++refused;
+        CHECK((shell.status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED || shell.status() == BS::Shell_status::MESH_NOT_CONTAINED));
+        continue;
+      }
+      ++shells;
+      CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+      const BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
+      CHECK(is_in_shell(mesh));
+      for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
+      if(!shell.is_certified()) CHECK(std::string(shell.message()).find("not certified") != std::string::npos);
+    }
+  CHECK(shells > 4);
+  CHECK(refused > 0);
 }

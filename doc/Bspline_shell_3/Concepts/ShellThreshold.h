@@ -20,6 +20,10 @@ public:
   /// the value of a constant threshold, in units of the field
   double level() const;
 
+  /// whether the threshold is tricubic on the leaf cells of a field: no cell of the field is met by two polynomials
+  template <typename Field>
+  bool has_cells_of(const Field& field) const;
+
   /// the value at a point, rounded: a hint
   template <typename Point_3>
   double value(const Point_3& p) const;

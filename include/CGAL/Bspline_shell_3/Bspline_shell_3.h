@@ -48,7 +48,7 @@ struct Shell_report
   Fit_report fit;
   Level_range edges;                          ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
   Level_range facets_bound;                   ///< bounds on the facets, not rounded
-  Refinement_status refinement = Refinement_status::NOTHING_TO_REFINE;     ///< why it ended
+  Refinement_status refinement = Refinement_status::NOT_REFINED;     ///< why refinement ended
   std::vector<Refinement_round> rounds;       ///< of refinement
   Certificate_report certificate;             ///< of the mesh, if cells were refined until it held
   double thickness = 0;                       ///< largest difference of the thresholds on the mesh, user units
@@ -97,7 +97,10 @@ public:
                   Shell_report report)
     : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells))
     , m_facets(std::move(facets)), m_report(std::move(report))
-  {}
+  {
+    if(m_report.status == Shell_status::SUCCESS && !(m_inner.has_cells_of(m_field) && m_outer.has_cells_of(m_field)))
+      m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
+  }
 
   /// between two levels, for constant thresholds
   Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
@@ -132,10 +135,31 @@ public:
     const auto& verdicts = m_report.certificate.verdicts;
     return std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
   }
+  /// what became of the shell, in one sentence: why there is none, or whether it is certified
+  const char* message() const
+  {
+    if(!*this || m_report.refinement == Bspline_shells::Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
+    if(is_certified()) return Bspline_shells::message(m_report.refinement);
+    return m_report.refinement == Bspline_shells::Refinement_status::LIMIT_REACHED
+         ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has the places."
+         : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The report has the places.";
+  }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
   /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
+
+  /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in
+  /// (`Bspline_shells::match_components()`). None if the shell is not certified.
+  std::vector<Bspline_shells::Crossing_path> component_paths() const
+  {
+    std::vector<Bspline_shells::Crossing_path> paths;
+    if(!is_certified()) return paths;
+    paths = m_report.certificate.paths;
+    const auto& spare = m_report.certificate.spare_paths;
+    paths.insert(paths.end(), spare.begin(), spare.end());
+    return paths;
+  }
 
   /// the boxes of the cover by which it was proved, when the shell was built, that it has no critical point: what the certificates of other
   /// meshes in the shell need not find out again. Empty if that was not proved, and for shells that were read from a file.

@@ -65,7 +65,7 @@ enum class Claim
   CONTAINMENT,        ///< P1: \f$\epsilon_1 \le f \le \epsilon_2\f$ on every point of every facet
   TRANSVERSALITY,     ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
   GRADIENT,           ///< P3: the shell lies in the interior of the domain, and has no critical point
-  ONE_SHEET,          ///< P4: every component of the shell has one component of the mesh
+  ONE_SHEET,          ///< P4: every component of the shell contains exactly one component of the mesh
   DEGREE_ONE          ///< P5: a path through each component, from below to above, crosses the mesh once
 };
 
@@ -97,6 +97,8 @@ struct Certificate_witness
     END_OF_DOMAIN,      ///< the cover of the shell reaches the end of the domain in the leaf `cell`
     TWO_SHEETS,         ///< `component` and `other_component` of the mesh share a component of the cover; refuted if they
                         ///< certainly share one of the shell
+    EMPTY_COMPONENT,    ///< no component of the mesh was found in `component` of the shell; refuted if there certainly is none
+    OTHER_COMPONENT,    ///< `component` of the mesh was found in no component of the shell; refuted if it certainly is in none
     NO_PATH,            ///< no segment through `component` was found whose count says something; `facet` is a large one of it
     CROSSINGS,          ///< the path through `component` that goes through `facet` at `point` crosses the mesh `count` times
     CONTAINMENT_NEEDED  ///< the claim was not examined, as containment is not proved
@@ -153,7 +155,17 @@ struct Certificate_report
 {
   std::array<Verdict, 5> verdicts = {{ Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED,
                                        Verdict::UNDECIDED }};       ///< in the order of `Claim`
-  std::vector<Certificate_witness> witnesses;       ///< all places where a claim is not proved
+  /// places where a claim is not proved: of each claim the first `max_witnesses`
+  std::vector<Certificate_witness> witnesses;
+  std::array<std::size_t, 5> number_of_witnesses = {};      ///< of each claim, those that are left out of the list included
+  static constexpr std::size_t max_witnesses = 256;
+  /// for each component of the mesh, the component of the shell that certainly contains it, or `Certificate_witness::none`. The
+  /// components of a shell are numbered like those of the mesh that it was built for.
+  std::vector<std::size_t> components;
+  /// a path through each component of the mesh for which degree one is proved
+  std::vector<Crossing_path> paths;
+  /// more paths through the same components, for meshes that meet one of the former in an edge or a vertex
+  std::vector<Crossing_path> spare_paths;
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
@@ -169,6 +181,12 @@ struct Certificate_report
   Certificate_statistics statistics;
 
   Verdict verdict(Claim claim) const { return verdicts[std::size_t(claim)]; }
+
+  /// adds a witness, or only counts it
+  void add(const Certificate_witness& witness)
+  {
+    if(number_of_witnesses[std::size_t(witness.claim)]++ < max_witnesses) witnesses.push_back(witness);
+  }
 };
 
 } // namespace Bspline_shells

@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CROSSING_COUNTER_3_H
 #define CGAL_BSPLINE_SHELL_3_CROSSING_COUNTER_3_H
 
+#include <CGAL/Bspline_shell_3/facet_crossing.h>
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -53,11 +55,9 @@ public:
       const auto h = m_mesh->halfedge(f);
       const Point_3 &a = m_mesh->point(m_mesh->source(h)), &b = m_mesh->point(m_mesh->target(h)),
                     &c = m_mesh->point(m_mesh->target(m_mesh->next(h)));
-      const Orientation at_p = orientation(a, b, c, p), at_q = orientation(a, b, c, q);
-      // the line's side of the three edges: all the same for a crossing in the interior
-      const Orientation ab = orientation(p, q, a, b), bc = orientation(p, q, b, c), ca = orientation(p, q, c, a);
-      if(at_p == COPLANAR || at_q == COPLANAR || ab == COPLANAR || ab != bc || bc != ca) return std::nullopt;
-      crossed.emplace_back(f, at_q == POSITIVE ? 1 : -1);
+      const std::optional<int> crossing = facet_crossing(p, q, a, b, c);
+      if(!crossing) return std::nullopt;
+      if(*crossing != 0) crossed.emplace_back(f, *crossing);
     }
     return crossed;
   }

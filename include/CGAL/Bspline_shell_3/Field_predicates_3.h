@@ -95,7 +95,7 @@ public:
     return CGAL::compare(internal::contract(b.data(), weights[0], weights[1], weights[2]), ET(level));
   }
 
-  /// whether `levels.min <= f <= levels.max` on a segment (two points) or a triangle (three)
+  /// whether `levels.min < f < levels.max` on a segment (two points) or a triangle (three); refuted where `f` is beyond a level
   template <std::size_t size>
   Verdict values_within(const std::array<Point_3, size>& simplex, const Level_range& levels,
                         Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
@@ -103,7 +103,7 @@ public:
     return decide(simplex, Values_within{ levels }, witness, statistics, nullptr);
   }
 
-  /// whether `inner <= f <= outer` on a segment or a triangle, for two thresholds, models of `ShellThreshold`
+  /// whether `inner < f < outer` on a segment or a triangle, for two thresholds, models of `ShellThreshold`
   template <std::size_t size, typename Threshold>
   Verdict values_within(const std::array<Point_3, size>& simplex, const Threshold& inner, const Threshold& outer,
                         Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
@@ -119,6 +119,15 @@ public:
       if(witness) *witness = second;
       return below;
     }
+  }
+
+  /// the same, and whether all points lie in cells that are flagged
+  template <std::size_t size, typename Threshold>
+  Verdict values_within(const std::array<Point_3, size>& simplex, const Threshold& inner, const Threshold& outer,
+                        const std::vector<char>& flagged_cells) const
+  {
+    const Verdict verdict = values_within(simplex, inner, outer);
+    return verdict == Verdict::PROVED ? decide(simplex, Is_in_cells{ flagged_cells }, nullptr, nullptr, nullptr) : verdict;
   }
 
   /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f > 0\f$.
@@ -176,7 +185,7 @@ private:
   {
     Level_range levels;
     Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index) const { return enclosed_value(cell); }
-    bool proves(const Level_range& r) const { return levels.min <= r.min && r.max <= levels.max; }
+    bool proves(const Level_range& r) const { return levels.min < r.min && r.max < levels.max; }
     bool refutes(const Level_range& r) const { return r.max < levels.min || r.min > levels.max; }
     double unit(const typename Field::Cell&) const { return 1; }
   };
@@ -191,7 +200,22 @@ private:
       for(double& x : d.coefficients) x *= sign;
       return d;
     }
-    bool proves(const Level_range& r) const { return r.min >= 0; }
+    bool proves(const Level_range& r) const { return r.min > 0; }
+    bool refutes(const Level_range& r) const { return r.max < 0; }
+    double unit(const typename Field::Cell&) const { return 1; }
+  };
+  struct Is_in_cells
+  {
+    const std::vector<char>& flagged;
+    // constant: positive on flagged cells, and something that proves and refutes nothing on others, as these may be touched only
+    Enclosed_tricubic function(const typename Field::Cell&, Cell_index c) const
+    {
+      Enclosed_tricubic constant;
+      constant.coefficients.fill(1);
+      constant.radius = flagged[c] ? 0 : std::numeric_limits<double>::infinity();
+      return constant;
+    }
+    bool proves(const Level_range& r) const { return r.min > 0; }
     bool refutes(const Level_range& r) const { return r.max < 0; }
     double unit(const typename Field::Cell&) const { return 1; }
   };

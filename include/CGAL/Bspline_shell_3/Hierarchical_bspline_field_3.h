@@ -314,11 +314,8 @@ private:
       is_free = is_free && m_coefficient_of_point[point] != npos;
     }
     internal::to_bernstein(b);
-    // As for uniform splines, 5 eps times the largest coefficient; a dependent one is an average of at most 27 with weights
-    // that are exact, and so off by at most 27 roundings of relative size eps/2 before.
-    m_error_radius[c] = !finite ? std::numeric_limits<double>::infinity()
-                      : (is_free ? 5 : 19) * std::numeric_limits<double>::epsilon() * largest
-                      + (is_free ? 2 : 32) * std::numeric_limits<double>::denorm_min();
+    for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]);      // sums may overflow
+    m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free) : std::numeric_limits<double>::infinity();
   }
 
   Cell_hierarchy_3 m_cells;

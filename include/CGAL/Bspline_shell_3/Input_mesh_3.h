@@ -69,10 +69,9 @@ public:
     if(status == Shell_status::SUCCESS) status = check_surface();
     if(status == Shell_status::SUCCESS) status = triangulate();
     if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
-    if(status == Shell_status::SUCCESS) {
-      if(tolerated.orientation) count_components();
-      else status = tolerated.self_intersections ? check_volume() : check_orientation();
-    }
+    if(status == Shell_status::SUCCESS) find_components();
+    if(status == Shell_status::SUCCESS && !tolerated.orientation)
+      status = tolerated.self_intersections ? check_volume() : check_orientation();
     if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
     if(status != Shell_status::SUCCESS) m_mesh.clear();
     return status;
@@ -90,6 +89,8 @@ public:
     return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
   }
   std::size_t number_of_components() const { return m_components; }
+  /// the connected component that has a triangle; components are numbered in the order of their first facets
+  std::size_t component(Face_index f) const { return m_component[f]; }
   /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether its
   /// volume is positive.
   bool faces_outwards() const { return m_outwards; }
@@ -232,10 +233,9 @@ private:
                       .face_connected_component_map(component)
                       .nesting_levels(std::ref(nesting))
                       .is_cc_outward_oriented(std::ref(outward)));
-    m_components = nesting.size();
     m_outwards = outward[0] == (nesting[0] % 2 == 0);
-    std::vector<bool> wrong(m_components, false);
-    for(std::size_t c = 0; c < m_components; ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
+    std::vector<bool> wrong(nesting.size(), false);
+    for(std::size_t c = 0; c < nesting.size(); ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
     std::vector<std::size_t> facets;      // one facet of each component that disagrees
     for(auto f : m_mesh.faces())
       if(wrong[component[f]]) { facets.push_back(m_origin[f]); wrong[component[f]] = false; }
@@ -244,18 +244,25 @@ private:
     return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
   }
 
-  void count_components()
+  void find_components()
   {
     Triangle_mesh::Property_map<Face_index, std::size_t> component =
       m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
     m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
+    constexpr std::size_t unknown = std::size_t(-1);
+    std::vector<std::size_t> number(m_components, unknown);
+    std::size_t next = 0;
+    m_component.resize(m_mesh.number_of_faces());
+    for(Face_index f : m_mesh.faces()) {
+      if(number[component[f]] == unknown) number[component[f]] = next++;
+      m_component[f] = number[component[f]];
+    }
     m_mesh.remove_property_map(component);
   }
 
   // Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.
   Shell_status check_volume()
   {
-    count_components();
     const Kernel::Point_3 o((m_bbox.xmin() + m_bbox.xmax()) / 2, (m_bbox.ymin() + m_bbox.ymax()) / 2,
                             (m_bbox.zmin() + m_bbox.zmax()) / 2);
     double volume = 0, products = 0;
@@ -303,7 +310,7 @@ private:
   static constexpr unsigned int max_pairs = 1000;
 
   Triangle_mesh m_mesh;
-  std::vector<std::size_t> m_origin, m_vertex_origin;
+  std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_components = 0;
   bool m_outwards = true;

@@ -102,6 +102,37 @@ public:
   const Coordinates& normal(Index facet) const { return m_facets[facet].normal; }     ///< twice the area long
   Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; }      ///< `npos` at a border
 
+  /// whether no facet is at a border
+  bool is_closed() const
+  {
+    return std::all_of(m_facets.begin(), m_facets.end(), [](const Facet& f) {
+      return std::find(f.neighbor.begin(), f.neighbor.end(), npos) == f.neighbor.end();
+    });
+  }
+
+  /// the connected component that has each facet, and their number
+  std::vector<Index> components(std::size_t& number) const
+  {
+    number = 0;
+    std::vector<Index> component(m_facets.size(), npos), stack;
+    for(Index first = 0; first < m_facets.size(); ++first) {
+      if(component[first] != npos) continue;
+      component[first] = Index(number);
+      stack.push_back(first);
+      while(!stack.empty()) {
+        const Index f = stack.back();
+        stack.pop_back();
+        for(Index n : m_facets[f].neighbor)
+          if(n != npos && component[n] == npos) {
+            component[n] = Index(number);
+            stack.push_back(n);
+          }
+      }
+      ++number;
+    }
+    return component;
+  }
+
   /// the point with these barycentric coordinates
   Coordinates point(Index facet, const Coordinates& barycentric) const
   {

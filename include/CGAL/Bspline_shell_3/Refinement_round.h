@@ -19,6 +19,7 @@ namespace Bspline_shells {
  */
 enum class Refinement_status
 {
+  NOT_REFINED,          ///< the cells are equal, as asked, or the shell comes from a file
   CERTIFIED,            ///< all claims are proved, and the shell is as thin as asked
   NOTHING_TO_REFINE,    ///< what is not proved cannot be mended by smaller cells: the certificate has the places
   LIMIT_REACHED,        ///< of time, memory or rounds; all claims may be proved, of a shell that is thicker than asked
@@ -30,6 +31,7 @@ enum class Refinement_status
 inline const char* message(Refinement_status status)
 {
   switch(status) {
+    case Refinement_status::NOT_REFINED: return "Cells were not refined.";
     case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
     case Refinement_status::NOTHING_TO_REFINE: return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
     case Refinement_status::LIMIT_REACHED: return "A limit of time, memory or rounds was reached before all claims were proved of a shell as thin as asked.";

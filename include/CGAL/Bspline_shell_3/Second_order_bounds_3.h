@@ -558,7 +558,7 @@ private:
                          + region.curvature * internal::underflow;
       const double above = (largest_on_edges(region.above, e) / 6 + error) * up, below = (largest_on_edges(region.below, e) / 6 + error) * up;
       for(const Sample& s : part.corner)
-        if(!(s.above >= above && s.below >= below)) return false;
+        if(!(s.above > above && s.below > below)) return false;
       return true;
     }
 

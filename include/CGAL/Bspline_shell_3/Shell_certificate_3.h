@@ -16,13 +16,14 @@
 #include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/critical_point.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/match_components.h>
 #include <CGAL/Bspline_shell_3/vertex_cone.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -48,9 +49,13 @@ namespace Bspline_shells {
  * shell for which it says so.
  *
  * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one point,
- * the mesh does not intersect itself, and it is isotopic in the shell to every level set; two such meshes are mapped onto
- * each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and boxes, counts are
- * exact.
+ * the mesh does not intersect itself, and it is isotopic in the shell to every level set between the largest value of the inner
+ * threshold and the least value of the outer one. Two such meshes in the same components of the shell are mapped onto each other by a
+ * homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and boxes, counts are exact.
+ *
+ * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell asks that a mesh has
+ * exactly one component in each of them, and no other. So all meshes with a certificate of the same certified shell are mapped onto each
+ * other. Of two certificates between thresholds that were chosen otherwise, `matches()` tells.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -67,9 +72,9 @@ public:
   /// what was found on a facet
   struct Facet_verdict
   {
-    Verdict containment = Verdict::PROVED;
-    Verdict transversality = Verdict::PROVED;
-    double slope = std::numeric_limits<double>::infinity();   ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units
+    Verdict containment = Verdict::UNDECIDED;
+    Verdict transversality = Verdict::UNDECIDED;
+    double slope = 0;         ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
   };
 
   /// \pre `field` outlives this object; it may change between verifications
@@ -87,6 +92,7 @@ public:
     m_bounds = std::move(bounds);
     m_proved_cover = shell.proved_cover();
     m_proved_gradient = shell.report().certificate.least_gradient;
+    m_shell_paths = shell.component_paths();
   }
 
   /// examines a mesh: the one that the shell was built for, or any other.
@@ -130,22 +136,39 @@ public:
     m_status = status;
     m_offenders = m_input->offending_simplices();
     if(m_status != Shell_status::SUCCESS) return false;
-    m_report.verdicts.fill(Verdict::PROVED);       // until a witness turns up
+    if(!m_inner.has_cells_of(*m_field) || !m_outer.has_cells_of(*m_field)) {
+      m_status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
+      return false;
+    }
     m_predicates.emplace(*m_field);
-    m_facets.resize(m_input->number_of_facets_of_origin());
-
-    find_components(*m_input);
     examine_vertices<ConcurrencyTag>(*m_input);
-    examine_facets<ConcurrencyTag>(*m_input);
-    if(verdict(Claim::CONTAINMENT) == Verdict::PROVED) {
+    std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
+    if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
       examine_cover<ConcurrencyTag>(*m_input);
-      examine_paths(*m_input);
+      const Crossing_counter_3 counter(m_input->mesh());
+      examine_paths(*m_input, counter);
+      examine_components(*m_input);
     } else {
       for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
         conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
     }
-    m_report.statistics.seconds = timer.time();
+    m_draft.statistics.seconds = timer.time();
+    // Only now: what is thrown before leaves all claims undecided.
+    m_facets = std::move(facets);
+    m_report = std::move(m_draft);
     return is_certified();
+  }
+
+  /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
+  /// components of the shell. Undecided if one of them is not certified, or if no path tells.
+  /// \pre both certificates are of the same field and thresholds
+  Verdict matches(const Shell_certificate_3& other) const
+  {
+    CGAL_precondition(m_field == other.m_field);
+    if(!is_certified() || !other.is_certified()) return Verdict::UNDECIDED;
+    std::vector<Crossing_path> paths = other.m_report.paths;
+    paths.insert(paths.end(), other.m_report.spare_paths.begin(), other.m_report.spare_paths.end());
+    return match_components(paths, *m_input).verdict();
   }
 
   /// whether all claims were proved when the mesh was last verified
@@ -164,7 +187,7 @@ public:
   /// all that was found, without what it refers to
   const Certificate_report& report() const { return m_report; }
   Verdict verdict(Claim claim) const { return m_report.verdict(claim); }
-  /// all places where a claim is not proved
+  /// places where a claim is not proved; `Certificate_report::number_of_witnesses` tells how many there are
   const std::vector<Certificate_witness>& witnesses() const { return m_report.witnesses; }
   /// by facet, in the order of `faces(mesh)`
   const std::vector<Facet_verdict>& facets() const { return m_facets; }
@@ -177,7 +200,9 @@ public:
   /// number of components of the cover
   std::size_t number_of_covers() const { return m_report.covers; }
   /// the paths that prove the degree
-  const std::vector<Crossing_path>& paths() const { return m_paths; }
+  const std::vector<Crossing_path>& paths() const { return m_report.paths; }
+  /// for each component of the mesh, the component of the shell that certainly contains it, or `Certificate_witness::none`
+  const std::vector<std::size_t>& components() const { return m_report.components; }
   const Certificate_statistics& statistics() const { return m_report.statistics; }
 
   /// \name Quantities
@@ -298,6 +323,7 @@ private:
     if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
     empty.m_proved_cover = std::move(m_proved_cover);
     empty.m_proved_gradient = m_proved_gradient;
+    empty.m_shell_paths = std::move(m_shell_paths);
     *this = std::move(empty);
   }
 
@@ -309,33 +335,27 @@ private:
     return a == Verdict::UNDECIDED || b == Verdict::UNDECIDED ? Verdict::UNDECIDED : Verdict::PROVED;
   }
 
-  // notes a witness, and makes the claim's verdict no better than its
-  Certificate_witness& conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
+  // what was found so far
+  Verdict found(Claim claim) const { return m_draft.verdict(claim); }
+  void begin(Claim claim) { m_draft.verdicts[std::size_t(claim)] = Verdict::PROVED; }
+
+  static Certificate_witness witness(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
   {
-    m_report.verdicts[std::size_t(claim)] = worse(m_report.verdicts[std::size_t(claim)], verdict);
     Certificate_witness w;
     w.claim = claim;
     w.verdict = verdict;
     w.reason = reason;
-    m_report.witnesses.push_back(w);
-    return m_report.witnesses.back();
+    return w;
   }
 
-  // numbers the components in the order of their first facets
-  void find_components(const Input_mesh_3& input)
+  // lowers the claim's verdict to the witness's
+  void conclude(const Certificate_witness& w)
   {
-    Triangle_mesh mesh = input.mesh();
-    auto map = mesh.add_property_map<Face_index, std::size_t>("f:certificate_component", 0).first;
-    m_number_of_components = Polygon_mesh_processing::connected_components(mesh, map);
-    m_component.resize(mesh.number_of_faces());
-    std::vector<std::size_t> renumbered(m_number_of_components, Certificate_witness::none);
-    std::size_t next = 0;
-    for(Face_index f : mesh.faces()) {
-      std::size_t& number = renumbered[map[f]];
-      if(number == Certificate_witness::none) number = next++;
-      m_component[f] = number;
-    }
+    Verdict& verdict = m_draft.verdicts[std::size_t(w.claim)];
+    verdict = worse(verdict, w.verdict);
+    m_draft.add(w);
   }
+  void conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason) { conclude(witness(claim, verdict, reason)); }
 
   template <typename ConcurrencyTag>
   void examine_vertices(const Input_mesh_3& input)
@@ -352,18 +372,18 @@ private:
           singular[n] = !vertex_cone(mesh, vertices[n]);      // exact, unlike the margin
         }
     });
-    m_report.least_cone_margin = 1;
+    m_draft.least_cone_margin = 1;
     for(std::size_t n = 0; n < vertices.size(); ++n) {
-      m_report.least_cone_margin = (std::min)(m_report.least_cone_margin, margins[n]);
-      if(singular[n]) m_report.singular_vertices.push_back(input.vertex_of_origin(vertices[n]));
+      m_draft.least_cone_margin = (std::min)(m_draft.least_cone_margin, margins[n]);
+      if(singular[n]) m_draft.singular_vertices.push_back(input.vertex_of_origin(vertices[n]));
     }
-    std::sort(m_report.singular_vertices.begin(), m_report.singular_vertices.end());
-    if(!m_report.singular_vertices.empty()) m_report.least_cone_margin = 0;
+    std::sort(m_draft.singular_vertices.begin(), m_draft.singular_vertices.end());
+    if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
   }
 
   // P1 and P2
   template <typename ConcurrencyTag>
-  void examine_facets(const Input_mesh_3& input)
+  std::vector<Facet_verdict> examine_facets(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
     constexpr std::size_t chunk = 64;
@@ -383,25 +403,24 @@ private:
       for(std::size_t n = begin; n < end; ++n) {
         const auto t = input.triangle(triangles[n]);
         const std::array<Point_3, 3> triangle = { to_field(t[0]), to_field(t[1]), to_field(t[2]) };
-        const auto note = [&](Claim claim, Verdict verdict, const Witness& w) {
-          Certificate_witness witness;
-          witness.claim = claim;
-          witness.verdict = verdict;
-          witness.reason = w.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET;
-          witness.facet = input.facet_of_origin(triangles[n]);
-          witness.triangle = std::size_t(triangles[n]);
-          witness.point = w.point;
-          witness.value = w.value;
-          result.witnesses.push_back(witness);
+        const auto note = [&](Claim claim, Verdict verdict, const Witness& place) {
+          Certificate_witness w = witness(claim, verdict, place.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET);
+          w.facet = input.facet_of_origin(triangles[n]);
+          w.triangle = std::size_t(triangles[n]);
+          w.point = place.point;
+          w.value = place.value;
+          result.witnesses.push_back(w);
         };
         const auto found = m_bounds->examine({ m_bounds->sample(triangle[0]), m_bounds->sample(triangle[1]), m_bounds->sample(triangle[2]) },
                                              facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
                                              result.least_slope);      // what is above need not be known well
         Witness w;
+        verdicts[n].containment = Verdict::PROVED;
         if(!found.is_contained) {
           verdicts[n].containment = m_predicates->values_within(triangle, m_inner, m_outer, &w, &result.containment);
           if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
         }
+        verdicts[n].transversality = Verdict::PROVED;
         verdicts[n].slope = found.slope;
         if(!found.is_transversal) {
           verdicts[n].slope = (std::min)(result.least_slope, 0.25);
@@ -413,20 +432,33 @@ private:
     });
     m_least_slope = std::numeric_limits<double>::infinity();
     for(const Result& result : results) {
-      for(const Certificate_witness& w : result.witnesses) {
-        m_report.witnesses.push_back(w);
-        m_report.verdicts[std::size_t(w.claim)] = worse(m_report.verdicts[std::size_t(w.claim)], w.verdict);
-      }
-      m_report.statistics.containment += result.containment;
-      m_report.statistics.transversality += result.transversality;
+      for(const Certificate_witness& w : result.witnesses) m_draft.add(w);
+      m_draft.statistics.containment += result.containment;
+      m_draft.statistics.transversality += result.transversality;
       m_least_slope = (std::min)(m_least_slope, result.least_slope);
     }
+    // of a facet and of the mesh: the worst of their triangles; what was left out is undecided
+    std::vector<Facet_verdict> facets(input.number_of_facets_of_origin());
+    std::vector<char> is_known(facets.size(), 0);
+    begin(Claim::CONTAINMENT);
+    begin(Claim::TRANSVERSALITY);
+    Verdict &containment = m_draft.verdicts[std::size_t(Claim::CONTAINMENT)],
+            &transversality = m_draft.verdicts[std::size_t(Claim::TRANSVERSALITY)];
     for(std::size_t n = 0; n < triangles.size(); ++n) {
-      Facet_verdict& facet = m_facets[input.facet_of_origin(triangles[n])];
-      facet.containment = worse(facet.containment, verdicts[n].containment);
-      facet.transversality = worse(facet.transversality, verdicts[n].transversality);
-      facet.slope = (std::min)(facet.slope, verdicts[n].slope);
+      containment = worse(containment, verdicts[n].containment);
+      transversality = worse(transversality, verdicts[n].transversality);
+      const std::size_t f = input.facet_of_origin(triangles[n]);
+      Facet_verdict& facet = facets[f];
+      if(!is_known[f]) {
+        is_known[f] = 1;
+        facet = verdicts[n];
+      } else {
+        facet.containment = worse(facet.containment, verdicts[n].containment);
+        facet.transversality = worse(facet.transversality, verdicts[n].transversality);
+        facet.slope = (std::min)(facet.slope, verdicts[n].slope);
+      }
     }
+    return facets;
   }
 
   // an upper bound of the length of the gradient, per user unit, on a leaf cell: from differences of its coefficients
@@ -458,8 +490,9 @@ private:
   // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no critical
   // point between them, and a closer cover separates them.
   template <typename ConcurrencyTag>
-  std::vector<std::array<std::size_t, 2> > find_cover(const Triangle_mesh& mesh)
+  std::vector<std::array<std::size_t, 2> > find_cover(const Input_mesh_3& input)
   {
+    const Triangle_mesh& mesh = input.mesh();
     // the cells at the mesh are needed in any case
     std::vector<std::uint32_t> cells;
     for(Face_index f : mesh.faces()) cells.push_back(m_field->locate(to_field(mesh.point(mesh.target(mesh.halfedge(f))))));
@@ -469,7 +502,7 @@ private:
       m_cover.emplace(*m_field, m_inner, m_outer, depth);
       m_cover->template prepare<ConcurrencyTag>(cells);
       shared.clear();
-      for(std::size_t c = 0; c < m_number_of_components; ++c) {
+      for(std::size_t c = 0; c < input.number_of_components(); ++c) {
         const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(mesh.point(m_seeds[c])), std::uint32_t(c));
         if(known != c) shared.push_back({ known, c });
       }
@@ -482,21 +515,23 @@ private:
   void examine_cover(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
-    m_seeds.assign(m_number_of_components, Triangle_mesh::null_vertex());
+    m_seeds.assign(input.number_of_components(), Triangle_mesh::null_vertex());
     for(Face_index f : mesh.faces())
-      if(m_seeds[m_component[f]] == Triangle_mesh::null_vertex()) m_seeds[m_component[f]] = mesh.target(mesh.halfedge(f));
+      if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex()) m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
     const bool is_known = adopt_proved_cover(mesh);
     std::vector<std::array<std::size_t, 2> > shared;
-    if(!is_known) shared = find_cover<ConcurrencyTag>(mesh);
+    if(!is_known) shared = find_cover<ConcurrencyTag>(input);
     const Cover& cover = *m_cover;
-    m_report.covers = m_number_of_components - shared.size();
+    begin(Claim::GRADIENT);
+    begin(Claim::ONE_SHEET);
+    m_draft.covers = input.number_of_components() - shared.size();
     for(const std::array<std::size_t, 2>& pair : shared) {
-      const std::optional<std::array<double, 3> > joint = joined(mesh, pair[0], pair[1]);
-      Certificate_witness& w = conclude(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED,
-                                        Certificate_witness::TWO_SHEETS);
+      const std::optional<std::array<double, 3> > joint = joined(input, pair[0], pair[1]);
+      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::TWO_SHEETS);
       w.component = pair[0];
       w.other_component = pair[1];
       w.point = joint ? *joint : to_array(mesh.point(m_seeds[pair[1]]));
+      conclude(w);
     }
 
     Level_range thresholds;
@@ -504,42 +539,44 @@ private:
     std::uint32_t last_cell = std::uint32_t(-1);
     std::size_t examined = 0;
     for(const Cover_box& box : cover.boxes()) {
-      m_report.statistics.deepest_box = (std::max)(m_report.statistics.deepest_box, std::size_t(box.depth));
-      if(box.kind == Box_kind::EXCLUDED) ++m_report.statistics.excluded_boxes;
+      m_draft.statistics.deepest_box = (std::max)(m_draft.statistics.deepest_box, std::size_t(box.depth));
+      if(box.kind == Box_kind::EXCLUDED) ++m_draft.statistics.excluded_boxes;
       if(box.component == Cover_box::no_component) continue;
-      ++m_report.statistics.cover_boxes;
+      ++m_draft.statistics.cover_boxes;
       if(box.cell != last_cell) {
         last_cell = box.cell;
         thresholds.include(threshold_range(box.cell));
         steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
       }
       if(box.kind == Box_kind::MONOTONE) {
-        ++m_report.statistics.monotone_boxes;
+        ++m_draft.statistics.monotone_boxes;
         continue;
       }
-      ++m_report.statistics.undecided_boxes;
+      ++m_draft.statistics.undecided_boxes;
       const Bbox_3 b = cover.bbox(box);
       std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
       const bool critical = examined < max_examined && is_critical(mesh, box, center);
       ++examined;
-      Certificate_witness& w = conclude(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
-                                        critical ? Certificate_witness::CRITICAL_POINT : Certificate_witness::BOX);
+      Certificate_witness w = witness(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      critical ? Certificate_witness::CRITICAL_POINT : Certificate_witness::BOX);
       w.cell = box.cell;
       w.point = center;
+      conclude(w);
     }
     for(typename Cover::Box_index b : cover.border()) {
-      Certificate_witness& w = conclude(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
+      Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
       w.cell = cover.boxes()[b].cell;
       const Bbox_3 box = cover.bbox(cover.boxes()[b]);
       w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
+      conclude(w);
     }
-    m_report.statistics.cover_cells = cover.number_of_cells();
-    if(verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
-      m_report.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
-    if(verdict(Claim::GRADIENT) == Verdict::PROVED)
-      m_report.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
-    if(m_report.least_gradient > 0)
-      m_report.displacement_bound = (thresholds.max - thresholds.min) / m_report.least_gradient * (1 + 4 * internal::rounding);
+    m_draft.statistics.cover_cells = cover.number_of_cells();
+    if(found(Claim::TRANSVERSALITY) == Verdict::PROVED)
+      m_draft.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
+    if(found(Claim::GRADIENT) == Verdict::PROVED)
+      m_draft.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
+    if(m_draft.least_gradient > 0)
+      m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
   }
 
   // encloses both thresholds on a cell
@@ -578,14 +615,15 @@ private:
   }
 
   // a point on a segment in the shell from one component of the mesh to another, if one is found
-  std::optional<std::array<double, 3> > joined(const Triangle_mesh& mesh, std::size_t first, std::size_t second) const
+  std::optional<std::array<double, 3> > joined(const Input_mesh_3& input, std::size_t first, std::size_t second) const
   {
+    const Triangle_mesh& mesh = input.mesh();
     typedef std::pair<double, std::pair<Vertex_index, Vertex_index> > Candidate;
     constexpr std::size_t samples = 256, tries = 16;
     std::array<std::vector<Vertex_index>, 2> vertices;
     for(Face_index f : mesh.faces())
       for(int side = 0; side < 2; ++side)
-        if(m_component[f] == (side == 0 ? first : second)) vertices[side].push_back(mesh.target(mesh.halfedge(f)));
+        if(input.component(f) == (side == 0 ? first : second)) vertices[side].push_back(mesh.target(mesh.halfedge(f)));
     std::vector<Candidate> candidates;
     const std::size_t stride = vertices[1].size() / samples + 1;
     for(std::size_t n = 0; n < vertices[1].size(); n += stride) {
@@ -606,48 +644,95 @@ private:
   }
 
   // P5
-  void examine_paths(const Input_mesh_3& input)
+  void examine_paths(const Input_mesh_3& input, const Crossing_counter_3& counter)
   {
     const Triangle_mesh& mesh = input.mesh();
-    const Crossing_counter_3 counter(mesh);
-    std::vector<std::vector<std::pair<double, Face_index> > > facets(m_number_of_components);
+    std::vector<std::vector<std::pair<double, Face_index> > > facets(input.number_of_components());
     for(Face_index f : mesh.faces()) {
       const auto t = input.triangle(f);
-      facets[m_component[f]].emplace_back(-CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), f);
+      facets[input.component(f)].emplace_back(-CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), f);
     }
-    for(std::size_t c = 0; c < m_number_of_components; ++c) {
+    begin(Claim::DEGREE_ONE);
+    for(std::size_t c = 0; c < input.number_of_components(); ++c) {
       // large facets first: their middles are far from edges
       const std::size_t tries = (std::min)(max_paths, facets[c].size());
       std::partial_sort(facets[c].begin(), facets[c].begin() + tries, facets[c].end());
       Verdict verdict = Verdict::UNDECIDED;
       Crossing_path path;
+      path.component = c;
       int count = 0;
       Face_index facet = facets[c].front().second;
-      for(std::size_t n = 0; n < tries && verdict == Verdict::UNDECIDED; ++n) {
-        verdict = try_path(input, counter, facets[c][n].second, path, count);
+      std::size_t n = 0;
+      for(; n < tries && verdict == Verdict::UNDECIDED; ++n) {
+        verdict = try_path(input, counter, facets[c][n].second, { 1, 1, 1 }, path, count);
         if(verdict == Verdict::REFUTED) facet = facets[c][n].second;
       }
-      path.component = c;
-      if(verdict == Verdict::PROVED) { m_paths.push_back(path); continue; }
+      if(verdict == Verdict::PROVED) {
+        m_draft.paths.push_back(path);
+        // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet them.
+        const std::size_t end = (std::min)(n - 1 + max_spare_paths, facets[c].size());
+        for(std::size_t m = n - 1; m < end; ++m)
+          if(try_path(input, counter, facets[c][m].second, { 0.871, 0.978, 1.151 }, path, count) == Verdict::PROVED)
+            m_draft.spare_paths.push_back(path);
+        continue;
+      }
       // only without critical points is the count the same for all paths
-      if(this->verdict(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
-      Certificate_witness& w = conclude(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
-                                                                                                : Certificate_witness::NO_PATH);
+      if(found(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
+      Certificate_witness w = witness(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
+                                                                                              : Certificate_witness::NO_PATH);
       w.component = c;
       if(verdict == Verdict::REFUTED) w.count = count;
       const auto t = input.triangle(facet);
       w.point = to_array(CGAL::centroid(t[0], t[1], t[2]));
       w.facet = input.facet_of_origin(facet);
       w.triangle = std::size_t(facet);
+      conclude(w);
     }
   }
 
-  // A segment through the middle of a facet, along the gradient there. Proved or refuted by the count; undecided if the
-  // segment is of no use.
-  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, Crossing_path& path, int& count) const
+  // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
+  // other. A mesh for which there is no shell yet defines its components.
+  void examine_components(const Input_mesh_3& input)
+  {
+    m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
+    if(m_shell_paths.empty()) {
+      for(const Crossing_path& path : m_draft.paths) m_draft.components[path.component] = path.component;
+      return;
+    }
+    const Component_match match = match_components(m_shell_paths, input);
+    m_draft.components = match.component_of_shell;
+    // components that face along the gradient are counted with the same sign
+    const bool is_transversal = found(Claim::TRANSVERSALITY) == Verdict::PROVED;
+    bool is_known = is_transversal;
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) {
+      const std::optional<int> count = match.crossings[k];
+      is_known = is_known && count;
+      if(count == 1) continue;
+      const bool is_empty = !count || *count == 0;
+      Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE, count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::CROSSINGS);
+      w.component = k;
+      if(!is_empty) w.count = *count;
+      for(const Crossing_path& path : m_shell_paths)
+        if(path.component == k) w.point = path.source;
+      conclude(w);
+    }
+    for(std::size_t c = 0; c < input.number_of_components(); ++c)
+      if(m_draft.components[c] == Certificate_witness::none) {
+        Certificate_witness w = witness(Claim::ONE_SHEET, is_known ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::OTHER_COMPONENT);
+        w.component = c;
+        w.point = to_array(input.mesh().point(m_seeds[c]));
+        conclude(w);
+      }
+  }
+
+  // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or refuted by the
+  // count; undecided if the segment is of no use.
+  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, const std::array<double, 3>& weights,
+                   Crossing_path& path, int& count) const
   {
     const auto t = input.triangle(f);
-    const Triangle_mesh::Point middle = CGAL::centroid(t[0], t[1], t[2]);
+    const Triangle_mesh::Point middle = CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
     const Cell_index c = m_field->locate(to_field(middle));
     if(c == Field::npos) return Verdict::UNDECIDED;
     const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
@@ -683,6 +768,7 @@ private:
 
   static constexpr int max_least_depth = 3;           // of a cover that is to separate components
   static constexpr std::size_t max_paths = 64;        // tried for a component
+  static constexpr std::size_t max_spare_paths = 3;   // of a component
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;
@@ -691,18 +777,16 @@ private:
   std::shared_ptr<const Bounds> m_bounds;
   std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
   double m_proved_gradient = 0;
+  std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell
   std::optional<Field_predicates_3<Field> > m_predicates;
   std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
   Shell_status m_status = Shell_status::NOT_BUILT;
   Offending_simplices m_offenders;
   Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
-  Certificate_report m_report;
+  Certificate_report m_draft, m_report;               // what is found, and what is said once all is examined
   std::vector<Facet_verdict> m_facets;
-  std::vector<std::size_t> m_component;               // of each triangle
-  std::size_t m_number_of_components = 0;
   std::optional<Cover> m_cover;
   std::vector<Vertex_index> m_seeds;
-  std::vector<Crossing_path> m_paths;
   double m_least_slope = 0;
 };
 

@@ -79,10 +79,9 @@ public:
     }
   }
 
-  /// takes over the boxes of another cover of the same shell, and those of its components that hold given points, numbered in their order.
-  /// Returns whether each point lies in a component of its own; if not, this cover is of no use.
-  /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
-  bool adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
+  /// takes over the boxes of another cover of the same shell, and its components
+  /// \pre no cell of this cover has been subdivided
+  void adopt(std::vector<Cover_box> boxes)
   {
     m_boxes = std::move(boxes);
     for(std::size_t b = 0; b < m_boxes.size(); ++b) {
@@ -92,17 +91,17 @@ public:
       }
       m_cells.back().end = b + 1;
     }
+  }
+
+  /// the same, with those components alone that hold given points, numbered in their order. Returns whether each point lies in a component of
+  /// its own; if not, this cover is of no use.
+  /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
+  bool adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
+  {
+    adopt(std::move(boxes));
     std::map<std::uint32_t, std::uint32_t> numbers;
     for(const Point_3& p : points) {
-      const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
-      std::uint32_t component = Cover_box::no_component;
-      m_field->visit_cells(at, [&](typename Field::Cell_index c) {
-        if(m_first[c] != unseen)
-          for_each_touching(c, at, [&](Box_index b) {
-            if(m_boxes[b].component != Cover_box::no_component) component = m_boxes[b].component;
-          });
-      });
-      const std::uint32_t number = std::uint32_t(numbers.size());
+      const std::uint32_t component = this->component(p), number = std::uint32_t(numbers.size());
       if(component == Cover_box::no_component || !numbers.emplace(component, number).second) return false;
     }
     for(Cover_box& box : m_boxes) {
@@ -185,6 +184,20 @@ public:
       wanted.clear();
       stack.swap(waiting);
     }
+    return component;
+  }
+
+  /// the component of the cover that holds a point, or none
+  std::uint32_t component(const Point_3& p) const
+  {
+    const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+    std::uint32_t component = Cover_box::no_component;
+    m_field->visit_cells(at, [&](typename Field::Cell_index c) {
+      if(m_first[c] != unseen)
+        for_each_touching(c, at, [&](Box_index b) {
+          if(m_boxes[b].component != Cover_box::no_component) component = m_boxes[b].component;
+        });
+    });
     return component;
   }
 
@@ -530,10 +543,14 @@ private:
     return true;
   }
 
-  // an upper bound
+  // An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. Not a number if a component is none.
   static double length(const std::array<double, 3>& v)
   {
-    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * (1 + 8 * internal::rounding);
+    const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+    if(largest == 0 && v[0] + v[1] + v[2] == 0) return 0;
+    double squared = 0;
+    for(double x : v) squared += (x / largest) * (x / largest);
+    return largest * (std::sqrt(squared) * (1 + 16 * internal::rounding)) + std::numeric_limits<double>::denorm_min();
   }
 
   // the coefficients of the partial derivatives raised to degree three; not rigorous
@@ -558,15 +575,14 @@ private:
   static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
   {
     const Enclosed_tricubic threshold = difference(f, above);
-    double sum = 0;
+    std::array<double, 3> steepest;
     for(int a = 0; a < 3; ++a) {
       std::array<double, 3> axis = {};
       axis[a] = 1;
       const Level_range r = enclosed_derivative(threshold, axis).range();
-      const double s = (std::max)(std::abs(r.min), std::abs(r.max));
-      sum += s * s;
+      steepest[a] = (std::max)(std::abs(r.min), std::abs(r.max));
     }
-    return std::sqrt(sum) * (1 + 8 * internal::rounding);
+    return length(steepest);
   }
 
   // calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box

@@ -11,11 +11,14 @@
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/match_components.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -30,9 +33,11 @@ namespace Bspline_shells {
  *
  * \brief the map between two meshes in a shell, along the integral curves of its field.
  *
- * If both meshes are certified for the shell (`Shell_certificate_3`) the map is one-to-one. It keeps what both directions need, a tree of
- * boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from several threads at once.
- * The shell and the meshes must outlive them, unchanged.
+ * If both meshes have a certificate of the certified shell (`Shell_certificate_3`) the map is one-to-one. The map asks for no
+ * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and one of two closed
+ * meshes certainly does not have exactly one component in each component of the shell. It keeps what both directions need, a tree of boxes
+ * for each mesh, and shares it with copies and with its inverse; all of these may be used from several threads at once. The shell and the
+ * meshes must outlive them, unchanged.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
@@ -75,7 +80,13 @@ public:
   /// the map between the targets of two projections in the same shell
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
-  {}
+  {
+    if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
+    else if(has_other_components(m_to_source.target()) || has_other_components(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
+  }
+
+  /// whether points are mapped: `SUCCESS`, or the status that all images have
+  Flow_status status() const { return m_status; }
 
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
@@ -95,7 +106,7 @@ public:
   /// the image on the target of a location on the source
   Target_image operator()(const Source_location& location) const
   {
-    if(!m_to_source.target().is_valid()) return invalid();
+    if(m_status != Flow_status::SUCCESS) return refused();
     return m_to_target(point(location));
   }
 
@@ -113,8 +124,8 @@ public:
   std::vector<Target_image> project(const LocationRange& locations, Visitor&& visitor = Visitor()) const
   {
     std::vector<Target_image> images(std::size_t(std::end(locations) - std::begin(locations)));
-    if(!m_to_source.target().is_valid()) {
-      std::fill(images.begin(), images.end(), invalid());
+    if(m_status != Flow_status::SUCCESS) {
+      std::fill(images.begin(), images.end(), refused());
       return images;
     }
     internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
@@ -124,11 +135,27 @@ public:
   }
 
 private:
-  static Target_image invalid()
+  Target_image refused() const
   {
     Target_image image;
-    image.status = Flow_status::INVALID_MESH;
+    image.status = m_status;
     return image;
+  }
+
+  // Crossings of an open mesh depend on the path, and say nothing.
+  template <typename Target>
+  bool has_other_components(const Target& target) const
+  {
+    const std::vector<Crossing_path> paths = shell().component_paths();
+    if(paths.empty() || !target.is_closed()) return false;
+    std::size_t number;
+    const std::vector<typename Target::Index> component = target.components(number);
+    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+    const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
+    return match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
+      const typename Target::Index f = typename Target::Index(n);
+      return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
+    }, [&](std::size_t n) { return std::size_t(component[n]); }).verdict() == Verdict::REFUTED;
   }
 
   template <typename NamedParameters>
@@ -147,6 +174,7 @@ private:
 
   Projection_to_source m_to_source;
   Projection_to_target m_to_target;
+  Flow_status m_status = Flow_status::SUCCESS;
 };
 
 } // namespace Bspline_shells

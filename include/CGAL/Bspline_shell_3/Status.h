@@ -39,6 +39,8 @@ enum class Shell_status
   DISTANCE_NOT_FINITE,         ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,               ///< the linear solver did not reach its tolerance
   SHELL_LEAVES_BAND,           ///< a bounding surface runs into the end of the cells
+  MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh, when a limit was reached
+  THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
   CANCELED                     ///< the visitor asked to stop
 };
 
@@ -48,7 +50,7 @@ inline const char* message(Shell_status status)
 {
   switch(status) {
     case Shell_status::SUCCESS:
-      return "The shell was built.";
+      return "There is a shell.";
     case Shell_status::NOT_BUILT:
       return "There is no shell yet.";
     case Shell_status::INVALID_PARAMETER:
@@ -87,6 +89,10 @@ inline const char* message(Shell_status status)
       return "The linear solver did not reach its tolerance: loosen the tolerance, use a direct solver, or raise the resolution.";
     case Shell_status::SHELL_LEAVES_BAND:
       return "A bounding surface runs into the end of the cells: raise the resolution, or the number of rings of cells around the mesh.";
+    case Shell_status::MESH_NOT_CONTAINED:
+      return "No shell was found that contains the mesh: raise the limits of time and memory, or the resolution.";
+    case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
+      return "A threshold is given on other cells than the field: give both on the same cells.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Level_range.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -30,6 +31,10 @@ public:
 
   explicit Constant_threshold(double level = 0) : m_level(level) {}
   double level() const { return m_level; }      ///< in units of the field
+
+  /// whether the threshold is tricubic on the leaf cells of a field: always
+  template <typename Field>
+  bool has_cells_of(const Field&) const { return true; }
 
   template <typename Point_3>
   double value(const Point_3&) const { return m_level; }
@@ -64,10 +69,22 @@ public:
   static constexpr bool is_constant = false;
 
   Spline_threshold() = default;       ///< none
-  /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of
+  /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of: `has_cells_of()`
   explicit Spline_threshold(Field field) : m_field(std::make_shared<const Field>(std::move(field))) {}
 
   const Field& field() const { return *m_field; }
+
+  /// whether the threshold has the leaf cells of a field, under the same numbers
+  bool has_cells_of(const Field& other) const
+  {
+    if(!m_field || m_field->number_of_cells() != other.number_of_cells()) return false;
+    for(std::size_t c = 0; c < other.number_of_cells(); ++c) {
+      const auto a = m_field->cell(typename Field::Cell_index(c)), b = other.cell(typename Field::Cell_index(c));
+      if(a.corner() != b.corner() || a.width() != b.width()) return false;
+    }
+    return true;
+  }
+
   double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
   template <typename Point_3>
   double value(const Point_3& p, std::uint32_t cell) const { return m_field->cell(cell).value(p); }

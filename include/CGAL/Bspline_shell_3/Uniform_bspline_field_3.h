@@ -164,11 +164,8 @@ private:
     }
     const std::array<double, 64> b = bernstein_coefficients<double>(c);
     std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
-    // Each of the three passes takes averages (weights that sum to one) with at most three roundings of relative size
-    // eps/2; nine in all, and magnitudes never grow: 4.5 eps times the largest coefficient, rounded up. Three of them and
-    // the radius itself can underflow.
-    m_error_radius[c] = !finite ? std::numeric_limits<double>::infinity()
-                      : 5 * std::numeric_limits<double>::epsilon() * largest + 2 * std::numeric_limits<double>::denorm_min();
+    for(double x : b) finite = finite && std::isfinite(x);      // sums may overflow
+    m_error_radius[c] = finite ? internal::conversion_radius(largest, false) : std::numeric_limits<double>::infinity();
   }
 
   Cell_complex_3 m_cells;

@@ -28,7 +28,6 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/enum.h>
 
@@ -116,10 +115,10 @@ public:
     int rounds_in_vain = 0;
     Real_timer total;
     total.start();
+    m_timer.start();
     for(std::size_t round = 0; ; ++round) {
       m_rounds.emplace_back();
       m_timer.reset();
-      m_timer.start();
       const std::optional<Refinement_status> failure = fit(std::move(cells), thickness, solver, start);
       if(failure) return *failure;
       Refinement_round& log = m_rounds.back();
@@ -143,6 +142,7 @@ public:
       if(in_vain || over) {
         if(!m_inner) {
           constexpr int once = 1;
+          m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
           Shell_thresholds_3<Field> thresholds(*m_field, thickness);
           choose_thresholds(thresholds, once);
         }
@@ -228,13 +228,9 @@ private:
 
   void find_seeds()
   {
-    typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
-    Triangle_mesh mesh = m_input->mesh();
-    const auto component = mesh.add_property_map<Triangle_mesh::Face_index, std::size_t>("f:component_of_seed", 0).first;
-    std::vector<char> seen(Polygon_mesh_processing::connected_components(mesh, component), 0);
-    for(Triangle_mesh::Face_index f : mesh.faces()) {
-      if(seen[component[f]]) continue;
-      seen[component[f]] = 1;
+    const Input_mesh_3::Triangle_mesh& mesh = m_input->mesh();
+    for(Input_mesh_3::Face_index f : mesh.faces()) {
+      if(m_input->component(f) != m_seeds.size()) continue;       // the first facet of the next component
       const auto& p = mesh.point(mesh.target(mesh.halfedge(f)));
       m_seeds.emplace_back(p.x(), p.y(), p.z());
     }
@@ -464,6 +460,8 @@ private:
         if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
       if(conditions.empty()) break;
       m_enforcement->insert(conditions);
+      m_inner.reset();      // those of the field as it was
+      m_outer.reset();
       lap(CERTIFICATE);
       if(!enforce_slopes()) break;
       lap(SLOPES);

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -29,6 +30,16 @@ inline void to_bernstein(NT* b)
       const std::array<NT, 4> r = Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
       for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
     }
+}
+
+// How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps times its result, or by
+// the least number there is. Each of the three passes takes averages, with weights that sum to one, in three operations; magnitudes never
+// grow. Coefficients that depend on others are averages of up to 27 before: their products err by eps together, and there are 26 sums. Of the
+// least numbers, 27 are for the products, 3 for divisions, and one for the radius itself.
+inline double conversion_radius(double largest_coefficient, bool has_dependent)
+{
+  constexpr double eps = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::denorm_min();
+  return (has_dependent ? 37 : 10) * eps * largest_coefficient + (has_dependent ? 32 : 4) * least;
 }
 
 // What all fields have in common: types, and evaluation by way of the leaf that contains a point.
