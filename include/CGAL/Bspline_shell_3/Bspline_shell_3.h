@@ -16,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/fit_field.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -168,6 +169,7 @@ public:
   /// `report()`, or the least gradient in that is zero, and found out when it is needed
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
+    CGAL_precondition(m_report.certificate.verdict(Bspline_shells::Claim::GRADIENT) == Bspline_shells::Verdict::PROVED);
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
   }
 

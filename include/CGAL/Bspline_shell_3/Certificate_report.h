@@ -118,6 +118,24 @@ struct Certificate_witness
   int count = 0;
 };
 
+inline const char* name(Certificate_witness::Reason reason)
+{
+  switch(reason) {
+    case Certificate_witness::FACET:              return "facet";
+    case Certificate_witness::OUTSIDE:            return "outside";
+    case Certificate_witness::CRITICAL_POINT:     return "critical point";
+    case Certificate_witness::BOX:                return "box";
+    case Certificate_witness::END_OF_DOMAIN:      return "end of domain";
+    case Certificate_witness::TWO_SHEETS:         return "two sheets";
+    case Certificate_witness::EMPTY_COMPONENT:    return "empty component";
+    case Certificate_witness::OTHER_COMPONENT:    return "other component";
+    case Certificate_witness::NO_PATH:            return "no path";
+    case Certificate_witness::CROSSINGS:          return "crossings";
+    case Certificate_witness::CONTAINMENT_NEEDED: return "containment needed";
+  }
+  return "";
+}
+
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *

@@ -12,6 +12,7 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <iterator>
@@ -48,6 +49,7 @@ public:
   /// goes in. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const
   {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     std::vector<Face_index> hit;
     m_tree.all_intersected_primitives(Kernel::Segment_3(p, q), std::back_inserter(hit));
     std::vector<std::pair<Face_index, int> > crossed;

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
@@ -231,6 +232,7 @@ public:
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
+    CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
     // with the largest free one that each depends on
     const Eigen::VectorXd all = extend(m_coefficients);

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/vertex_cone.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
@@ -64,6 +65,7 @@ public:
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
   Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated)
   {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     m_offenders = Offending_simplices();
     Shell_status status = copy(mesh, vpm);
     if(status == Shell_status::SUCCESS) status = check_surface();

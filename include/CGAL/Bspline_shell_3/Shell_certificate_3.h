@@ -88,6 +88,7 @@ public:
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
+    CGAL_precondition(bool(shell));
     m_is_of_shell = true;
     m_bounds = std::move(bounds);
     m_proved_cover = shell.proved_cover();

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,7 @@ public:
   template <typename Changed>
   void reuse(const Shell_cover_3& other, const Changed& changed)
   {
+    CGAL_precondition(m_boxes.empty() && m_first.size() == other.m_first.size());
     for(const Cell_boxes& known : other.m_cells) {
       if(changed(known.cell)) continue;
       m_first[known.cell] = m_cells.size();
@@ -83,6 +85,7 @@ public:
   /// \pre no cell of this cover has been subdivided
   void adopt(std::vector<Cover_box> boxes)
   {
+    CGAL_precondition(m_boxes.empty());
     m_boxes = std::move(boxes);
     for(std::size_t b = 0; b < m_boxes.size(); ++b) {
       if(m_first[m_boxes[b].cell] == unseen) {

@@ -14,7 +14,9 @@
 #include <CGAL/Bspline_shell_3/fan_winding.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
+#include <CGAL/FPU.h>
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <boost/functional/hash.hpp>
@@ -80,6 +82,7 @@ public:
     : m_shell(&shell), m_predicates(shell.field())
     , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
   {
+    CGAL_precondition(bool(shell));
     for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
       m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
   }
@@ -92,6 +95,7 @@ public:
   /// \param memory of earlier questions
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
   {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     const std::size_t size = link.size();
     const Sample at_p = m_bounds->sample(p);
     if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
@@ -142,6 +146,7 @@ public:
   /// the same for a single facet, with more effort: `Field_predicates_3` decides what bounds leave open
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
     const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
     for(const Sample& s : corners)

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/internal/for_each_chunk.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
@@ -144,6 +145,7 @@ public:
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
+    CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
     m_bernstein.resize(64 * number_of_cells());
     m_error_radius.resize(number_of_cells());

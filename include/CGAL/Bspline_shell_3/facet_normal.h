@@ -34,7 +34,7 @@ struct Facet_normal
  * \brief encloses the normal of a triangle with `double` vertices: in `double`s, or, where cancellation would spoil them
  * (needles, facets far from the origin), from the exact cross product.
  *
- * \pre the triangle is not degenerate
+ * \pre the triangle is not degenerate; of one that is, nothing is known
  */
 template <typename Point_3>
 Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
@@ -74,6 +74,7 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
     en[a] = eu[(a+1) % 3] * ev[(a+2) % 3] - eu[(a+2) % 3] * ev[(a+1) % 3];
     scale = (std::max)(scale, ET(CGAL::abs(en[a])));
   }
+  if(scale == 0) return Facet_normal{ {}, 1 };
   for(int a = 0; a < 3; ++a) n[a] = CGAL::to_double(ET(en[a] / scale));
   return normalized(n, 2 * eps);      // to_double() of a number in [-1, 1] errs by at most one unit in the last place
 }

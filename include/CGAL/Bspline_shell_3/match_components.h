@@ -11,6 +11,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/FPU.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -81,6 +82,7 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
                                  const TriangleFunction& triangle, const ComponentFunction& component)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   struct Box : Box_intersection_d::Box_d<double, 3>
   {
     Box(const Bbox_3& b, std::size_t n) : Box_intersection_d::Box_d<double, 3>(b), number(n) {}

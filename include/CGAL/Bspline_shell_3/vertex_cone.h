@@ -16,6 +16,7 @@
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -114,6 +115,7 @@ auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
 inline std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors)
 {
   typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
+  CGAL_precondition(!unit_vectors.empty());
   Min_sphere_of_spheres_d<Traits> ball(unit_vectors.begin(), unit_vectors.end());
   std::array<double, 3> axis;
   std::copy(ball.center_cartesian_begin(), ball.center_cartesian_end(), axis.begin());
