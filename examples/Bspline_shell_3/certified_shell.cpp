@@ -29,9 +29,10 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   const BS::Shell_report& report = shell.report();
-  std::cout << message(report.refinement) << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
+  std::cout << shell.message() << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
             << report.unknowns << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
             << 100 * report.narrowed_area << " % of the mesh\n";
+  if(!shell.is_certified()) std::cout << report.certificate.total_number_of_witnesses() << " places, among them:\n";
   for(const BS::Certificate_witness& w : report.certificate.witnesses)
     std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
 

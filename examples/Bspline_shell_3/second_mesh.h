@@ -59,7 +59,7 @@ inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh&
     return false;
   }
   if(!shell.is_certified()) {
-    std::cerr << message(shell.report().refinement) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return false;
   }
   return move_in_shell(shell, mesh, moved);

@@ -40,7 +40,8 @@ void list_witnesses(const BS::Certificate_report& certificate)
     if(w.facet != BS::Certificate_witness::none) std::cerr << ", facet " << w.facet;
     std::cerr << "\n";
   }
-  if(witnesses.size() > 10) std::cerr << "... (" << witnesses.size() << " places)" << std::endl;
+  if(certificate.total_number_of_witnesses() > 10)
+    std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
 }
 
 // Stripes around the point where the largest sum of coordinates is, and its distance.
@@ -137,7 +138,7 @@ int main(int argc, char** argv)
   printer.clear();
   if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
   if(!shell.is_certified()) {
-    std::cerr << "There is a shell, but it is not certified. " << message(shell.report().refinement) << std::endl;
+    std::cerr << shell.message() << std::endl;
     list_witnesses(shell.report().certificate);
     return NOT_CERTIFIED;
   }

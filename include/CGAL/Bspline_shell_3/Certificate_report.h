@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -199,6 +200,12 @@ struct Certificate_report
   Certificate_statistics statistics;
 
   Verdict verdict(Claim claim) const { return verdicts[std::size_t(claim)]; }
+
+  /// of all claims, those that are left out of the list included
+  std::size_t total_number_of_witnesses() const
+  {
+    return std::accumulate(number_of_witnesses.begin(), number_of_witnesses.end(), std::size_t(0));
+  }
 
   /// adds a witness, or only counts it
   void add(const Certificate_witness& witness)
