@@ -124,6 +124,33 @@ std::vector<Point_3> vertices_midpoints_and_centroids(const Mesh& mesh)
   return points;
 }
 
+// a new vertex on an edge, and triangles around it; returns the halfedge to it
+Mesh::Halfedge_index split(Mesh& mesh, Mesh::Halfedge_index h, const Point_3& p)
+{
+  const auto to_new = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(to_new)) = p;
+  for(auto g : { to_new, mesh.prev(mesh.opposite(to_new)) }) CGAL::Euler::split_face(g, mesh.next(mesh.next(g)), mesh);
+  return to_new;
+}
+
+// An icosahedron with a very short edge in the middle of each edge that crosses an axis, as coordinates that are nearly zero allow it, and
+// needles on both sides: corefinement leaves such edges where a vertex of one mesh almost lies on an edge of the other.
+Mesh icosahedron_with_needles(double length)
+{
+  Mesh mesh = sphere(0, 0.9);
+  const std::vector<Mesh::Edge_index> edges(mesh.edges_begin(), mesh.edges_end());
+  for(auto e : edges) {
+    const auto h = mesh.halfedge(e);
+    const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), m = CGAL::midpoint(p, q);
+    if((m.x() == 0) + (m.y() == 0) + (m.z() == 0) != 2) continue;
+    split(mesh, h, m);
+    // not along the edge, so that differences to other vertices are rounded
+    const Vector_3 along = (q - p) / distance(p, q), across = CGAL::cross_product(m - CGAL::ORIGIN, along) / distance(m, CGAL::ORIGIN);
+    split(mesh, h, m + length * (0.8 * along + 0.6 * across));
+  }
+  return mesh;
+}
+
 // all that can be seen of an image is the same
 template <typename Image>
 bool same(const Image& a, const Image& b)
@@ -471,6 +498,52 @@ TEST_CASE("Projection: facets thinner than rounding may have no images, but none
     if(image) CHECK(distance(image.point, Point_3(x, y, plane(x, y))) <= project.tolerance());
   }
   CHECK(found > 900);
+}
+
+TEST_CASE("Projection: points next to edges shorter than rounding, on needles, are not lost")
+{
+  for(double length : { 1e-15, 3.8e-17, 1e-20 }) {
+    const Mesh mesh = icosahedron_with_needles(length);
+    REQUIRE(mesh.number_of_vertices() == 12 + 12);
+    REQUIRE(CGAL::is_triangle_mesh(mesh));
+    const Projection project = projection(radial_shell(), mesh);
+    std::size_t lost = 0;
+    for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
+      INFO(p << ", edges of " << length);
+      for(const Vector_3& aside : { Vector_3(0, 0, 0), Vector_3(1e-17, 0, 0), Vector_3(0, -1e-17, 0), Vector_3(0, 0, 1e-17) }) {
+        const Image image = project(p + aside);
+        lost += !image;
+        CHECK(distance(image.point, p) <= 1e-15);
+      }
+      for(double factor : { 0.85, 1.03 }) {
+        const Point_3 q = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
+        const Image image = project(q);
+        lost += !image;
+        CHECK(distance(image.point, hit_of_ray(mesh, q)) <= project.tolerance());
+      }
+    }
+    CHECK(lost == 0);
+  }
+}
+
+TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
+{
+  CGAL::Random random(12);
+  const auto coordinate = [&]() { return random.get_double(-1, 1); };
+  for(int n = 0; n < 2000; ++n) {
+    // two vertices near the origin, where there are digits left for what they differ by
+    const double length = std::pow(10., random.get_double(-30, 0)), t = random.get_double(0, 1), u = random.get_double(0, 1 - t);
+    const Point_3 p(length * coordinate(), length * coordinate(), length * coordinate()), r(coordinate(), coordinate(), coordinate()),
+                  q(length * coordinate(), length * coordinate(), length * coordinate());
+    Mesh mesh;
+    mesh.add_face(mesh.add_vertex(p), mesh.add_vertex(q), mesh.add_vertex(r));
+    const BS::Projection_target_3<Mesh> target(mesh, mesh.points());
+    const Point_3 x = CGAL::barycenter(p, t, q, u, r, 1 - t - u);
+    const auto position = target.position(0, { x.x(), x.y(), x.z() });
+    const auto found = target.point(0, position.nearest);
+    INFO("the shortest edge is about " << length << " long");
+    CHECK(distance(Point_3(found[0], found[1], found[2]), x) <= 1e-15);
+  }
 }
 
 TEST_CASE("Projection: the differential is that of finite differences within a facet")

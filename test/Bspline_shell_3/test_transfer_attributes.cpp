@@ -9,9 +9,12 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <complex>
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -426,6 +429,123 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
     CHECK(failure.second == Flow_status::CANCELED);
     CHECK(labels[Face(Mesh::size_type(failure.first))] == -7);
   }
+}
+
+TEST_CASE("Transfer: over a hole, what fails is named and gets the value that the caller gives, or keeps its own")
+{
+  // a source with a hole in the middle, over which the target goes on
+  Mesh a = source_sheet(), b = tilted_sheet();
+  const std::vector<Face> facets(a.faces_begin(), a.faces_end());
+  for(auto f : facets)
+    if(std::abs(centroid(a, f).x()) < 0.3 && std::abs(centroid(a, f).y()) < 0.3) CGAL::Euler::remove_face(a.halfedge(f), a);
+  REQUIRE(a.number_of_faces() < facets.size());
+  a.collect_garbage();
+  const Map map(slab(), a, b);
+  const BS::Projection_target_3<Mesh> source(a, a.points());
+  const auto is_over_hole = [&](const Point_3& p) {
+    for(BS::Projection_target_3<Mesh>::Index f = 0; f < source.number_of_facets(); ++f)
+      if(source.position(f, { p.x(), p.y(), 0 }).outside <= tolerance) return false;     // some are over the border
+    return true;
+  };
+  std::vector<std::pair<std::size_t, Flow_status> > no_vertices, no_facets;
+  std::set<std::size_t> vertices_in_hole, facets_in_hole;
+  for(auto v : b.vertices())
+    if(is_over_hole(b.point(v))) no_vertices.emplace_back(std::size_t(v), Flow_status::LEAVES_SHELL);
+  for(auto f : b.faces())
+    if(is_over_hole(centroid(b, f))) no_facets.emplace_back(std::size_t(f), Flow_status::LEAVES_SHELL);
+  REQUIRE(no_vertices.size() > 3);
+  REQUIRE(no_facets.size() > 3);
+  for(const auto& failure : no_vertices) vertices_in_hole.insert(failure.first);
+  for(const auto& failure : no_facets) facets_in_hole.insert(failure.first);
+
+  auto d = map_of<Vertex, double>(a, "v:d", 1.), kept = map_of<Vertex, double>(b, "v:kept", -7.), set = map_of<Vertex, double>(b, "v:set", -7.);
+  auto l = map_of<Face, std::string>(a, "f:l", "there"), l_kept = map_of<Face, std::string>(b, "f:kept", "before"),
+       l_set = map_of<Face, std::string>(b, "f:set", "before");
+  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w_kept = map_of<Face, Vector_3>(b, "f:w1", Vector_3(-7, -7, -7)),
+       w_set = map_of<Face, Vector_3>(b, "f:w2", Vector_3(-7, -7, -7));
+  const auto check_vertices = [&](const BS::Transfer_report& keep, const BS::Transfer_report& replace) {
+    for(const BS::Transfer_report& report : { keep, replace }) {
+      CHECK_FALSE(report);
+      CHECK(report.failures == no_vertices);
+      CHECK(report.transferred + no_vertices.size() == b.number_of_vertices());
+    }
+    for(auto v : b.vertices()) {
+      const bool lost = vertices_in_hole.count(std::size_t(v)) == 1;
+      CHECK(kept[v] == Approx(lost ? -7. : 1.));
+      CHECK(set[v] == Approx(lost ? -1. : 1.));
+      kept[v] = set[v] = -7;
+    }
+  };
+  // a whole number for real ones
+  check_vertices(BS::transfer_vertex_attribute(map, d, kept), BS::transfer_vertex_attribute(map, d, set, P::default_value(-1)));
+  const auto twice = [](double value, const BS::Flow_differential&) { return value; };
+  check_vertices(BS::transfer_vertex_attribute(map, d, kept, P::mapping(twice)),
+                 BS::transfer_vertex_attribute(map, d, set, P::default_value(-1.).mapping(twice)));
+
+  const BS::Transfer_report labels[] = {
+    BS::transfer_face_labels(map, l, l_kept, P::samples_per_facet(std::size_t(1))),
+    BS::transfer_face_labels(map, l, l_set, P::samples_per_facet(std::size_t(1)).default_value(std::string("none"))) };
+  const BS::Transfer_report vectors[] = { BS::transfer_tangent_vectors(map, w, w_kept),
+                                          BS::transfer_tangent_vectors(map, w, w_set, P::default_value(Vector_3(0, 0, 0))) };
+  for(const BS::Transfer_report& report : { labels[0], labels[1], vectors[0], vectors[1] }) {
+    CHECK_FALSE(report);
+    CHECK(report.failures == no_facets);
+    CHECK(report.transferred + no_facets.size() == b.number_of_faces());
+  }
+  for(auto f : b.faces()) {
+    const bool lost = facets_in_hole.count(std::size_t(f)) == 1;
+    CHECK(l_kept[f] == (lost ? "before" : "there"));
+    CHECK(l_set[f] == (lost ? "none" : "there"));
+    CHECK((w_kept[f] == Vector_3(-7, -7, -7)) == lost);
+    CHECK((w_set[f] == Vector_3(0, 0, 0)) == lost);
+    CHECK_FALSE(w_set[f] == Vector_3(-7, -7, -7));
+  }
+
+  // Averages go the other way: vertices of the source over a hole of the target are left out and named, and vertices of the target that
+  // nothing arrives at, nor is pulled back from, have no value.
+  auto back = map_of<Vertex, double>(b, "v:back", 1.), average = map_of<Vertex, double>(a, "v:average", -7.);
+  const BS::Transfer_report report = BS::average_vertex_attribute(map.inverse(), back, average, P::default_value(-1));
+  CHECK(report.left_out == no_vertices);
+  CHECK_FALSE(report);
+  for(const auto& failure : report.failures) CHECK(average[Vertex(Mesh::size_type(failure.first))] == -1);
+  std::size_t lost = 0;
+  for(auto v : a.vertices()) {
+    CHECK((average[v] == -1 || average[v] == Approx(1)));
+    lost += average[v] == -1;
+  }
+  CHECK(lost == report.failures.size());
+}
+
+TEST_CASE("Transfer: to and from a mesh that is not valid, everything gets the caller's value")
+{
+  Mesh a = sphere(2, 0.7), b = sphere(1, 0.85);
+  CGAL::Euler::join_face(b.halfedge(Face(0)), b);
+  for(const Map& map : { Map(ball(), a, b), Map(ball(), b, a).inverse() }) {
+    auto d = map_of<Vertex, double>(a, "v:d", 1.), d2 = map_of<Vertex, double>(b, "v:d", -7.);
+    auto l = map_of<Face, int>(a, "f:l", 1), l2 = map_of<Face, int>(b, "f:l", -7);
+    auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
+    CHECK(BS::average_vertex_attribute(map, d, d2, P::default_value(5.)).failures.size() == b.number_of_vertices());
+    for(auto v : b.vertices()) CHECK(d2[v] == 5);
+    CHECK(BS::transfer_face_labels(map, l, l2, P::default_value(6)).failures.size() == b.number_of_faces());
+    CHECK(BS::transfer_tangent_vectors(map, w, w2, P::default_value(Vector_3(7, 0, 0))).failures.size() == b.number_of_faces());
+    for(auto f : b.faces()) {
+      CHECK(l2[f] == 6);
+      CHECK(w2[f] == Vector_3(7, 0, 0));
+    }
+  }
+}
+
+TEST_CASE("Transfer: a facet without an area has no tangent vectors, and is named")
+{
+  Mesh a = source_sheet(), b = tilted_sheet();
+  const std::size_t before = b.number_of_faces();
+  const Vertex p = b.add_vertex(Point_3(0, 0, 0.2)), q = b.add_vertex(Point_3(0.25, 0, 0.2)), r = b.add_vertex(Point_3(0.125, 0, 0.2));
+  b.add_face(p, q, r);
+  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
+  const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(slab(), a, b), w, w2);
+  REQUIRE(report.failures.size() == 1);
+  CHECK(report.failures[0] == std::make_pair(before, Flow_status::FACES_WRONG_WAY));
+  CHECK(w2[Face(Mesh::size_type(before))] == Vector_3(-7, -7, -7));
 }
 
 TEST_CASE("Transfer: one thread and several give the same, bit by bit")

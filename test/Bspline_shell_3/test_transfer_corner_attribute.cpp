@@ -150,6 +150,12 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   }
   CHECK(report.transferred + failed.size() == b.number_of_faces());
 
+  // or they get the caller's value, at all of their corners
+  Texture set = texture_of(b, "h:set");
+  CHECK(BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, set, P::default_value(Point_2(-1, -1))).failures == report.failures);
+  for(auto f : b.faces())
+    for(auto h : b.halfedges_around_face(b.halfedge(f))) CHECK(set[h] == (failed.count(std::size_t(f)) ? Point_2(-1, -1) : on_b[h]));
+
   Mesh quads = a;
   CGAL::Euler::join_face(*std::find_if(quads.halfedges_begin(), quads.halfedges_end(),
                                        [&](Halfedge h) { return !quads.is_border(quads.edge(h)); }), quads);
@@ -158,4 +164,9 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   CHECK(report.transferred == 0);
   CHECK(report.failures.size() == b.number_of_faces());
   CHECK(report.failures[0].second == BS::Flow_status::INVALID_MESH);
+  // also the four corners of a facet that is no triangle
+  report = BS::transfer_corner_attribute(Polynomial_map(slab(), b, quads), set, on_quads, P::default_value(Point_2(-2, -2)));
+  CHECK(report.failures.size() == quads.number_of_faces());
+  for(auto f : quads.faces())
+    for(auto h : quads.halfedges_around_face(quads.halfedge(f))) CHECK(on_quads[h] == Point_2(-2, -2));
 }

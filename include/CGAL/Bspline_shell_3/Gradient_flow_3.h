@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Flow_status.h>
 #include <CGAL/Bspline_shell_3/internal/Integral_curve.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -41,6 +42,7 @@ struct Flow_differential
   /// and what points along the curve is mapped to zero. \pre the normal is not orthogonal to the velocity
   Eigen::Matrix3d onto_plane(const Eigen::Vector3d& normal) const
   {
+    CGAL_precondition(normal.dot(velocity) != 0);
     return matrix - velocity * (normal.transpose() * matrix) / normal.dot(velocity);
   }
   /// the differential of the map along the curves to the level set through the end

@@ -41,6 +41,7 @@ enum interpolation_t { interpolation };
 enum mapping_t { mapping };
 enum symmetry_t { symmetry };
 enum samples_per_facet_t { samples_per_facet };
+enum default_value_t { default_value };
 enum stop_t { stop };
 
 } // namespace parameter_tags
@@ -83,6 +84,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::mapping_t, mapping)                                                         \
   ADD(parameter_tags::symmetry_t, symmetry)                                                       \
   ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
+  ADD(parameter_tags::default_value_t, default_value)                                             \
   ADD(parameter_tags::stop_t, stop)                                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \

@@ -12,6 +12,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -47,6 +48,8 @@ class Projection_target_3
   typedef AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator> > Traits;
   typedef AABB_tree<Traits> Tree;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef Exact_rational ET;
+  typedef std::array<ET, 3> Exact_coordinates;
 
 public:
   typedef TriangleMesh Mesh;
@@ -100,6 +103,7 @@ public:
   Index facet_of(face_descriptor f) const { return get(m_index, f); }
   const Coordinates& vertex(Index facet, int i) const { return m_facets[facet].vertex[i]; }
   const Coordinates& normal(Index facet) const { return m_facets[facet].normal; }     ///< twice the area long
+  bool has_area(Index facet) const { return normal(facet) != Coordinates{}; }
   Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; }      ///< `npos` at a border
 
   /// whether no facet is at a border
@@ -157,23 +161,29 @@ public:
   Position position(Index facet, const Coordinates& p) const
   {
     const Facet& f = m_facets[facet];
+    CGAL_precondition(has_area(facet));
     const double squared = dot(f.normal, f.normal);
     Position result{ {}, -std::numeric_limits<double>::infinity(), 0, {} };
-    Coordinates e[3], inwards[3];
+    Coordinates e[3];
+    double longest = 0;         // squared
     for(int i = 0; i < 3; ++i) {
       e[i] = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
-      inwards[i] = cross(f.normal, e[i]);
+      longest = (std::max)(longest, dot(e[i], e[i]));
     }
-    // Where facets are thin, cancellation leaves few digits: twice as many by a second step
     Coordinates& w = result.barycentric;
-    const Coordinates d = difference(p, f.vertex[0]);
-    w[1] = dot(inwards[2], d) / squared;
-    w[2] = dot(inwards[0], d) / squared;
-    Coordinates rest;
-    for(int a = 0; a < 3; ++a) rest[a] = d[a] - w[1] * e[0][a] + w[2] * e[2][a];
-    w[1] += dot(inwards[2], rest) / squared;
-    w[2] += dot(inwards[0], rest) / squared;
-    w[0] = 1 - w[1] - w[2];
+    // Rounding moves a point by eps / thinness of its distance from the facet's vertex, and after a second step by the square of that
+    constexpr double thin = 1e-6;
+    if(squared > thin * thin * longest * longest) {
+      const Coordinates inwards[2] = { cross(f.normal, e[2]), cross(f.normal, e[0]) }, d = difference(p, f.vertex[0]);
+      w[1] = dot(inwards[0], d) / squared;
+      w[2] = dot(inwards[1], d) / squared;
+      Coordinates rest;
+      for(int a = 0; a < 3; ++a) rest[a] = d[a] - w[1] * e[0][a] + w[2] * e[2][a];
+      w[1] += dot(inwards[0], rest) / squared;
+      w[2] += dot(inwards[1], rest) / squared;
+      w[0] = 1 - w[1] - w[2];
+    }
+    else w = exact_barycentric(f, p);
     for(int i = 0; i < 3; ++i) {
       const double outside = -w[(i + 2) % 3] * std::sqrt(squared / dot(e[i], e[i]));
       if(outside > result.outside) { result.outside = outside; result.edge = i; }
@@ -283,28 +293,39 @@ private:
   static Coordinates coordinates(const Point& p) { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
   static Kernel::Point_3 point(const Coordinates& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
   static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
-  static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+  template <typename FT>
+  static FT dot(const std::array<FT, 3>& u, const std::array<FT, 3>& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+  template <typename FT>
+  static std::array<FT, 3> cross(const std::array<FT, 3>& u, const std::array<FT, 3>& v)
+  {
+    return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  }
   // The exact one, rounded, where cancellation would turn it so that points of the facet were far from its plane.
   static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
   {
     const Coordinates u = difference(q, p), v = difference(r, p), n = cross(u, v);
     constexpr double thin = 1e-3;
     if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
-    typedef Exact_rational ET;
-    const auto exact = [](const Coordinates& a, const Coordinates& b) {
-      return std::array<ET, 3>{{ ET(a[0]) - ET(b[0]), ET(a[1]) - ET(b[1]), ET(a[2]) - ET(b[2]) }};
-    };
-    const std::array<ET, 3> eu = exact(q, p), ev = exact(r, p);
+    const Exact_coordinates exact_normal = cross(exact_difference(q, p), exact_difference(r, p));
     Coordinates result;
-    for(int a = 0; a < 3; ++a) {
-      const int b = (a + 1) % 3, c = (a + 2) % 3;
-      result[a] = CGAL::to_double(ET(eu[b] * ev[c] - eu[c] * ev[b]));
+    for(int a = 0; a < 3; ++a) result[a] = CGAL::to_double(exact_normal[a]);
+    return result;
+  }
+  // of the point of the plane that is nearest to `p`, rounded: a weight is the area of the triangle opposite its vertex, n . (e x (p - v)) / n^2
+  static Coordinates exact_barycentric(const Facet& f, const Coordinates& p)
+  {
+    const Exact_coordinates n = cross(exact_difference(f.vertex[1], f.vertex[0]), exact_difference(f.vertex[2], f.vertex[0]));
+    const ET squared = dot(n, n);
+    Coordinates result;
+    for(int i = 0; i < 3; ++i) {
+      const Coordinates &v = f.vertex[(i + 1) % 3], &w = f.vertex[(i + 2) % 3];
+      result[i] = CGAL::to_double(ET(dot(n, cross(exact_difference(w, v), exact_difference(p, v))) / squared));
     }
     return result;
   }
-  static Coordinates cross(const Coordinates& u, const Coordinates& v)
+  static Exact_coordinates exact_difference(const Coordinates& p, const Coordinates& q)
   {
-    return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+    return { ET(p[0]) - ET(q[0]), ET(p[1]) - ET(q[1]), ET(p[2]) - ET(q[2]) };
   }
 
   const TriangleMesh* m_mesh;

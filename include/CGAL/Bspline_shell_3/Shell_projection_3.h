@@ -13,7 +13,9 @@
 #include <CGAL/Bspline_shell_3/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_point.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -74,7 +76,7 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
 
-  /// \pre `shell` outlives this object
+  /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell
   /// \param target the mesh to project to, prepared; may be shared
   /// \param tolerance of the tracing, as for `Gradient_flow_3`, and how far an image may be from the end of the curve that was traced; user units; 0
@@ -82,7 +84,9 @@ public:
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target))
     , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance * shell.report().unit)
-  {}
+  {
+    CGAL_precondition(m_target != nullptr);
+  }
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
@@ -138,6 +142,7 @@ public:
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
+    CGAL_precondition(bool(image));
     return Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
   }
 
@@ -235,9 +240,34 @@ private:
     return false;
   }
 
+  // A point of the target is its own image, also on facets so steep that rounding moves where the curve passes their planes out of them.
+  bool find_facet_at(const Coordinates& start, Hit& best) const
+  {
+    Curve curve(*m_shell, m_tolerance);
+    curve.start(start);
+    const double margin = newton_precision * m_tolerance;       // as precisely as curves end at facets
+    double least = margin;
+    best = Hit();
+    const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);
+    m_target->visit_facets(box, [&](Index facet) {
+      if(!(dot(m_target->normal(facet), curve.derivative()) > 0)) return;
+      Hit hit;
+      hit.facet = facet;
+      hit.value = curve.value();
+      hit.barycentric = m_target->position(facet, start).nearest;
+      const Coordinates image = m_target->point(facet, hit.barycentric);
+      hit.outside = std::hypot(image[0] - start[0], image[1] - start[1], image[2] - start[2]);
+      if(!(hit.outside <= least)) return;
+      least = hit.outside;
+      best = hit;
+    });
+    return best.facet != Target::npos;
+  }
+
   // along the whole curve through a point, all facets near it
   Flow_status search(const Coordinates& start, Hit& best) const
   {
+    if(find_facet_at(start, best)) return Flow_status::SUCCESS;
     best = Hit();
     bool wrong_way = false;
     Flow_status failure = Flow_status::LEAVES_SHELL;

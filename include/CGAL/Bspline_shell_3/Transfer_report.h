@@ -22,14 +22,17 @@ namespace Bspline_shells {
  */
 struct Transfer_report
 {
-  std::size_t transferred = 0;        ///< simplices that got a value; the others keep what they had
-  /// the others: positions in `vertices(mesh)` or `faces(mesh)`, in that order, each with a reason
+  std::size_t transferred = 0;        ///< simplices of the target that got a value from the source
+  /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in `faces(mesh)`, in that order.
+  /// They have the `default_value()` of the call, or, without one, what they had before.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
   /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as seen from the
   /// facet's centre, are extrapolated from this side.
   std::vector<std::size_t> facets_across_seams;
+  /// averages: vertices of the source, by position, whose values are in none of them as they have no image; each with a reason
+  std::vector<std::pair<std::size_t, Flow_status> > left_out;
 
-  /// whether all simplices got a value
+  /// whether all simplices of the target got a value
   explicit operator bool() const { return failures.empty(); }
 };
 

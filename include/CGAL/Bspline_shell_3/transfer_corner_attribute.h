@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Transfer_report.h>
 #include <CGAL/Bspline_shell_3/internal/attribute_samples.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -49,13 +50,13 @@ public:
     }
   }
 
-  // Whether the values go on from facet `f` to one that a point of facet `g` is on, which may be on an edge or at a vertex of it;
+  // Whether the values go on from facet `f` to one with an area that a point of facet `g` is on, which may be on an edge or at a vertex of it;
   // that facet replaces `g`. Looks no further than from a facet to its neighbours, or, where the two points are so near each other
   // that the way may as well lead around a vertex, to those that have a vertex in common with it.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {
     for(Index n : facets_at(g, barycentric))
-      if(n == f || is_neighbor(f, n) || (around_vertices && is_around_vertex(f, n))) { g = n; return true; }
+      if(m_surface->has_area(n) && (n == f || is_neighbor(f, n) || (around_vertices && is_around_vertex(f, n)))) { g = n; return true; }
     return false;
   }
 
@@ -148,8 +149,9 @@ private:
  * \param target_values what gets its values
  * \param np optional named parameters
  *   - `interpolation(F)`: a model of `AttributeInterpolation` that may extrapolate; by default `Barycentric_interpolation`
+ *   - `default_value(x)`: what all corners of facets without values get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no values at their corners, and which lie across seams
+ * \return which facets have no values from the source at their corners, and why; and which lie across seams
  * \cgalHeading{Cost} for each facet, four points to move if it meets few facets of the source, and more near seams
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceCornerMap, typename TargetCornerMap,
@@ -171,11 +173,14 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
 
+  const auto put_default_values = [&](auto f) {
+    for(auto h : halfedges_around_face(halfedge(f, map.target()), map.target())) internal::put_default_value(np, target_values, h);
+  };
   const Source& source = map.to_source().target();
   const Target& target = map.to_target().target();
   Transfer_report report;
   if(!source.is_valid() || !target.is_valid()) {
-    for(std::size_t n = 0; n < target.number_of_facets(); ++n) internal::record(report, n, Flow_status::INVALID_MESH);
+    internal::fail_all_facets(report, target, put_default_values);
     return report;
   }
   const internal::Seams<Source> seams(source, source_values);
@@ -242,7 +247,10 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   });
 
   for(std::size_t n = 0; n < facets.size(); ++n) {
-    if(!internal::record(report, n, facets[n].status)) continue;
+    if(!internal::record(report, n, facets[n].status)) {
+      put_default_values(target.face_of(typename Target::Index(n)));
+      continue;
+    }
     if(facets[n].across) report.facets_across_seams.push_back(n);
     auto h = prev(halfedge(target.face_of(typename Target::Index(n)), map.target()), map.target());      // to the first corner
     for(const Corner& corner : facets[n].corners) {

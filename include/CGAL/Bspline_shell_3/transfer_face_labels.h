@@ -43,8 +43,9 @@ namespace Bspline_shells {
  * \param target_labels what gets them
  * \param np optional named parameters
  *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square; by default 4. With 1, the label is that at the centroid.
+ *   - `default_value(x)`: what facets without a label get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no label, as none of their samples arrived
+ * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid did not
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap, typename TargetLabelMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -77,7 +78,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   const auto& target = map.to_target().target();
   Transfer_report report;
   if(!target.is_valid()) {
-    for(std::size_t n = 0; n < target.number_of_facets(); ++n) internal::record(report, n, Flow_status::INVALID_MESH);
+    internal::fail_all_facets(report, target, [&](auto f) { internal::put_default_value(np, target_labels, f); });
     return report;
   }
   struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; };
@@ -104,6 +105,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
     const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& v, const auto& w) { return v.second < w.second; });
     if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status))
       put(target_labels, target.face_of(Index(n)), most->first);
+    else internal::put_default_value(np, target_labels, target.face_of(Index(n)));
   }
   return report;
 }

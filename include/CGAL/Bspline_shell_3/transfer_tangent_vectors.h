@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Transfer_report.h>
 #include <CGAL/Bspline_shell_3/internal/attribute_samples.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -89,8 +90,9 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
  * \param target_vectors what gets their images
  * \param np optional named parameters
  *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
+ *   - `default_value(x)`: what facets without a vector get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no vector
+ * \return which facets have no vector from the source, and why. A facet without an area has none: it faces no way.
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap, typename TargetVectorMap,
@@ -107,12 +109,13 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   Default_flow_visitor default_visitor;
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
   const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
+  CGAL_precondition(symmetry > 0);
 
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();
   Transfer_report report;
   if(!target.is_valid()) {
-    for(std::size_t n = 0; n < target.number_of_facets(); ++n) internal::record(report, n, Flow_status::INVALID_MESH);
+    internal::fail_all_facets(report, target, [&](auto f) { internal::put_default_value(np, target_vectors, f); });
     return report;
   }
   std::vector<typename Map::Source_image> images(target.number_of_facets());
@@ -128,12 +131,17 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   });
   const auto eigen = [](const auto& v) { return Eigen::Vector3d(CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2])); };
   for(std::size_t n = 0; n < images.size(); ++n) {
-    if(!internal::record(report, n, images[n].status)) continue;
-    const auto f = images[n].location.first;
+    const auto g = target.face_of(typename Map::Projection_to_target::Target::Index(n));
     const Eigen::Vector3d normal = eigen(target.normal(typename Map::Projection_to_target::Target::Index(n)));
+    if(images[n] && normal.dot(differentials[n].velocity) == 0) images[n].status = Flow_status::FACES_WRONG_WAY;
+    if(!internal::record(report, n, images[n].status)) {
+      internal::put_default_value(np, target_vectors, g);
+      continue;
+    }
+    const auto f = images[n].location.first;
     const Eigen::Vector3d image = internal::map_symmetric_vector(
       differentials[n].onto_plane(normal), eigen(source.normal(source.facet_of(f))), normal, eigen(get(source_vectors, f)), symmetry);
-    put(target_vectors, target.face_of(typename Map::Projection_to_target::Target::Index(n)), Vector(image[0], image[1], image[2]));
+    put(target_vectors, g, Vector(image[0], image[1], image[2]));
   }
   return report;
 }

@@ -48,8 +48,9 @@ namespace Bspline_shells {
  * \param np optional named parameters
  *   - `interpolation(F)`: a model of `AttributeInterpolation`; by default `Barycentric_interpolation`
  *   - `mapping(F)`: `F()(value, differential)` with the `Flow_differential` from the source to the target; by default values arrive as they are
+ *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which vertices have no value
+ * \return which vertices have no value from the source, and why
  * \cgalHeading{Cost} some microseconds a vertex and core; with `mapping()` about twice as much
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
@@ -89,6 +90,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
       if constexpr(has_mapping) put(target_values, v, get_parameter_reference(np, parameter_tags::mapping)(value, differentials[n]));
       else put(target_values, v, value);
     }
+    else internal::put_default_value(np, target_values, v);
     ++n;
   }
   return report;
@@ -110,8 +112,10 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
+ *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices of the source without an image are left out.
+ * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices of the source without
+ *         an image are left out, and named too.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -130,7 +134,11 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   const auto& target = map.to_target().target();
   Transfer_report report;
   if(!source.is_valid() || !target.is_valid()) {
-    for(std::size_t n = 0; n < target.vertices_of_mesh().size(); ++n) internal::record(report, n, Flow_status::INVALID_MESH);
+    std::size_t n = 0;
+    for(auto v : vertices(map.target())) {
+      internal::record(report, n++, Flow_status::INVALID_MESH);
+      internal::put_default_value(np, target_values, v);
+    }
     return report;
   }
   const auto& points = source.vertices_of_mesh();
@@ -154,7 +162,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   std::size_t n = 0;
   for(auto v : vertices(map.source())) {
     const auto& image = images[n];
-    if(image)
+    if(image) {
       for(std::size_t i = 0; i < 3; ++i) {
         const double w = area[n] * image.location.second[i];
         if(!(w > 0)) continue;
@@ -163,6 +171,8 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
         sum[t] = sum[t] ? Sum(*sum[t] + share) : share;
         weight[t] += w;
       }
+    }
+    else report.left_out.emplace_back(n, image.status);
     ++n;
   }
   std::vector<typename Map::Source_image> pulled(sum.size());
@@ -183,6 +193,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
       else put(target_values, v, Barycentric_interpolation()(
              internal::corner_values(map.source(), pulled[n].location.first, source_values), pulled[n].location.second));
     }
+    else internal::put_default_value(np, target_values, v);
     ++n;
   }
   return report;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Transfer_report.h>
 #include <CGAL/Bspline_shell_3/internal/for_each_point.h>
 
@@ -28,6 +29,24 @@ inline bool record(Transfer_report& report, std::size_t position, Flow_status st
   if(status == Flow_status::SUCCESS) ++report.transferred;
   else report.failures.emplace_back(position, status);
   return status == Flow_status::SUCCESS;
+}
+
+// what has no value from the source gets the caller's, if there is one
+template <typename NamedParameters, typename ValueMap, typename Simplex>
+void put_default_value(const NamedParameters& np, ValueMap values, const Simplex& simplex)
+{
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::default_value_t>::value)
+    put(values, simplex, CGAL::parameters::get_parameter_reference(np, parameter_tags::default_value));
+}
+
+// a mesh that is not valid has no images; `put(f)` does what is left to do for a facet
+template <typename Target, typename Put>
+void fail_all_facets(Transfer_report& report, const Target& target, const Put& put)
+{
+  for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
+    record(report, n, Flow_status::INVALID_MESH);
+    put(target.face_of(typename Target::Index(n)));
+  }
 }
 
 // vertices of a facet in the order of its barycentric coordinates
