@@ -5,6 +5,7 @@
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Shell_containment_3.h>
 #include <CGAL/Bspline_shell_3/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -229,4 +230,23 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   BS::Crossing_path second = inside;
   second.component = 1;
   CHECK(match({ on_edge, second }).verdict() == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Components: nothing is transferred through a map that is refused")
+{
+  const Mesh mesh = both(small_sphere(), large_sphere());
+  Mesh one = small_sphere();
+  const Shell shell = shell_of(mesh);
+  auto values = one.add_property_map<Mesh::Vertex_index, double>("v:value", 7).first;
+  Mesh source = mesh;
+  const auto from = source.add_property_map<Mesh::Vertex_index, double>("v:value", 1).first;
+  const auto refused = [&](const BS::Transfer_report& report) {
+    CHECK(report.failures.size() == one.number_of_vertices());
+    for(const auto& failure : report.failures) CHECK(failure.second == BS::Flow_status::OTHER_COMPONENTS);
+    for(auto v : one.vertices()) CHECK(values[v] == 7);
+  };
+  const BS::Shell_map_3 map(shell, source, one);
+  REQUIRE(map.status() == BS::Flow_status::OTHER_COMPONENTS);
+  refused(BS::transfer_vertex_attribute(map, from, values));
+  refused(BS::average_vertex_attribute(map, from, values));
 }

@@ -179,8 +179,8 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   const Source& source = map.to_source().target();
   const Target& target = map.to_target().target();
   Transfer_report report;
-  if(!source.is_valid() || !target.is_valid()) {
-    internal::fail_all_facets(report, target, put_default_values);
+  if(map.status() != Flow_status::SUCCESS) {
+    internal::fail_all_facets(report, map, put_default_values);
     return report;
   }
   const internal::Seams<Source> seams(source, source_values);

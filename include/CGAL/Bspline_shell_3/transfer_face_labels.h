@@ -77,8 +77,8 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
 
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(!target.is_valid()) {
-    internal::fail_all_facets(report, target, [&](auto f) { internal::put_default_value(np, target_labels, f); });
+  if(map.status() != Flow_status::SUCCESS) {
+    internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_labels, f); });
     return report;
   }
   struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; };

@@ -114,8 +114,8 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(!target.is_valid()) {
-    internal::fail_all_facets(report, target, [&](auto f) { internal::put_default_value(np, target_vectors, f); });
+  if(map.status() != Flow_status::SUCCESS) {
+    internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_vectors, f); });
     return report;
   }
   std::vector<typename Map::Source_image> images(target.number_of_facets());

@@ -74,7 +74,8 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   std::vector<typename Map::Source_image> images(points.size());
   internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
                                            [&](std::size_t n, const auto& p) {
-    images[n] = map.to_source()(p);
+    if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
+    else images[n] = map.to_source()(p);        // the target's facets do not matter
     if constexpr(has_mapping)
       if(images[n]) {
         differentials[n] = internal::differential_from_image(map, images[n], p);
@@ -133,10 +134,10 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(!source.is_valid() || !target.is_valid()) {
+  if(map.status() != Flow_status::SUCCESS) {
     std::size_t n = 0;
     for(auto v : vertices(map.target())) {
-      internal::record(report, n++, Flow_status::INVALID_MESH);
+      internal::record(report, n++, map.status());
       internal::put_default_value(np, target_values, v);
     }
     return report;

@@ -39,13 +39,14 @@ void put_default_value(const NamedParameters& np, ValueMap values, const Simplex
     put(values, simplex, CGAL::parameters::get_parameter_reference(np, parameter_tags::default_value));
 }
 
-// a mesh that is not valid has no images; `put(f)` does what is left to do for a facet
-template <typename Target, typename Put>
-void fail_all_facets(Transfer_report& report, const Target& target, const Put& put)
+// what a map that is refused leaves of the facets of its target; `put(f)` does what is left to do for a facet
+template <typename Map, typename Put>
+void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
 {
+  const auto& target = map.to_target().target();
   for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
-    record(report, n, Flow_status::INVALID_MESH);
-    put(target.face_of(typename Target::Index(n)));
+    record(report, n, map.status());
+    put(target.face_of(n));
   }
 }
 
