@@ -142,35 +142,45 @@ class Files:
         number = {root(v): c for c, v in enumerate(seeds)}
         return [number[root(v)] for v in range(len(self.points))]
 
-    def boxes_at(self, points):
-        """for each point, lines of the cover's boxes that contain it"""
+    def cubes(self):
+        """least corner and edge of each box, by its line"""
         field = self.shell[4].split()
         origin, spacing = [float(x) for x in field[2:5]], float(field[5])
         first = self.section(self.shell, "leaves")[0] + 1
-        found = [[] for _ in points]
+        result = {}
         for i in self.boxes():
-            words = self.certificate[i].split()
-            if words[5] not in "gu":
-                continue
-            leaf = [int(x) for x in self.shell[first + int(words[0])].split()]
-            h = spacing / 2**(leaf[0] + int(words[1]))
-            low = [origin[a] + h * (leaf[1 + a] * 2**int(words[1]) + int(words[2 + a])) for a in range(3)]
-            for n, p in enumerate(points):
-                if all(low[a] <= p[a] <= low[a] + h for a in range(3)):
-                    found[n].append(i)
-        return found
+            number, depth, *place = [int(x) for x in self.certificate[i].split()[:5]]
+            leaf = [int(x) for x in self.shell[first + number].split()]
+            h = spacing / 2**(leaf[0] + depth)
+            result[i] = [origin[a] + h * (leaf[1 + a] * 2**depth + place[a]) for a in range(3)], h
+        return result
+
+    def kind(self, line):
+        return self.certificate[line].split()[5]
+
+    def boxes_at(self, points):
+        """for each point, lines of the cover's boxes that contain it"""
+        cover = [(i, low, h) for i, (low, h) in self.cubes().items() if self.kind(i) in "gu"]
+        return [[i for i, low, h in cover if low[0] <= p[0] <= low[0] + h and all(low[a] <= p[a] <= low[a] + h for a in (1, 2))]
+                for p in points]
 
     def box_on_mesh(self):
         """line of a box of the cover that contains a vertex"""
         return self.boxes_at([self.points[0]])[0][0]
 
-    def center(self, line):
-        """of a box"""
-        words = self.certificate[line].split()
-        field = self.shell[4].split()
-        leaf = [int(x) for x in self.shell[self.section(self.shell, "leaves")[0] + 1 + int(words[0])].split()]
-        h = float(field[5]) / 2**(leaf[0] + int(words[1]))
-        return [float(field[2 + a]) + h * (leaf[1 + a] * 2**int(words[1]) + int(words[2 + a]) + 0.5) for a in range(3)]
+    def ends_of_cover(self):
+        """where the first path enters the cover, and where it leaves it: a point and the line of a box there"""
+        words = [float(x) for x in self.certificate[self.section(self.certificate, "paths")[0] + 1].split()]
+        points = [[words[2 + a] + t / 64 * (words[5 + a] - words[2 + a]) for a in range(3)] for t in range(65)]
+        met = [(p, lines[0]) for p, lines in zip(points, self.boxes_at(points)) if lines]
+        return met[0], met[-1]
+
+    def excluded_next_to_cover(self):
+        """line of an excluded box that touches one of the cover"""
+        cubes = self.cubes()
+        low, h = cubes[self.ends_of_cover()[1][1]]
+        return next(i for i, (l, k) in cubes.items() if self.kind(i) == "x"
+                    and all(low[a] <= l[a] + k and l[a] <= low[a] + h for a in range(3)))
 
     def boxes(self):
         line, count = self.section(self.certificate, "boxes")
@@ -255,7 +265,7 @@ def change_at_mesh(word, shift):
     return lambda f: f.words(f.shell, f.function_at(f.points[0]), set_word(word, lambda x: x + shift * float(f.shell[1].split()[1])))
 
 
-for shift in (1, -1, 0.1):
+for shift in (1, -1, 0.5):
     add("coefficient of f moved by %g" % shift, change_at_mesh(4, shift), 1, "P", "sc")
 add("coefficient, old checksum", change_at_mesh(4, 1e-9), 2, "checksum", "")
 add("coefficient, old checksum in the certificate", lambda f: (change_at_mesh(4, 1e-9)(f), setattr(
@@ -313,9 +323,9 @@ def all_thresholds(word, factor):
     return change
 
 
-thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.1), 1, "P1", "sc")
-thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.1), 1, "P1", "sc")
-thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.1), 1, "P3", "sc")
+thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.5), 1, "P1", "sc")
+thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.5), 1, "P1", "sc")
+thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.5), 1, "P3", "sc")
 thresholds("no room inside", all_thresholds(5, 0.01), 1, "P1", "sc")
 thresholds("far too thick", all_thresholds(6, 30), 1, "P3", "sc")
 thresholds("no coefficient of a threshold", lambda f: f.shell.__setitem__(6, f.shell[6].rsplit(" ", 1)[0]), 2, "a blank is expected", "sc")
@@ -431,8 +441,8 @@ add("cover box without a claim", box("g", lambda w: w.__delitem__(slice(5, 9)) o
 add("box deeper", box("g", set_word(1, lambda x: x + 1)), 1, "partition")
 add("box with a wrong place", box("x", lambda w: w.__setitem__(2, str(1 << int(w[1])))), 2, "out of range")
 add("box removed", lambda f: f.remove_boxes([f.box_on_mesh()]), 1, "P3")
-add("boxes of a leaf removed",
-    lambda f: f.remove_boxes([i for i in f.boxes() if int(f.certificate[i].split()[0]) == used_leaf(f)]), 1, "P3")
+add("boxes of a leaf removed", lambda f: (lambda leaf: f.remove_boxes(
+    [i for i in f.boxes() if int(f.certificate[i].split()[0]) == leaf]))(used_leaf(f)), 1, "P3")
 
 
 def none_excluded(f):
@@ -472,20 +482,10 @@ def tangential(words):
 for step in (1, 3, 5):
     add("another direction negated, %d" % step, negate_every(step), 1, "P3, box")
 add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
-add("excluded boxes without a claim, one of them",
-    lambda f: f.words(f.certificate, next_to_cover(f), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
+add("excluded box without a claim",
+    lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
 add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
                                                   for i in f.boxes() if f.certificate[i].split()[5] == "g"], 1, "P3, box")
-
-
-def next_to_cover(f):
-    """line of an excluded box in the same leaf as a box of the cover, and of the same parent"""
-    parents = {}
-    for i in f.boxes():
-        words = f.certificate[i].split()
-        parent = tuple([words[0], words[1]] + [str(int(x) // 2) for x in words[2:5]])
-        parents.setdefault(parent, {}).setdefault(words[5], i)
-    return next(kinds["x"] for kinds in parents.values() if "g" in kinds and "x" in kinds)
 
 
 # the path
@@ -516,8 +516,8 @@ add("no path", no_paths, 1, "P5")
 
 
 # several components
-def several(name, change, *rest):
-    add(name, change, *rest, lambda f: f.components() > 1)
+def several(name, change, code, sentence, update="c"):
+    add(name, change, code, sentence, update, lambda f: f.components() > 1)
 
 
 def swap_words(section, first, last):
@@ -597,19 +597,16 @@ several("component turned inside out", turn_component, 1, "P2", "mc")
 several("no boxes at a component", no_boxes_at_component, 1, "P3")
 
 
-# thresholds that vary, made steep where the cover meets them
-def bump(word, height, path_end):
+# thresholds that vary, with a bump where the cover ends
+def bump_at_end(word, height, end):
+    """a threshold moved away where a path enters the cover or leaves it: what was excluded there is so no longer"""
     def change(f):
-        line = f.section(f.certificate, "paths")[0] + 1
-        words = f.certificate[line].split()
-        p = [float(x) for x in words[path_end:path_end + 3]]
-        f.words(f.shell, f.function_at(p), set_word(word, lambda x: x + height * float(f.shell[1].split()[1])))
+        f.words(f.shell, f.function_at(f.ends_of_cover()[end][0]), set_word(word, lambda x: x + height * float(f.shell[1].split()[1])))
     return change
 
 
-for height in (0.3, -0.3, 2, -2):
-    thresholds("inner threshold with a bump of %g" % height, bump(5, height, 2), 1, "P", "sc")
-    thresholds("outer threshold with a bump of %g" % height, bump(6, height, 5), 1, "P", "sc")
+thresholds("inner threshold with a bump at an end of the cover", bump_at_end(5, -1, 0), 1, "P", "sc")
+thresholds("outer threshold with a bump at an end of the cover", bump_at_end(6, 1, 1), 1, "P", "sc")
 
 
 # claims that are not proved, raised
@@ -631,16 +628,12 @@ def is_unproved(n):
     return lambda f: f.certificate[3].split()[n] != "proved"
 
 
-def unproved_and(n, condition):
-    return lambda f: is_unproved(n)(f) and condition(f)
-
-
 def give_directions(f):
     """to undecided boxes: the direction from the origin, along which the field rises"""
-    for i in f.boxes():
+    for i, (low, h) in f.cubes().items():
         words = f.certificate[i].split()
         if words[5] == "u":
-            f.certificate[i] = " ".join(words[:5] + ["g"] + ["%.17g" % x for x in f.center(i)])
+            f.certificate[i] = " ".join(words[:5] + ["g"] + ["%.17g" % (x + h / 2) for x in low])
 
 
 def directions_and_verdicts(f):
@@ -656,32 +649,15 @@ def exclude_undecided(f):
     raise_verdicts(f)
 
 
-def one_path_for_both(f):
-    """the same segment for both components"""
-    no_paths(f)
-    component = f.component_of_vertices()
-    center = [sum(p[a] for p in f.points) / len(f.points) for a in range(3)]
-    v = f.facets[0]
-    middle = [sum(f.points[i][a] for i in v) / 3 for a in range(3)]
-    ends = ["%.17g" % (center[a] + t * (middle[a] - center[a])) for t in (0.7, 1.4) for a in range(3)]
-    line = f.section(f.certificate, "paths")[0]
-    f.certificate[line] = "paths %d" % f.components()
-    for c in range(f.components()):
-        facet = next(n for n, t in enumerate(f.facets) if component[t[0]] == c)
-        f.certificate.append(" ".join([str(c), str(facet)] + ends))
-    raise_verdict(5)(f)
-
-
-def has_undecided(f):
-    return any(f.certificate[i].endswith(" u") for i in f.boxes())
+def is_gradient_undecided(f):
+    return is_unproved(3)(f) and any(f.kind(i) == "u" for i in f.boxes())
 
 
 not_all("all verdicts raised", raise_verdicts, 1, "P", "c", lambda f: not f.are_all_proved())
 for n in range(1, 6):
     not_all("verdict %d raised" % n, raise_verdict(n), 1, "P", "c", is_unproved(n))
-not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "more steeply", "c", unproved_and(3, has_undecided))
-not_all("undecided boxes excluded, and verdicts raised", exclude_undecided, 1, "P3, box", "c", unproved_and(3, has_undecided))
-not_all("one path for two components, and P5 raised", one_path_for_both, 1, "count 2", "c", unproved_and(5, lambda f: f.components() == 2))
+not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "more steeply", "c", is_gradient_undecided)
+not_all("undecided boxes excluded, and verdicts raised", exclude_undecided, 1, "P3, box", "c", is_gradient_undecided)
 
 # the form
 add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certificate[3] + " "), 2, "line 4")

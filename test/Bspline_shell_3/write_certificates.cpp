@@ -5,7 +5,6 @@
 //   varying, varying_hierarchy      thresholds that vary, on equal cells and on cells of three sizes
 //   components                      three components: a sphere in another one, and a third one beside them
 //   simplified                      a mesh that was simplified in its shell, by the shell's own cover
-//   two_in_one                      two components in one component of the shell: P4 and P5 are not proved
 //   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
 //
 // The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way round.
@@ -38,17 +37,17 @@ typedef std::function<double(const Point_3&)> Function;
 
 const double width = 0.25;       // of the cells of level 0
 
-// the cells on which a function is small, or so far from it that what acts on them does not matter
-Root_cells cells_near(const Function& f, double distance, const Lattice_point& first, const Lattice_point& last)
+// The cells, of a box around the origin, on which a function is small. Farther away, it does not matter.
+Root_cells cells_near(const Function& f, double distance, const Lattice_point& size)
 {
   std::vector<std::uint64_t> keys;
-  for(int k = first[2]; k < last[2]; ++k)
-    for(int j = first[1]; j < last[1]; ++j)
-      for(int i = first[0]; i < last[0]; ++i)
+  for(int k = -size[2]; k < size[2]; ++k)
+    for(int j = -size[1]; j < size[1]; ++j)
+      for(int i = -size[0]; i < size[0]; ++i)
         if(std::abs(f(Point_3((i + 0.5) * width, (j + 0.5) * width, (k + 0.5) * width))) < distance)
           keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
-  return Root_cells(BS::Lattice_3(CGAL::Bbox_3(first[0] * width, first[1] * width, first[2] * width,
-                                               last[0] * width, last[1] * width, last[2] * width), width), keys);
+  const double x = size[0] * width, y = size[1] * width, z = size[2] * width;
+  return Root_cells(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), keys);
 }
 
 // its coefficients are a function's values
@@ -123,31 +122,28 @@ int main(int argc, char** argv)
   bool good = true;
 
   // around the unit sphere
-  const Root_cells roots = cells_near([](const Point_3& p) { return distance(p) - 1; }, 0.7, { -8, -8, -8 }, { 8, 8, 8 });
+  const Root_cells roots = cells_near([](const Point_3& p) { return distance(p) - 1; }, 0.6, { 8, 8, 8 });
   const Uniform_field equal(roots);
   CGAL::Random random(1);
   good = write_varying(directory + "varying", equal, sphere(1)) && good;
-  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3, 3)), sphere(1)) && good;
-  Mesh two = sphere(1, 0.97);
-  CGAL::copy_face_graph(sphere(1, 1.04), two);
-  good = write_varying(directory + "two_in_one", equal, two, { BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) && good;
+  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)), sphere(1)) && good;
   for(bool inner : { true, false }) {
     const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
     const Function bump = [&](const Point_3& p) { return p == place ? inner ? -2. : 3. : 0.; }, none = [](const Point_3&) { return 0.; };
-    good = write_varying(directory + (inner ? "steep_inner" : "steep_outer"), equal, sphere(1), { BS::Claim::GRADIENT, BS::Claim::ONE_SHEET },
+    good = write_varying(directory + (inner ? "steep_inner" : "steep_outer"), equal, sphere(1), { BS::Claim::GRADIENT },
                          inner ? bump : none, inner ? none : bump) && good;
   }
 
   // the volume between two spheres, and a third one
-  const Point_3 beside(2.5, 0, 0);
+  const Point_3 place(-1, 0, 0), beside(1.5, 0, 0);
   const Function f = [&](const Point_3& p) {
-    return (std::min)((std::max)(distance(p) - 1.25, 0.5 - distance(p)), distance(p, beside) - 0.6);
+    return (std::min)((std::max)(distance(p, place) - 1.25, 0.5 - distance(p, place)), distance(p, beside) - 0.6);
   };
-  Mesh mesh = sphere(1, 0.5), outer = sphere(1, 1.25), third = sphere(1, 0.6, beside);
+  Mesh mesh = sphere(1, 0.5, place);
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  CGAL::copy_face_graph(outer, mesh);
-  CGAL::copy_face_graph(third, mesh);
-  const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { -8, -8, -8 }, { 16, 8, 8 })), f);
+  CGAL::copy_face_graph(sphere(1, 1.25, place), mesh);
+  CGAL::copy_face_graph(sphere(1, 0.6, beside), mesh);
+  const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { 12, 8, 8 })), f);
   good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh) && good;
 
   // simplified in its shell
