@@ -5,7 +5,8 @@
 
 PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a small mesh, of one component or of several. Changes that
 only make sense for some kinds of shells and meshes are tried on these. Where not all claims are proved, those that are not must
-not be accepted, whatever the witnesses are changed to. Without PREFIX, shells that are made here are tried. Exit code 0 if all went as it should.
+not be accepted, whatever the witnesses are changed to. Without PREFIX, shells that are made here are tried. Exit code 0 if all
+went as it should.
 """
 import itertools
 import os
