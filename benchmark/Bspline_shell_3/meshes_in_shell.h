@@ -2,6 +2,8 @@
 #ifndef BENCHMARK_MESHES_IN_SHELL_H
 #define BENCHMARK_MESHES_IN_SHELL_H
 
+#include "json.h"
+
 #include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
@@ -116,7 +118,7 @@ void for_each_pair(const std::vector<std::string>& files, const Measure& measure
     if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
     if(shell && shell->is_certified()) moved = moved_along_flow(*shell, mesh, part);
     if(moved) measure(mesh_name(file), *shell, mesh, *moved, part);
-    else std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified pair of meshes\"}" << std::endl;
+    else std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified pair of meshes\"}" << std::endl;
   }
 }
 

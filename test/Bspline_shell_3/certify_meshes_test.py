@@ -13,10 +13,14 @@ keys = {"mesh", "facets", "components", "status", "reason", "gamma", "levels", "
         "min_cone_margin", "singular_vertices", "certificate", "violations", "tiers", "seconds", "peak_mb"}
 
 
+def no_number(text):
+    raise AssertionError(text + " is not JSON")
+
+
 def run(*arguments):
     done = subprocess.run([program, *arguments], capture_output=True, text=True)
     assert done.returncode == 0, done
-    return [json.loads(line) for line in done.stdout.splitlines()]
+    return [json.loads(line, parse_constant=no_number) for line in done.stdout.splitlines()]
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -45,6 +49,16 @@ with tempfile.TemporaryDirectory() as folder:
     refined, = run(eight, "--write-shells", folder)
     assert refined["status"] == "certified" and refined["rounds"] > 0, refined
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
+
+    # a plate that is much thinner than the cells that a limit of memory allows: no shell is around it, and none is spoken of
+    plate = os.path.join(folder, "plate.off")
+    with open(plate, "w") as file:
+        file.write("OFF\n8 6 0\n" + "".join("%g %g %g\n" % (x, y, z) for z in (0, 0.01) for y in (0, 1) for x in (0, 1))
+                   + "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n")
+    thin, = run(plate, "--thickness", "0.001", "--max-memory-mb", "20")
+    assert thin["status"] in ("no_shell", "refused") and thin["reason"], thin
+    assert thin["status"] == "refused" or "limit" in thin["reason"], thin
+    assert not any(thin.get(key) for key in ("thickness", "eps1", "eps2")), thin
 
     # limits end one mesh, not the run
     late, after = run(os.path.join(meshes, "elephant.off"), opened, "--gamma", "400", "--max-seconds", "1")

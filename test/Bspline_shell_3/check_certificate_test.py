@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Whether check_certificate accepts a certificate and refuses it when one thing in its files is changed.
 
-   check_certificate_test.py CHECKER PREFIX
+   check_certificate_test.py CHECKER [PREFIX]
 
-PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a connected mesh whose five claims are proved; the mesh
-should be small. Changes that only make sense for some kinds of shells are tried on these. Exit code 0 if all went as it should.
+PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a small mesh, of one component or of several. Changes that
+only make sense for some kinds of shells and meshes are tried on these. Where not all claims are proved, those that are not must
+not be accepted, whatever the witnesses are changed to. Without PREFIX, shells that are made here are tried. Exit code 0 if all
+went as it should.
 """
 import itertools
 import os
@@ -114,6 +116,73 @@ class Files:
                 return lines[function]
         raise AssertionError("no function acts on the leaf")
 
+    def claims(self):
+        """what the checker says if it accepts the certificate"""
+        verdicts = self.certificate[3].split()[1:]
+        return " ".join(["certified:"] + ["P%d" % (i + 1) for i in range(5) if verdicts[i] == "proved"])
+
+    def are_all_proved(self):
+        return self.certificate[3].count("proved") == 5
+
+    def components(self):
+        return self.section(self.certificate, "seeds")[1]
+
+    def component_of_vertices(self):
+        """by seeds, that is in the order in which components are numbered"""
+        parent = list(range(len(self.points)))
+
+        def root(v):
+            while parent[v] != v:
+                parent[v] = v = parent[parent[v]]
+            return v
+
+        for a, b, c in self.facets:
+            parent[root(a)] = parent[root(c)] = root(b)
+        line, count = self.section(self.certificate, "seeds")
+        seeds = [int(self.certificate[line + 1 + c].split()[1]) for c in range(count)]
+        number = {root(v): c for c, v in enumerate(seeds)}
+        return [number[root(v)] for v in range(len(self.points))]
+
+    def cubes(self):
+        """least corner and edge of each box, by its line"""
+        field = self.shell[4].split()
+        origin, spacing = [float(x) for x in field[2:5]], float(field[5])
+        first = self.section(self.shell, "leaves")[0] + 1
+        result = {}
+        for i in self.boxes():
+            number, depth, *place = [int(x) for x in self.certificate[i].split()[:5]]
+            leaf = [int(x) for x in self.shell[first + number].split()]
+            h = spacing / 2**(leaf[0] + depth)
+            result[i] = [origin[a] + h * (leaf[1 + a] * 2**depth + place[a]) for a in range(3)], h
+        return result
+
+    def kind(self, line):
+        return self.certificate[line].split()[5]
+
+    def boxes_at(self, points):
+        """for each point, lines of the cover's boxes that contain it"""
+        cover = [(i, low, h) for i, (low, h) in self.cubes().items() if self.kind(i) in "gu"]
+        return [[i for i, low, h in cover if low[0] <= p[0] <= low[0] + h and all(low[a] <= p[a] <= low[a] + h for a in (1, 2))]
+                for p in points]
+
+    def box_on_mesh(self):
+        """line of a box of the cover that contains a vertex"""
+        return self.boxes_at([self.points[0]])[0][0]
+
+    def ends_of_cover(self):
+        """where the first path enters the cover, and where it leaves it: a point and the line of a box there"""
+        words = [float(x) for x in self.certificate[self.section(self.certificate, "paths")[0] + 1].split()]
+        points = [[words[2 + a] + t / 64 * (words[5 + a] - words[2 + a]) for a in range(3)] for t in range(65)]
+        met = [(p, lines[0]) for p, lines in zip(points, self.boxes_at(points)) if lines]
+        return met[0], met[-1]
+
+    def excluded_next_to_cover(self):
+        """line of an excluded box that touches one of the cover"""
+        cubes = self.cubes()
+        low, h = cubes[self.ends_of_cover()[1][1]]
+        return next(i for i, (l, k) in cubes.items() if self.kind(i) == "x"
+                    and all(low[a] <= l[a] + k and l[a] <= low[a] + h for a in range(3)))
+
     def boxes(self):
         line, count = self.section(self.certificate, "boxes")
         return range(line + 1, line + 1 + count)
@@ -147,7 +216,12 @@ TESTS = []
 
 def test(code, sentence, update="c", applies=lambda f: True):
     """registers a change, the exit code and a part of the sentence that it should lead to, the checksums that follow, and whether
-    it applies to some files"""
+    it applies to some files whose claims are all proved"""
+    return any_test(code, sentence, update, lambda f: f.are_all_proved() and applies(f))
+
+
+def any_test(code, sentence, update, applies):
+    """the same for files of which this need not be so"""
     def register(function):
         TESTS.append((function, code, sentence, update, applies))
         return function
@@ -163,7 +237,8 @@ def certificate_line(section, offset, change):
 
 
 def box(kind, change):
-    return lambda f: f.words(f.certificate, f.first_box(kind), change)
+    """of the first box that is not of the cover, or of a box of the cover on the mesh"""
+    return lambda f: f.words(f.certificate, f.box_on_mesh() if kind == "g" else f.first_box(kind), change)
 
 
 def named(name, function):
@@ -176,12 +251,12 @@ def add(name, function, *rest):
 
 
 def used_leaf(f):
-    """number of the first leaf with a cover box"""
-    return int(f.certificate[f.first_box("g")].split()[0])
+    """number of a leaf with a cover box"""
+    return int(f.certificate[f.box_on_mesh()].split()[0])
 
 
-add("nothing", lambda f: None, 0, "certified: P1 P2 P3 P4 P5", "")
-add("all checksums computed here", lambda f: None, 0, "certified: P1 P2 P3 P4 P5", "smc")
+any_test(0, Files.claims, "", lambda f: True)(named("nothing", lambda f: None))
+any_test(0, Files.claims, "smc", lambda f: True)(named("all checksums computed here", lambda f: None))
 add("fewer claims", lambda f: f.certificate.__setitem__(3, "verdicts proved proved refuted undecided proved"), 0, "certified: P1 P2 P5\n")
 add("P3 to P5 without P1", lambda f: f.certificate.__setitem__(3, "verdicts undecided proved proved proved proved"), 1, "without P1")
 
@@ -191,7 +266,7 @@ def change_at_mesh(word, shift):
     return lambda f: f.words(f.shell, f.function_at(f.points[0]), set_word(word, lambda x: x + shift * float(f.shell[1].split()[1])))
 
 
-for shift in (1, -1, 0.1):
+for shift in (1, -1, 0.5):
     add("coefficient of f moved by %g" % shift, change_at_mesh(4, shift), 1, "P", "sc")
 add("coefficient, old checksum", change_at_mesh(4, 1e-9), 2, "checksum", "")
 add("coefficient, old checksum in the certificate", lambda f: (change_at_mesh(4, 1e-9)(f), setattr(
@@ -223,9 +298,17 @@ def levels(name, change, *rest):
     add(name, lambda f: shell_line("levels", 0, change)(f), *rest, lambda f: f.shell[2].startswith("levels"))
 
 
-levels("inner level inwards", set_word(1, lambda x: x + 1e-6), 1, "P1", "sc")
-levels("outer level inwards", set_word(2, lambda x: x - 1e-6), 1, "P1", "sc")
-levels("outer level inwards a little", set_word(2, lambda x: x - 1e-9), 1, "P1", "sc")
+def tight_levels(name, change, *rest):
+    """those of a shell that was built for its mesh, and knows ranges of its facets"""
+    add(name, lambda f: shell_line("levels", 0, change)(f), *rest,
+        lambda f: f.shell[2].startswith("levels") and f.section(f.shell, "facet_ranges")[1] > 0)
+
+
+tight_levels("inner level inwards", set_word(1, lambda x: x + 1e-6), 1, "P1", "sc")
+tight_levels("outer level inwards", set_word(2, lambda x: x - 1e-6), 1, "P1", "sc")
+tight_levels("outer level inwards a little", set_word(2, lambda x: x - 1e-9), 1, "P1", "sc")
+levels("inner level at the outer one", lambda w: w.__setitem__(1, "%.17g" % (float(w[2]) - 1e-9)), 1, "P1", "sc")
+levels("outer level at the inner one", lambda w: w.__setitem__(2, "%.17g" % (float(w[1]) + 1e-9)), 1, "P1", "sc")
 levels("levels much wider", lambda w: w.__setitem__(slice(1, 3), ["-0.5", "0.5"]), 1, "P3", "sc")
 
 
@@ -241,9 +324,9 @@ def all_thresholds(word, factor):
     return change
 
 
-thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.1), 1, "P1", "sc")
-thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.1), 1, "P1", "sc")
-thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.1), 1, "P3", "sc")
+thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.5), 1, "P1", "sc")
+thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.5), 1, "P1", "sc")
+thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.5), 1, "P3", "sc")
 thresholds("no room inside", all_thresholds(5, 0.01), 1, "P1", "sc")
 thresholds("far too thick", all_thresholds(6, 30), 1, "P3", "sc")
 thresholds("no coefficient of a threshold", lambda f: f.shell.__setitem__(6, f.shell[6].rsplit(" ", 1)[0]), 2, "a blank is expected", "sc")
@@ -322,16 +405,15 @@ def move_last_point(f):
 
 def double_mesh(f):
     """the mesh twice, at the same place; the certificate says so"""
-    v, n = len(f.points), len(f.facets)
+    v, n, components = len(f.points), len(f.facets), f.components()
     f.points += [list(p) for p in f.points]
     f.facets += [[i + v for i in t] for t in f.facets]
-    line = f.section(f.certificate, "seeds")[0]
-    f.certificate[line] = "seeds 2"
-    f.certificate.insert(line + 2, "1 %d" % (v + int(f.certificate[line + 1].split()[1])))
-    line = f.section(f.certificate, "paths")[0]
-    f.certificate[line] = "paths 2"
-    path = f.certificate[line + 1].split()
-    f.certificate.append(" ".join(["1", str(n + int(path[1]))] + path[2:]))
+    for section, offset in (("seeds", v), ("paths", n)):
+        line = f.section(f.certificate, section)[0]
+        f.certificate[line] = "%s %d" % (section, 2 * components)
+        copies = [l.split() for l in f.certificate[line + 1:line + 1 + components]]
+        f.certificate[line + 1 + components:line + 1 + components] = [
+            " ".join([str(components + int(w[0])), str(offset + int(w[1]))] + w[2:]) for w in copies]
 
 
 def double_mesh_without_p4(f):
@@ -359,9 +441,9 @@ add("cover box undecided", box("g", lambda w: w.__delitem__(slice(5, 9)) or w.ap
 add("cover box without a claim", box("g", lambda w: w.__delitem__(slice(5, 9)) or w.append("o")), 1, "P3, box")
 add("box deeper", box("g", set_word(1, lambda x: x + 1)), 1, "partition")
 add("box with a wrong place", box("x", lambda w: w.__setitem__(2, str(1 << int(w[1])))), 2, "out of range")
-add("box removed", lambda f: f.remove_boxes([f.first_box("g")]), 1, "P3")
-add("boxes of a leaf removed",
-    lambda f: f.remove_boxes([i for i in f.boxes() if int(f.certificate[i].split()[0]) == used_leaf(f)]), 1, "P3")
+add("box removed", lambda f: f.remove_boxes([f.box_on_mesh()]), 1, "P3")
+add("boxes of a leaf removed", lambda f: (lambda leaf: f.remove_boxes(
+    [i for i in f.boxes() if int(f.certificate[i].split()[0]) == leaf]))(used_leaf(f)), 1, "P3")
 
 
 def none_excluded(f):
@@ -378,9 +460,33 @@ def repeat_box(f):
 
 add("no box excluded", none_excluded, 1, "P3, box")
 add("box twice", repeat_box, 1, "partition")
-add("another number of covers", certificate_line("covers", 0, set_word(1, "2")), 1, "P4")
+add("another number of covers", certificate_line("covers", 0, set_word(1, lambda n: n + 1)), 1, "P4")
 add("seed that is no vertex", lambda f: certificate_line("seeds", 1, set_word(1, str(len(f.points))))(f), 2, "out of range")
 add("no seed", lambda f: certificate_line("seeds", 0, set_word(1, "0"))(f), 2, "seed")
+
+
+def negate_every(step):
+    def change(f):
+        lines = [i for i in f.boxes() if f.certificate[i].split()[5] == "g"][::step]
+        f.words(f.certificate, lines[len(lines) // 2], lambda w: w.__setitem__(slice(6, 9), ["%.17g" % -float(x) for x in w[6:9]]))
+    return change
+
+
+def tangential(words):
+    """a direction at right angles to another one"""
+    d = [float(x) for x in words[6:9]]
+    least = min(range(3), key=lambda a: abs(d[a]))
+    other, third = (least + 1) % 3, (least + 2) % 3
+    words[6 + least], words[6 + other], words[6 + third] = "0", "%.17g" % d[third], "%.17g" % -d[other]
+
+
+for step in (1, 3, 5):
+    add("another direction negated, %d" % step, negate_every(step), 1, "P3, box")
+add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
+add("excluded box without a claim",
+    lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
+add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
+                                                  for i in f.boxes() if f.certificate[i].split()[5] == "g"], 1, "P3, box")
 
 
 # the path
@@ -403,7 +509,156 @@ add("path backwards", certificate_line("paths", 1, lambda w: w.__setitem__(slice
 add("path far away", certificate_line("paths", 1, set_word(2, lambda x: x + 1e6)), 1, "leaf")
 add("path of another facet", lambda f: certificate_line(
     "paths", 1, lambda w: w.__setitem__(1, str((int(w[1]) + len(f.facets) // 2) % len(f.facets))))(f), 1, "P5, path 0")
+add("path moved aside", certificate_line("paths", 1, lambda w: [set_word(a, lambda x: x + 0.37)(w) for a in (2, 5)]), 1, "",
+    "c", lambda f: f.shell[1] == "unit 2")
+add("path along the mesh", lambda f: certificate_line(
+    "paths", 1, lambda w: w.__setitem__(slice(2, 8), ["%.17g" % x for v in f.facets[int(w[1])][:2] for x in f.points[v]]))(f), 1, "P5, path 0")
 add("no path", no_paths, 1, "P5")
+
+
+# several components
+def several(name, change, code, sentence, update="c"):
+    add(name, change, code, sentence, update, lambda f: f.components() > 1)
+
+
+def swap_words(section, first, last):
+    """of the first two lines of a section"""
+    def change(f):
+        line = f.section(f.certificate, section)[0] + 1
+        one, two = f.certificate[line].split(), f.certificate[line + 1].split()
+        one[first:last], two[first:last] = two[first:last], one[first:last]
+        f.certificate[line], f.certificate[line + 1] = " ".join(one), " ".join(two)
+    return change
+
+
+def without_component(removed):
+    """the mesh without one of its components, and the certificate without its seed and its path"""
+    def change(f):
+        component = f.component_of_vertices()
+        kept = [v for v in range(len(f.points)) if component[v] != removed]
+        number = {v: n for n, v in enumerate(kept)}
+        facets = [n for n, t in enumerate(f.facets) if component[t[0]] != removed]
+        facet_number = {old: new for new, old in enumerate(facets)}
+        f.points = [f.points[v] for v in kept]
+        f.facets = [[number[v] for v in f.facets[n]] for n in facets]
+        for section, table in (("seeds", number), ("paths", facet_number)):
+            line, count = f.section(f.certificate, section)
+            rest = [l.split() for l in f.certificate[line + 1:line + 1 + count] if int(l.split()[0]) != removed]
+            f.certificate[line:line + 1 + count] = ["%s %d" % (section, count - 1)] + [
+                " ".join([str(n), str(table[int(w[1])])] + w[2:]) for n, w in enumerate(rest)]
+    return change
+
+
+def component_onto_another(f):
+    """the first component where the second one is, and with its path, but a little larger or smaller"""
+    component = f.component_of_vertices()
+    one, two = [[v for v in range(len(f.points)) if component[v] == c] for c in (0, 1)]
+    center = [sum(f.points[v][a] for v in two) / len(two) for a in range(3)]
+    to_two = dict(zip(one, two))
+    for v in one:
+        f.points[v] = [center[a] + 1.004 * (f.points[to_two[v]][a] - center[a]) for a in range(3)]
+    f.facets = [[v for v in t] if component[t[0]] else None for t in f.facets]
+    copies = iter([t for t in f.facets if t and component[t[0]] == 1])
+    from_two = dict(zip(two, one))
+    f.facets = [t or [from_two[v] for v in next(copies)] for t in f.facets]
+    line = f.section(f.certificate, "paths")[0] + 1
+    one, two = f.certificate[line].split(), f.certificate[line + 1].split()
+    f.certificate[line] = " ".join(one[:2] + two[2:])
+
+
+def turn_component(f):
+    component = f.component_of_vertices()
+    for t in f.facets:
+        if component[t[0]] == 0:
+            t.reverse()
+
+
+def no_boxes_at_component(f):
+    """no box of a leaf that has a box of the cover at the last component"""
+    component = f.component_of_vertices()
+    at = f.boxes_at([p for p, c in zip(f.points, component) if c == f.components() - 1])
+    leaves = {f.certificate[i].split()[0] for lines in at for i in lines}
+    f.remove_boxes([i for i in f.boxes() if f.certificate[i].split()[0] in leaves])
+
+
+several("seeds exchanged", swap_words("seeds", 1, 2), 2, "not a vertex of its component")
+several("seeds in another order", swap_words("seeds", 0, 2), 2, "out of range")
+several("two seeds of one component", lambda f: certificate_line(
+    "seeds", 2, set_word(1, f.certificate[f.section(f.certificate, "seeds")[0] + 1].split()[1]))(f), 2, "not a vertex of its component")
+several("facets of paths exchanged", swap_words("paths", 1, 2), 1, "another component")
+several("path through the other component", swap_words("paths", 2, 8), 1, "does not cross its facet")
+several("path through the other component, and its facet", swap_words("paths", 1, 8), 1, "another component")
+several("one path missing", lambda f: (f.certificate.pop(), certificate_line("paths", 0, set_word(1, lambda n: n - 1))(f)), 1, "one path for each")
+several("one path twice", lambda f: certificate_line("paths", 2, set_word(0, "0"))(f), 2, "out of range")
+several("a component of the cover too few", certificate_line("covers", 0, set_word(1, lambda n: n - 1)), 1, "P4")
+for c in (0, 1, 2):
+    several("component %d left out" % c, without_component(c), 1, "P4", "mc")
+several("component where another one is", component_onto_another, 1, "P4", "mc")
+several("component turned inside out", turn_component, 1, "P2", "mc")
+several("no boxes at a component", no_boxes_at_component, 1, "P3")
+
+
+# thresholds that vary, with a bump where the cover ends
+def bump_at_end(word, height, end):
+    """a threshold moved away where a path enters the cover or leaves it: what was excluded there is so no longer"""
+    def change(f):
+        f.words(f.shell, f.function_at(f.ends_of_cover()[end][0]), set_word(word, lambda x: x + height * float(f.shell[1].split()[1])))
+    return change
+
+
+thresholds("inner threshold with a bump at an end of the cover", bump_at_end(5, -1, 0), 1, "P", "sc")
+thresholds("outer threshold with a bump at an end of the cover", bump_at_end(6, 1, 1), 1, "P", "sc")
+
+
+# claims that are not proved, raised
+def not_all(name, change, *rest):
+    any_test(*rest)(named(name, change))
+
+
+def raise_verdicts(f):
+    f.certificate[3] = "verdicts proved proved proved proved proved"
+
+
+def raise_verdict(n):
+    def change(f):
+        f.words(f.certificate, 3, set_word(n, "proved"))
+    return change
+
+
+def is_unproved(n):
+    return lambda f: f.certificate[3].split()[n] != "proved"
+
+
+def give_directions(f):
+    """to undecided boxes: the direction from the origin, along which the field rises"""
+    for i, (low, h) in f.cubes().items():
+        words = f.certificate[i].split()
+        if words[5] == "u":
+            f.certificate[i] = " ".join(words[:5] + ["g"] + ["%.17g" % (x + h / 2) for x in low])
+
+
+def directions_and_verdicts(f):
+    give_directions(f)
+    raise_verdicts(f)
+
+
+def exclude_undecided(f):
+    for i in f.boxes():
+        words = f.certificate[i].split()
+        if words[5] == "u":
+            f.certificate[i] = " ".join(words[:5] + ["x"])
+    raise_verdicts(f)
+
+
+def is_gradient_undecided(f):
+    return is_unproved(3)(f) and any(f.kind(i) == "u" for i in f.boxes())
+
+
+not_all("all verdicts raised", raise_verdicts, 1, "P", "c", lambda f: not f.are_all_proved())
+for n in range(1, 6):
+    not_all("verdict %d raised" % n, raise_verdict(n), 1, "P", "c", is_unproved(n))
+not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "more steeply", "c", is_gradient_undecided)
+not_all("undecided boxes excluded, and verdicts raised", exclude_undecided, 1, "P3, box", "c", is_gradient_undecided)
 
 # the form
 add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certificate[3] + " "), 2, "line 4")
@@ -417,8 +672,9 @@ add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum 
 
 
 # A shell made here: f = |x|^2, which the coefficients |p|^2 - h^2 at lattice points of any spacing h give, on large leaves at the
-# left and small ones at the right, around an octahedron. The outer threshold is 2 and a wave, the more steep the higher it is.
-def ball(wave):
+# left and small ones at the right, around an octahedron. The thresholds are 0.3 and 2, and waves along some axes, the more steep the
+# higher they are.
+def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1):
     inner, outer, roots = 0.3, 2, range(-5, 5)
     leaves = [(0, i, j, k) for k in roots for j in roots for i in roots if i < 0]
     leaves += [(1, i, j, k) for k in range(-10, 10) for j in range(-10, 10) for i in range(10)]
@@ -428,8 +684,9 @@ def ball(wave):
         # on small leaves only; on large leaves
         along_x = range(2, size + 2) if level == 1 else range(-size - 1, 2)
         for k, j, i in itertools.product(range(-size - 1, size + 2), range(-size - 1, size + 2), along_x):
-            functions.append("%d %d %d %d %.17g %.17g %.17g" % (level, i, j, k, h * h * (i * i + j * j + k * k - 1), inner,
-                                                                outer + wave * (-1)**j))
+            wave = sum((-1)**(i, j, k)[a] for a in axes)
+            functions.append("%d %d %d %d %.17g %.17g %.17g" % (level, i, j, k, unit * h * h * (i * i + j * j + k * k - 1),
+                                                                unit * (inner + inner_wave * wave), unit * (outer + outer_wave * wave)))
     boxes = []
 
     def divide(leaf, depth, place):
@@ -441,7 +698,8 @@ def ball(wave):
         center = [x + h / 2 for x in low]
         start = "%d %d %d %d %d " % ((leaf, depth) + tuple(place))
         least_product = sum(min(c * x, c * (x + h)) for c, x in zip(center, low))
-        if sum(x * x for x in furthest) < inner or sum(x * x for x in nearest) > outer + wave / 3 + 0.01:
+        if (sum(x * x for x in furthest) < inner - inner_wave * len(axes) / 3
+                or sum(x * x for x in nearest) > outer + outer_wave * len(axes) / 3 + 0.01):
             boxes.append(start + "x")
         elif least_product > 0 and (depth > 0 or level > 0):
             boxes.append(start + "g %.17g %.17g %.17g" % tuple(center))
@@ -461,15 +719,18 @@ def ball(wave):
     return Files.of(shell, certificate, points, facets)
 
 
-WAVES = [(0, 0, "certified: P1 P2 P3 P4 P5"), (0.3, 0, "certified: P1 P2 P3 P4 P5"), (1.2, 1, "more steeply")]
+ACCEPTED, STEEP = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply")
+WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
+         ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
+         ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
 
 
 def main():
-    checker, prefix = sys.argv[1:]
-    files = Files(prefix)
-    cases = [("wave of height %g" % wave, ball(wave), code, sentence) for wave, code, sentence in WAVES]
+    checker = sys.argv[1]
+    files = Files(sys.argv[2]) if len(sys.argv) > 2 else None
+    cases = [] if files else [("ball, waves: %s" % wave, ball(**wave), code, sentence) for wave, (code, sentence) in WAVES]
     for function, code, sentence, update, applies in TESTS:
-        if not applies(files):
+        if not files or not applies(files):
             continue
         changed = files.copy()
         function(changed)
@@ -479,7 +740,7 @@ def main():
             changed.update_mesh()
         if update:
             changed.update_certificate()
-        cases.append((function.__name__, changed, code, sentence))
+        cases.append((function.__name__, changed, code, sentence(files) if callable(sentence) else sentence))
     failures = 0
     with tempfile.TemporaryDirectory() as directory:
         changed_prefix = os.path.join(directory, "changed")

@@ -6,8 +6,13 @@
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
 #include <CGAL/IO/STL.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <fstream>
+#include <iostream>
 #include <iterator>
+#include <sstream>
 
 using namespace CGAL::Bspline_shells;
 
@@ -35,6 +40,75 @@ std::string contents(const std::string& name)
 {
   std::ifstream in(name, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+// a tetrahedron: rows of coordinates and of facets, with something behind each of them
+std::string vertex_rows(const std::string& behind = "\n")
+{
+  std::string rows;
+  for(const char* row : { "0 0 0", "2.5 0 0", "0 1 0", "0 0 1" }) rows += row + behind;
+  return rows;
+}
+
+std::string facet_rows(const std::string& behind = "\n")
+{
+  std::string rows;
+  for(const char* row : { "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3" }) rows += row + behind;
+  return rows;
+}
+
+const std::string xyz = "property float x\nproperty float y\nproperty float z\n",
+                  indices = "property list uchar int vertex_indices\n";
+
+std::string PLY(const std::string& vertex_properties, const std::string& facet_properties, const std::string& data,
+                const std::string& more = std::string(), const std::string& format = "ascii")
+{
+  return "ply\nformat " + format + " 1.0\ncomment a tetrahedron\nelement vertex 4\n" + vertex_properties
+       + "element face 4\n" + facet_properties + more + "end_header\n" + data;
+}
+
+template <typename T>
+void append(std::string& data, T value, bool is_big_endian)
+{
+  char bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  if(is_big_endian) std::reverse(bytes, bytes + sizeof(T));
+  data.append(bytes, sizeof(T));
+}
+
+// the tetrahedron in binary; the facets have a flag before their indices, and two lists behind them
+std::string binary_PLY(bool is_big_endian, int first_length = 3)
+{
+  std::string data;
+  const auto put = [&](auto value) { append(data, value, is_big_endian); };
+  for(float x : { 0.f, 0.f, 0.f, 2.5f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f }) put(x);
+  int length = first_length;
+  for(const auto& facet : { std::array<int, 3>{ 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }) {
+    put('\7');
+    put(length);
+    for(int v : facet) put(v);
+    put('\2');
+    for(float u : { 0.25f, 0.75f }) put(u);
+    put('\1');
+    put('\0');
+    length = 3;
+  }
+  return PLY(xyz, "property uchar flag\nproperty list int int vertex_indices\nproperty list uchar float texcoord\n"
+                  "property list uchar uchar color\n", data, "",
+             is_big_endian ? "binary_big_endian" : "binary_little_endian");
+}
+
+// whether the file holds the tetrahedron
+bool is_tetrahedron(const std::string& name, const std::string& text)
+{
+  const Temporary_file file(name, text);
+  Mesh mesh;
+  Offending_simplices offenders;
+  if(read_polygon_mesh(file.name, mesh, offenders) != Shell_status::SUCCESS) return false;
+  std::vector<Point_3> points;
+  for(Mesh::Vertex_index v : mesh.vertices()) points.push_back(mesh.point(v));
+  return points == std::vector<Point_3>{ { 0, 0, 0 }, { 2.5, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
+      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh);
 }
 
 } // namespace
@@ -102,6 +176,157 @@ TEST_CASE("reading: an STL file without facets is empty if it says so, and unrea
     CAPTURE(text);
     CHECK(read("read_empty.stl", text, offenders) == Shell_status::EMPTY_MESH);
   }
+}
+
+TEST_CASE("reading: an OFF file may have white space, comments and blank lines anywhere, and no keyword")
+{
+  const std::string v = vertex_rows(), f = facet_rows();
+  for(const std::string& text : {
+        "OFF\n4 4 0\n" + v + f, "\t  OFF4 4 6 # joined\n  " + v + "\n \n" + f, "\n\n  OFF# comment\n# another\n\n4 4 6\n" + v + f,
+        "OFF 4 4 0\r\n" + vertex_rows("\r\n") + facet_rows(" \r\n"), "4 4 0\n" + v + f,
+        "OFF\n4 4 0 # counts\n" + vertex_rows(" # point\n") + "#\n" + facet_rows("#facet\n"), "OFF\n4\n4\n0\n" + v + f }) {
+    CAPTURE(text);
+    CHECK(is_tetrahedron("read_spaces.off", text));
+  }
+}
+
+TEST_CASE("reading: an OFF file may lack the number of edges")
+{
+  // the first vertex, not at zero: its first coordinate is not to be cut
+  const std::string text = "OFF\n4 4\n1.5 2 3\n2 2 3\n1.5 3 3\n1.5 2 4\n" + facet_rows();
+  const Temporary_file file("read_edges.off", text);
+  Mesh mesh;
+  Offending_simplices offenders;
+  REQUIRE(read_polygon_mesh(file.name, mesh, offenders) == Shell_status::SUCCESS);
+  CHECK(mesh.point(*mesh.vertices().begin()) == Point_3(1.5, 2, 3));
+  CHECK(is_tetrahedron("read_edges.off", "OFF\n4 4\n" + vertex_rows() + facet_rows()));
+}
+
+TEST_CASE("reading: what an OFF file has besides positions and facets is skipped")
+{
+  for(const auto& keyword_and_more : std::vector<std::pair<std::string, std::string> >{
+        { "COFF", " 255 0 0 255\n" }, { "COFF", " 0.5 0 0.5\n" }, { "COFF", " -2000000000\n" }, { "COFF", " 1 2\n" }, { "COFF", "\n" },
+        { "NOFF", " 0 0 1\n" }, { "NOFF", "\n" }, { "CNOFF", " 0 0 1 9 9 9\n" }, { "STOFF", " 0.1 0.2\n" }, { "STOFF", "\n" },
+        { "STCNOFF", " 0 0 1 9 9 9 1 0.1 0.2\n" }, { "4OFF", " 1\n" }, { "nOFF 3", "\n" } }) {
+    CAPTURE(keyword_and_more);
+    for(const char* color : { "\n", " 0.5 0.5 0.5\n", " 255 0 0 255\n", " 1 2\n" })
+      CHECK(is_tetrahedron("read_more.off", keyword_and_more.first + "\n4 4 0\n" + vertex_rows(keyword_and_more.second) + facet_rows(color)));
+  }
+}
+
+TEST_CASE("reading: an OFF file that is not whole, or no text, or of another dimension is unreadable")
+{
+  Offending_simplices offenders;
+  const std::string v = vertex_rows(), f = facet_rows(), whole = "OFF\n4 4 0\n" + v + f;
+  const auto replaced = [&](const std::string& old, const std::string& by) {
+    std::string text = whole;
+    return text.replace(text.find(old), old.size(), by);
+  };
+  for(const std::string& text : {
+        std::string("OFF"), std::string("OFF\n4"), std::string("4"), std::string("#"), std::string(" \n"), std::string("OFF BINARY\n\0\0\0\4", 15),
+        "nOFF\n4\n4 4 0\n" + vertex_rows(" 0\n") + f, "4OFF\n4 4 0\n" + v + f, "OFF\n-4 4 0\n" + v + f,
+        replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
+        replaced("4 4 0", "2000000000 4 0"), replaced("4 4 0", "4 2000000000 0"), replaced("4 4 0", "4 1e300 0"),
+        replaced("3 0 2 1", "900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"), replaced("3 0 2 1", "3 0 -2 1"),
+        replaced("3 0 2 1", "3 0 2.5 1"), replaced("3 0 2 1", "3 0 4 1"), replaced("3 0 2 1", "3 0 nan 1") }) {
+    CAPTURE(text);
+    CHECK(read("read_broken.off", text, offenders) == Shell_status::UNREADABLE_FILE);
+  }
+}
+
+TEST_CASE("reading: facets of a PLY text may have properties before and behind their indices, lists, too")
+{
+  const std::string texture = "property list uchar float texcoord\n", colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                    v = vertex_rows();
+  std::string behind;
+  for(const char* row : { "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3" }) behind += "2 0.25 0.75 7 " + std::string(row) + " 0\n";
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices, v + facet_rows())));
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, v + facet_rows(" 6 0 0 0.5 0 0 1e-60\n"))));
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, v + facet_rows(" 2 nan 1e60\n"))));
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, texture + "property uchar flag\n" + indices + "property list int short labels\n", v + behind)));
+  // more numbers than declared: a list where three colors should be
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture + colors, v + facet_rows(" 2 0.5 0.5 9 1 1 1 1 1 1 1 1 1\n"))));
+  // line breaks where they need not be, and none where they should
+  std::string lines = PLY(xyz, indices + texture, v + facet_rows("\n2 0.25 0.75\n"));
+  CHECK(is_tetrahedron("read_lists.ply", lines));
+  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, vertex_rows(" ") + facet_rows(" 2 0.25 0.75 "))));
+}
+
+TEST_CASE("reading: a PLY text may have any types, line ends, comments and blank lines in its header")
+{
+  const std::string data = vertex_rows() + facet_rows();
+  for(const char* type : { "uchar", "int8", "short", "uint16", "uint", "int32", "uint64", "float", "double" })
+    CHECK(is_tetrahedron("read_types.ply", PLY(xyz, "property list uchar " + std::string(type) + " vertex_index\n", data)));
+  CHECK(is_tetrahedron("read_types.ply", PLY("property int x\nproperty double y\nproperty short z\n", indices, data)));
+  CHECK(is_tetrahedron("read_types.ply", PLY(xyz + "property int64 id\n", indices, vertex_rows(" 7\n") + facet_rows())));
+  CHECK(is_tetrahedron("read_types.ply", PLY(xyz, indices, data, "\ncomment\nobj_info none\nelement edge 0\n")));
+  CHECK(is_tetrahedron("read_types.ply", PLY(xyz, indices, data + "0 1\n", "element edge 1\nproperty int vertex1\nproperty int vertex2\n")));
+  std::string text = PLY(xyz, indices, data);
+  for(std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2) text.insert(i, "\r");
+  CHECK(is_tetrahedron("read_types.ply", text));
+}
+
+TEST_CASE("reading: a PLY file with triangle strips is refused by name, even if it has other facets")
+{
+  Offending_simplices offenders;
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n", data = vertex_rows() + facet_rows() + "6 0 2 1 3 0 2\n";
+  CHECK(read("read_strips.ply", PLY(xyz, indices, data, strips), offenders) == Shell_status::TRIANGLE_STRIPS);
+  CHECK(std::string(message(Shell_status::TRIANGLE_STRIPS)).find("list of facets") != std::string::npos);
+  CHECK(is_tetrahedron("read_strips.ply", PLY(xyz, indices, data, "element tristrips 0\nproperty list int int vertex_indices\n")));
+}
+
+TEST_CASE("reading: a PLY text that is not whole is unreadable")
+{
+  Offending_simplices offenders;
+  const std::string v = vertex_rows(), f = facet_rows(), whole = PLY(xyz, indices, v + f);
+  const auto replaced = [&](const std::string& old, const std::string& by) {
+    std::string text = whole;
+    return text.replace(text.find(old), old.size(), by);
+  };
+  for(const std::string& text : {
+        replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
+        replaced("end_header\n", ""), replaced("property float z\n", ""), replaced("float z", "float h"), replaced("vertex_indices", "corners"),
+        replaced("uchar int", "uchar"), replaced("uchar int", "float int"), replaced("float z", "real z"), replaced("ascii", "text"),
+        replaced("format ascii 1.0\n", ""), replaced("vertex 4", "vertex 4000000000000"), replaced("face 4", "face 4000000000000"),
+        replaced("vertex 4", "vertex -4"), replaced("vertex 4", "vertex 3"), replaced("3 0 2 1", "1900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"),
+        replaced("3 0 2 1", "3 0 -2 1"), replaced("3 0 2 1", "3 0 4 1"), replaced(indices, ""), replaced("ply", "PLY"),
+        replaced("property float x", "property list uchar float x"), replaced(indices, "property int vertex_indices\n") }) {
+    CAPTURE(text);
+    CHECK(read("read_broken.ply", text, offenders) == Shell_status::UNREADABLE_FILE);
+  }
+}
+
+TEST_CASE("reading: binary PLY data are read with all their properties, and not at all if they end early or are of no known type")
+{
+  Offending_simplices offenders;
+  for(bool is_big_endian : { false, true }) {
+    const std::string whole = binary_PLY(is_big_endian);
+    CHECK(is_tetrahedron("read_binary.ply", whole));
+    const std::size_t data = whole.find("end_header\n") + 11;
+    for(std::size_t size = data; size < whole.size(); ++size)
+      if(read("read_binary.ply", whole.substr(0, size), offenders) != Shell_status::UNREADABLE_FILE) FAIL(size - data);
+    for(int length : { -2, 1900000000 })
+      CHECK(read("read_binary.ply", binary_PLY(is_big_endian, length), offenders) == Shell_status::UNREADABLE_FILE);
+    for(const char* type : { "int", "int64", "list uchar float" }) {
+      std::string text = whole;
+      CHECK(read("read_binary.ply", text.replace(text.find("float x"), 5, type), offenders) == Shell_status::UNREADABLE_FILE);
+    }
+    std::string text = whole;
+    CHECK(read("read_binary.ply", text.replace(text.find("uchar flag"), 5, "int64"), offenders) == Shell_status::UNREADABLE_FILE);
+  }
+}
+
+TEST_CASE("reading: nothing is printed")
+{
+  std::ostringstream printed;
+  std::streambuf* const before = std::cerr.rdbuf(printed.rdbuf());
+  Offending_simplices offenders;
+  for(const char* name : { "read_silent.ply", "read_silent.off", "read_silent.obj", "read_silent.stl", "read_silent.ts" })
+    read(name, "f 1 2 x\nthis is no mesh", offenders);
+  std::string text = binary_PLY(false);
+  read("read_silent.ply", text.replace(text.find("int int"), 7, "int float"), offenders);      // CGAL's reader refuses this one
+  std::cerr.rdbuf(before);
+  CHECK(printed.str() == "");
 }
 
 TEST_CASE("reading: three facets at an edge are not manifold, and named")

@@ -4,6 +4,8 @@
 //   fit_benchmark [--gamma G[,G...]] [--paper-energy] [MESH ...]
 //
 // Default: gamma 30, 50, 70, 90 and 100 on elephant and fandisk. --paper-energy adds E_singularH in both modes.
+#include "../json.h"
+
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/bspline_shell_3.h>
 
@@ -57,7 +59,7 @@ bool measure(const std::string& file, double gamma, bool dense, bool paper_energ
     const BS::Shell_report& r = shell.report();
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
-    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"facets\":" << r.triangles << ",\"gamma\":" << gamma
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << r.triangles << ",\"gamma\":" << gamma
               << ",\"mode\":\"" << (dense ? "reference" : "band") << "\",\"energy\":\""
               << (paper_energy ? "paper" : "quadratic") << "\",\"status\":\"" << (shell ? "success" : message(shell.status()))
               << "\",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"widenings\":" << r.widenings;
@@ -85,6 +87,7 @@ bool measure(const std::string& file, double gamma, bool dense, bool paper_energ
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   std::vector<double> gammas = { 30, 50, 70, 90, 100 };
   std::vector<std::string> files;
   bool paper_energy = false;
@@ -108,14 +111,14 @@ int main(int argc, char** argv)
       if(!both) continue;
       band[gamma] = narrow;
       const double thickness = dense.eps2 - dense.eps1;
-      std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"gamma\":" << gamma << ",\"reference_over_band\":{\"seconds\":"
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"gamma\":" << gamma << ",\"reference_over_band\":{\"seconds\":"
                 << dense.seconds / narrow.seconds << ",\"memory\":" << dense.peak_mb / narrow.peak_mb << ",\"unknowns\":"
                 << dense.unknowns / narrow.unknowns << "},\"level_difference\":{\"eps1\":"
                 << (narrow.eps1 - dense.eps1) / dense.eps1 << ",\"eps2\":" << (narrow.eps2 - dense.eps2) / dense.eps2
                 << ",\"of_thickness\":" << (narrow.eps2 - narrow.eps1 - thickness) / thickness << "}}" << std::endl;
     }
     if(band.count(50) && band.count(100))
-      std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"growth\":\"gamma 50 to 100\",\"seconds\":"
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"growth\":\"gamma 50 to 100\",\"seconds\":"
                 << band[100].seconds / band[50].seconds << ",\"memory\":" << band[100].peak_mb / band[50].peak_mb << "}"
                 << std::endl;
   }

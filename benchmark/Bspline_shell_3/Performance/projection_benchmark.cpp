@@ -26,6 +26,7 @@ double microseconds(const Map& map, const Locations& locations, std::size_t& los
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   const Arguments arguments(argc, argv, 1000000, MESHES "/armadillo.off");
   for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
     const double unit = shell.report().unit;
@@ -38,7 +39,7 @@ int main(int argc, char** argv)
       std::size_t lost, lost_too;
       const double one = microseconds<CGAL::Sequential_tag>(map, locations, lost);
       const double all = microseconds<CGAL::Parallel_if_available_tag>(map, locations, lost_too);
-      std::cout << "{\"mesh\":\"" << name << "\",\"facets\":" << mesh.number_of_faces() << ",\"points\":" << arguments.points
+      std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces() << ",\"points\":" << arguments.points
                 << ",\"moved_by\":" << part << ",\"tolerance\":" << tolerance << ",\"lost\":" << lost
                 << ",\"microseconds\":{\"one_core\":" << one << ",\"all_cores\":" << all << "},\"speedup\":" << one / all
                 << ",\"preparation_seconds\":" << preparation << "}" << std::endl;

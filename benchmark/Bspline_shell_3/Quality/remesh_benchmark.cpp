@@ -48,7 +48,7 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
   std::optional<Shell> shell;
   if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell || !shell->is_certified()) {
-    std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"no certified shell\"}" << std::endl;
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified shell\"}" << std::endl;
     return;
   }
   const double length = shell->report().unit / edges;
@@ -70,7 +70,7 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
   const auto report = BS::remesh_in_shell(mesh, length, *shell,
     BS::parameters::number_of_iterations(iterations).number_of_relaxation_steps(2).edge_is_constrained_map(sharp));
   const double seconds = timer.time();
-  std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"" << (report ? "certified" : message(report.status)) << "\",\"facets\":"
+  std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"" << (report ? "certified" : message(report.status)) << "\",\"facets\":"
             << report.facets_before << ",\"before\":" << before << ",\"in_shell\":{\"facets\":" << report.facets << ",\"quality\":"
             << quality(mesh) << ",\"splits\":" << report.splits << ",\"collapses\":" << report.collapses << ",\"flips\":" << report.flips
             << ",\"moves\":" << report.moves << ",\"rejected\":{";
@@ -85,6 +85,7 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   double edges = 60, thickness = 0.01;
   unsigned int iterations = 5;
   std::vector<std::string> files;
@@ -110,7 +111,7 @@ int main(int argc, char** argv)
     }
     int status = 1;
     if(child < 0 || waitpid(child, &status, 0) < 0 || status != 0)
-      std::cout << "{\"mesh\":\"" << mesh_name(file) << "\",\"status\":\"the process did not end well\"}" << std::endl;
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"the process did not end well\"}" << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -140,7 +140,7 @@ void measure(const std::string& name, const Shell& shell, const Mesh& mesh, cons
   travel(map.to_target(), map.to_source(), points_of(mesh, number), trip);
   travel(map.to_source(), map.to_target(), points_of(second, number), trip);
   const Jumps jump = jumps(map, 2000);
-  std::cout << "{\"mesh\":\"" << name << "\",\"facets\":" << mesh.number_of_faces() << ",\"second\":\"" << kind << "\",\"facets_of_second\":"
+  std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces() << ",\"second\":\"" << kind << "\",\"facets_of_second\":"
             << second.number_of_faces() << ",\"points\":" << trip.points << ",\"lost\":" << trip.lost << ",\"reasons\":{";
   bool comma = false;
   for(const auto& reason : trip.reasons) {
@@ -154,6 +154,7 @@ void measure(const std::string& name, const Shell& shell, const Mesh& mesh, cons
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   const Arguments arguments(argc, argv, 100000, MESHES "/elephant.off");
   for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
     measure(name, shell, mesh, moved, "moved by " + std::to_string(part), arguments.points);

@@ -7,6 +7,8 @@
 // --facets (default 300) or --ratio: where to stop; what the shell does not allow is compared at the number that it allows. --thickness
 // (default 0.01, of the longest box side) of the shell. --points: number of samples of the Hausdorff distances (default 50000). Distances are
 // in units of the longest box side, angles in degrees. --max-seconds: after which a process is given up.
+#include "../json.h"
+
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/simplify_in_shell.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -46,16 +48,6 @@ struct Options
   unsigned max_seconds = 0;
   std::string policy = "plane";
 };
-
-std::string quoted(const std::string& text)
-{
-  std::string result = "\"";
-  for(char c : text) {
-    if(c == '"' || c == '\\') result += '\\';
-    if(static_cast<unsigned char>(c) >= 0x20) result += c;
-  }
-  return result + "\"";
-}
 
 void print_refused(const std::string& file, const std::string& reason)
 {
@@ -159,6 +151,7 @@ int run(const std::string& file, const Options& options)
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   Options options;
   std::vector<std::string> files;
   for(int n = 1; n < argc; ++n) {

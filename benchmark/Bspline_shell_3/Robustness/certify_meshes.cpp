@@ -6,7 +6,11 @@
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
-// Thicknesses, eps1 and eps2 are in units of the longest box side.
+// Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
+// The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even
+// that is proved), or "refused".
+#include "../json.h"
+
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
@@ -44,16 +48,6 @@ struct Options
   std::string directory;
 };
 
-std::string quoted(const std::string& text)
-{
-  std::string result = "\"";
-  for(char c : text) {
-    if(c == '"' || c == '\\') result += '\\';
-    if(static_cast<unsigned char>(c) >= 0x20) result += c;
-  }
-  return result + "\"";
-}
-
 std::string stem(const std::string& file)
 {
   const std::string base = file.substr(file.find_last_of('/') + 1);
@@ -76,20 +70,14 @@ std::string list(const std::vector<std::size_t>& numbers)
   return out.str();
 }
 
-// null if it is not a positive, finite number
-std::string number(double x)
-{
-  std::ostringstream out;
-  if(std::isfinite(x) && x > 0) out << x;
-  else out << "null";
-  return out.str();
-}
+// printed as null if it is not positive
+double if_positive(double x) { return x > 0 ? x : std::numeric_limits<double>::quiet_NaN(); }
 
 void print_refused(const std::string& file, const Options& options, const std::string& reason,
                    const BS::Offending_simplices& offenders, double seconds, double mb)
 {
   std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << ",\"gamma\":"
-            << number(options.gamma) << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
+            << if_positive(options.gamma) << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
             << list(offenders.vertices) << "},\"seconds\":{\"total\":" << seconds << "},\"peak_mb\":" << mb << "}" << std::endl;
 }
 
@@ -131,7 +119,7 @@ bool write_files(const std::string& file, const Options& options, const Shell& s
          });
 }
 
-// the smallest and the largest threshold
+// the smallest and the largest threshold; none, if the shell is empty
 template <typename Shell>
 BS::Level_range threshold_range(const Shell& shell)
 {
@@ -162,6 +150,10 @@ void print(const std::string& file, const Shell& shell, const BS::Certificate_re
   if(reason.empty())
     for(int c = 0; c < 5; ++c)
       if(certificate.verdicts[c] != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
+  const bool has_mesh = certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED;
+  if(!has_mesh) reason = "The mesh is not known to lie between the surfaces: " + reason;
+  if(!r.rounds.empty() && r.refinement != BS::Refinement_status::CERTIFIED)
+    reason += (reason.empty() ? "" : ". ") + std::string(message(r.refinement));
   const auto tier = [](const BS::Predicate_statistics& p) {
     std::ostringstream out;
     out << "{\"cell\":" << p.by_cell << ",\"form\":" << p.by_form << ",\"subdivided\":" << p.subdivisions << "}";
@@ -170,18 +162,18 @@ void print(const std::string& file, const Shell& shell, const BS::Certificate_re
   const BS::Level_range thresholds = threshold_range(shell);
   const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
   std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
-            << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
+            << ",\"status\":\"" << (certified ? "certified" : has_mesh ? "not_certified" : "no_shell") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
             << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
             << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
-            << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
+            << ",\"thickness\":" << (has_mesh ? shell.relative_thickness() : std::numeric_limits<double>::quiet_NaN()) << ",\"narrowed_area\":" << r.narrowed_area
             << ",\"min_cone_margin\":" << certificate.least_cone_margin
             << ",\"singular_vertices\":" << certificate.singular_vertices.size() << ",\"certificate\":{";
   for(int c = 0; c < 5; ++c)
     std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdicts[c]) << "\"";
   std::cout << "},\"violations\":{\"facets\":" << bad_facets.size() << ",\"cells\":" << bad_cells.size() << "},\"places\":"
             << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient << ",\"displacement\":"
-            << number(certificate.displacement_bound / r.unit)
+            << if_positive(certificate.displacement_bound / r.unit)
             << ",\"least_angle\":" << certificate.least_angle << ",\"tiers\":{\"containment\":" << tier(s.containment)
             << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
             << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"undecided\":" << s.undecided_boxes
@@ -269,6 +261,7 @@ void certify_apart(const std::string& file, const Options& options)
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   Options options;
   std::vector<std::string> files;
   bool usable = true;

@@ -2,6 +2,8 @@
 // levels. Where containment is proved, W must be one. One JSON object a line.
 //
 //   sample_containment [--gamma G[,G...]] [--samples N] FILE...
+#include "../json.h"
+
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 #include <CGAL/bspline_shell_3.h>
@@ -65,6 +67,7 @@ std::vector<Point_3> poisson_disk_samples(Mesh mesh, std::size_t size)
 
 int main(int argc, char** argv)
 {
+  print_JSON_numbers();
   std::vector<double> gammas = { 50 };
   std::vector<std::string> files;
   std::size_t size = 100000;
@@ -102,7 +105,7 @@ int main(int argc, char** argv)
         contained += f && *f >= shell.inner_level() && *f <= shell.outer_level();
       }
       const double w = double(contained) / double(samples.size());
-      std::cout << "{\"mesh\":\"" << file << "\",\"gamma\":" << gamma << ",\"samples\":" << samples.size() << ",\"W\":" << w
+      std::cout << "{\"mesh\":" << quoted(file) << ",\"gamma\":" << gamma << ",\"samples\":" << samples.size() << ",\"W\":" << w
                 << ",\"containment\":\"" << name(certificate.verdict(BS::Claim::CONTAINMENT)) << "\"}" << std::endl;
       if(proved && contained < samples.size()) exit_code = EXIT_FAILURE;
     }

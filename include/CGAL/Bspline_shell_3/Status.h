@@ -23,6 +23,7 @@ enum class Shell_status
   NOT_BUILT,                   ///< nothing was asked for yet
   INVALID_PARAMETER,           ///< a named parameter has a value that it must not have
   UNREADABLE_FILE,             ///< no mesh could be read from the file
+  TRIANGLE_STRIPS,             ///< the file holds its facets as triangle strips
   EMPTY_MESH,                  ///< the mesh has no facet
   NOT_FINITE,                  ///< a coordinate is infinite or not a number
   COORDINATES_OUT_OF_RANGE,    ///< coordinates beyond 1e60, or a box smaller than 1e-60: products would over- or underflow
@@ -57,6 +58,8 @@ inline const char* message(Shell_status status)
       return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings not negative.";
     case Shell_status::UNREADABLE_FILE:
       return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
+    case Shell_status::TRIANGLE_STRIPS:
+      return "The file holds its facets as triangle strips (tristrips), which are not read: save it with a list of facets.";
     case Shell_status::EMPTY_MESH:
       return "The mesh has no facet.";
     case Shell_status::NOT_FINITE:

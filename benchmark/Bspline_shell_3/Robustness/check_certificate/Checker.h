@@ -214,9 +214,12 @@ private:
   static bool is_excluded(const Splines& s) { return hull(above(s, INNER)).hi < 0 || hull(above(s, OUTER)).lo > 0; }
 
   // Whether f rises along the direction on all of a cube, and, where it may equal a threshold, is steeper than this: so grad f .
-  // grad (f - threshold) > 0.
-  static bool is_crossed(const Splines& s, const std::array<Interval, 3>& direction)
+  // grad (f - threshold) > 0. Numbers are divided by the largest of them, as squares of very small ones would not be known.
+  static bool is_crossed(const Splines& s, std::array<Interval, 3> direction)
   {
+    const double longest = largest_of(direction);
+    if(!(longest > 0)) return false;
+    for(Interval& d : direction) d = d / longest;
     const Interval slope = hull(derivative(s[FIELD], direction)).lo;
     if(!(slope.lo > 0)) return false;
     const Interval length = squared(direction);
@@ -230,10 +233,19 @@ private:
         const Interval g = hull(derivative(s[threshold], along));
         steepest[axis] = (std::max)(std::abs(g.lo), std::abs(g.hi));
       }
+      const double unit = (std::max)(slope.lo, largest_of(steepest));
+      for(Interval& g : steepest) g = g / unit;
       // |grad f| >= slope / |direction|
-      if(!((squared(steepest) * length).hi < (slope * slope).lo)) return false;
+      const Interval part = slope / unit;
+      if(!((squared(steepest) * length).hi < (part * part).lo)) return false;
     }
     return true;
+  }
+  static double largest_of(const std::array<Interval, 3>& v)
+  {
+    double most = 0;
+    for(const Interval& i : v) most = (std::max)(most, (std::max)(std::abs(i.lo), std::abs(i.hi)));
+    return most;
   }
   static Interval squared(const std::array<Interval, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 

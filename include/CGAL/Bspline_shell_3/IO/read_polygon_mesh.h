@@ -7,6 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 
 #include <CGAL/Bspline_shell_3/Status.h>
+#include <CGAL/Bspline_shell_3/internal/normalize_OFF.h>
+#include <CGAL/Bspline_shell_3/internal/normalize_PLY.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -20,6 +22,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,14 +40,44 @@ inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
   positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
 }
 
-// Whether an STL file without facets says so. CGAL's reader takes every text that is shorter than a binary header for
-// an empty mesh.
-inline bool is_empty_STL(const std::string& file)
+inline std::string read_text(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
+  return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
+}
+
+// Whether an STL file without facets says so. CGAL's reader takes every text that is shorter than a binary header for
+// an empty mesh.
+inline bool is_empty_STL(const std::string& text)
+{
   return text.find("endsolid") != std::string::npos
       || (text.size() >= 84 && text.compare(80, 4, std::string(4, '\0')) == 0);      // a header, and the number of facets
+}
+
+// CGAL's readers, behind what they need so as not to misread a file
+template <typename Point_3>
+Shell_status read_polygons(const std::string& file, std::vector<Point_3>& points, Polygons& polygons)
+{
+  const std::string extension = CGAL::IO::internal::get_file_extension(file);
+  const auto silent = CGAL::parameters::verbose(false);
+  bool is_read = false;
+  if(extension == "off") {
+    std::string text = read_text(file);
+    if(normalize_OFF(text)) {
+      std::istringstream in(std::move(text));
+      is_read = CGAL::IO::read_OFF(in, points, polygons, silent);
+    }
+  } else if(extension == "ply") {
+    std::string text = read_text(file);
+    const Shell_status status = normalize_PLY(text);
+    if(status != Shell_status::SUCCESS) return status;
+    std::istringstream in(std::move(text));
+    is_read = CGAL::IO::read_PLY(in, points, polygons, silent);
+  } else {
+    is_read = CGAL::IO::read_polygon_soup(file, points, polygons, silent)
+           && (!polygons.empty() || extension != "stl" || is_empty_STL(read_text(file)));
+  }
+  return is_read ? Shell_status::SUCCESS : Shell_status::UNREADABLE_FILE;
 }
 
 // Identifies points at equal positions. Returns where the first of each was, ascending.
@@ -160,14 +193,12 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offen
   std::vector<Point_3> points;
   internal::Polygons polygons;
   try {
-    if(!CGAL::IO::read_polygon_soup(file, points, polygons)) return Shell_status::UNREADABLE_FILE;
+    const Shell_status status = internal::read_polygons(file, points, polygons);
+    if(status != Shell_status::SUCCESS) return status;
   } catch(const std::exception&) {       // some readers throw on broken files
     return Shell_status::UNREADABLE_FILE;
   }
-  if(polygons.empty()) {
-    const bool is_STL = CGAL::IO::internal::get_file_extension(file) == "stl";
-    return is_STL && !internal::is_empty_STL(file) ? Shell_status::UNREADABLE_FILE : Shell_status::EMPTY_MESH;
-  }
+  if(polygons.empty()) return Shell_status::EMPTY_MESH;
   for(const auto& polygon : polygons)
     for(std::size_t v : polygon)
       if(v >= points.size()) return Shell_status::UNREADABLE_FILE;

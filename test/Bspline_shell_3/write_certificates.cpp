@@ -1,0 +1,160 @@
+// Writes small certificates for check_certificate_test.py, of kinds that the meshes of libcgal-demo do not show:
+//
+//   write_certificates DIRECTORY
+//
+//   varying, varying_hierarchy      thresholds that vary, on equal cells and on cells of three sizes
+//   components                      three components: a sphere in another one, and a third one beside them
+//   simplified                      a mesh that was simplified in its shell, by the shell's own cover
+//   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
+//
+// The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way round.
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/IO/write_certificate.h>
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Uniform_bspline_field_3<> Uniform_field;
+typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
+typedef std::function<double(const Point_3&)> Function;
+
+const double width = 0.25;       // of the cells of level 0
+
+// The cells, of a box around the origin, on which a function is small. Farther away, it does not matter.
+Root_cells cells_near(const Function& f, double distance, const Lattice_point& size)
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -size[2]; k < size[2]; ++k)
+    for(int j = -size[1]; j < size[1]; ++j)
+      for(int i = -size[0]; i < size[0]; ++i)
+        if(std::abs(f(Point_3((i + 0.5) * width, (j + 0.5) * width, (k + 0.5) * width))) < distance)
+          keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  const double x = size[0] * width, y = size[1] * width, z = size[2] * width;
+  return Root_cells(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), keys);
+}
+
+// its coefficients are a function's values
+template <typename Field>
+Field spline(Field field, const Function& f)
+{
+  const auto& lattice = field.cells().lattice();
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
+    int level = 0;
+    while(point < field.first_point(level)) ++level;      // the finest level comes first
+    const auto& p = field.points(level).point(point - field.first_point(level));
+    const double h = std::ldexp(lattice.spacing(), -level);
+    x[Eigen::Index(n)] = f(Point_3(lattice.origin()[0] + p[0] * h, lattice.origin()[1] + p[1] * h, lattice.origin()[2] + p[2] * h));
+  }
+  field.set_coefficients(x);
+  return field;
+}
+
+template <typename Shell, typename Certificate>
+bool write(const std::string& prefix, const Shell& shell, const Certificate& certificate, const std::set<BS::Claim>& not_proved = {})
+{
+  bool good = certificate.status() == BS::Shell_status::SUCCESS;
+  for(int c = 0; c < 5; ++c)
+    good = good && (certificate.verdict(BS::Claim(c)) != BS::Verdict::PROVED) == (not_proved.count(BS::Claim(c)) != 0);
+  good = good && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
+      && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
+      && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
+           return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
+         });
+  if(!good) {
+    std::cerr << prefix << " is not as expected:";
+    for(int c = 0; c < 5; ++c) std::cerr << ' ' << name(certificate.verdict(BS::Claim(c)));
+    std::cerr << '\n';
+  }
+  return good;
+}
+
+template <typename Field, typename Threshold>
+bool write(const std::string& prefix, const Field& f, const Threshold& inner, const Threshold& outer, const Mesh& mesh,
+           const std::set<BS::Claim>& not_proved = {})
+{
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const CGAL::Bspline_shell_3<Field, Threshold> shell(f, inner, outer, std::vector<char>(f.number_of_cells(), 1), {}, report);
+  BS::Shell_certificate_3<Field, Threshold> certificate(f, inner, outer);
+  certificate.verify(mesh);
+  return write(prefix, shell, certificate, not_proved);
+}
+
+double distance(const Point_3& p, const Point_3& center = CGAL::ORIGIN) { return std::sqrt(CGAL::squared_distance(p, center)); }
+
+template <typename Field>
+bool write_varying(const std::string& prefix, const Field& cells, const Mesh& mesh, const std::set<BS::Claim>& not_proved = {},
+                   const Function& inner_bump = [](const Point_3&) { return 0.; }, const Function& outer_bump = [](const Point_3&) { return 0.; })
+{
+  typedef BS::Spline_threshold<Field> Threshold;
+  const Field f = spline(cells, [](const Point_3& p) { return distance(p) - 1; });
+  return write(prefix, f, Threshold(spline(cells, [&](const Point_3& p) { return -0.2 + 0.1 * p.z() + inner_bump(p); })),
+               Threshold(spline(cells, [&](const Point_3& p) { return 0.25 - 0.1 * p.x() * p.y() + outer_bump(p); })), mesh, not_proved);
+}
+
+int main(int argc, char** argv)
+{
+  if(argc != 2) {
+    std::cerr << "Usage: write_certificates DIRECTORY\n";
+    return 2;
+  }
+  const std::string directory = std::string(argv[1]) + "/";
+  bool good = true;
+
+  // around the unit sphere
+  const Function around = [](const Point_3& p) { return distance(p) - 1; };
+  const Root_cells roots = cells_near(around, 0.6, { 8, 8, 8 });
+  const Uniform_field equal(roots);
+  CGAL::Random random(1);
+  good = write_varying(directory + "varying", equal, sphere(1)) && good;
+  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)), sphere(1)) && good;
+  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 }));        // the overhang does not reach their end
+  for(bool inner : { true, false }) {
+    const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
+    const Function bump = [&](const Point_3& p) { return p == place ? inner ? -2. : 3. : 0.; }, none = [](const Point_3&) { return 0.; };
+    good = write_varying(directory + (inner ? "steep_inner" : "steep_outer"), more, sphere(1), { BS::Claim::GRADIENT },
+                         inner ? bump : none, inner ? none : bump) && good;
+  }
+
+  // the volume between two spheres, and a third one
+  const Point_3 place(-1, 0, 0), beside(1.5, 0, 0);
+  const Function f = [&](const Point_3& p) {
+    return (std::min)((std::max)(distance(p, place) - 1.25, 0.5 - distance(p, place)), distance(p, beside) - 0.6);
+  };
+  Mesh mesh = sphere(1, 0.5, place);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  CGAL::copy_face_graph(sphere(1, 1.25, place), mesh);
+  CGAL::copy_face_graph(sphere(1, 0.6, beside), mesh);
+  const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { 12, 8, 8 })), f);
+  good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh) && good;
+
+  // simplified in its shell
+  Mesh simplified = sphere(2);
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(simplified,
+    BS::parameters::resolution(6).relative_thickness(0.1));
+  const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(simplified, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(80)));
+  BS::Shell_certificate_3 certificate(shell);
+  certificate.verify<CGAL::Sequential_tag>(simplified);
+  good = result && shell.proved_cover() && write(directory + "simplified", shell, certificate) && good;
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
