@@ -190,6 +190,18 @@ TEST_CASE("reading: an OFF file may have white space, comments and blank lines a
   }
 }
 
+TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
+{
+  for(const std::string& text : { "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" "), "OFF\n4 4 6\n" + vertex_rows(" ") + "\n" + facet_rows(" "),
+                                  "4 4 6 " + vertex_rows("\n") + facet_rows(" ") }) {
+    CAPTURE(text);
+    CHECK(is_tetrahedron("read_free.off", text));
+  }
+  Offending_simplices offenders;
+  CHECK(read("read_free.off", "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" ") + " 1", offenders) == Shell_status::UNREADABLE_FILE);
+  CHECK(read("read_free.off", "OFF 4 5 6 " + vertex_rows(" ") + facet_rows(" "), offenders) == Shell_status::UNREADABLE_FILE);
+}
+
 TEST_CASE("reading: an OFF file may lack the number of edges")
 {
   // the first vertex, not at zero: its first coordinate is not to be cut

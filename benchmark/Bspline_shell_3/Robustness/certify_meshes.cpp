@@ -32,7 +32,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -84,8 +83,6 @@ void print_refused(const std::string& file, const Options& options, const std::s
 // the first places where a claim is not proved
 std::string places(const BS::Certificate_report& certificate)
 {
-  static const char* const reasons[] = { "facet", "outside", "critical point", "box", "end of domain", "two sheets", "no path",
-                                         "crossings", "containment needed" };
   std::ostringstream out;
   out << std::setprecision(8) << "[";
   std::size_t printed[5] = {};
@@ -93,7 +90,7 @@ std::string places(const BS::Certificate_report& certificate)
   for(const BS::Certificate_witness& w : certificate.witnesses) {
     if(++printed[int(w.claim)] > 3) continue;
     out << (first ? "" : ",") << "{\"claim\":\"" << name(w.claim) << "\",\"verdict\":\"" << name(w.verdict) << "\",\"reason\":\""
-        << reasons[w.reason] << "\"";
+        << name(w.reason) << "\"";
     if(w.facet != w.none) out << ",\"facet\":" << w.facet;
     if(w.cell != w.none) out << ",\"cell\":" << w.cell;
     if(w.component != w.none) out << ",\"component\":" << w.component;
@@ -140,18 +137,11 @@ template <typename Shell>
 void print(const std::string& file, const Shell& shell, const BS::Certificate_report& certificate, bool certified, std::string reason,
            double seconds, bool written)
 {
-  std::set<std::size_t> bad_facets, bad_cells;
-  for(const BS::Certificate_witness& w : certificate.witnesses) {
-    if(w.facet != w.none) bad_facets.insert(w.facet);
-    if(w.cell != w.none) bad_cells.insert(w.cell);
-  }
   const BS::Shell_report& r = shell.report();
   const BS::Certificate_statistics& s = certificate.statistics;
   if(reason.empty())
     for(int c = 0; c < 5; ++c)
       if(certificate.verdicts[c] != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
-  const bool has_mesh = certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED;
-  if(!has_mesh) reason = "The mesh is not known to lie between the surfaces: " + reason;
   if(!r.rounds.empty() && r.refinement != BS::Refinement_status::CERTIFIED)
     reason += (reason.empty() ? "" : ". ") + std::string(message(r.refinement));
   const auto tier = [](const BS::Predicate_statistics& p) {
@@ -162,17 +152,19 @@ void print(const std::string& file, const Shell& shell, const BS::Certificate_re
   const BS::Level_range thresholds = threshold_range(shell);
   const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
   std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
-            << ",\"status\":\"" << (certified ? "certified" : has_mesh ? "not_certified" : "no_shell") << "\",\"reason\":" << quoted(reason)
+            << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
             << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
             << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
-            << ",\"thickness\":" << (has_mesh ? shell.relative_thickness() : std::numeric_limits<double>::quiet_NaN()) << ",\"narrowed_area\":" << r.narrowed_area
+            << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
             << ",\"min_cone_margin\":" << certificate.least_cone_margin
             << ",\"singular_vertices\":" << certificate.singular_vertices.size() << ",\"certificate\":{";
   for(int c = 0; c < 5; ++c)
     std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdicts[c]) << "\"";
-  std::cout << "},\"violations\":{\"facets\":" << bad_facets.size() << ",\"cells\":" << bad_cells.size() << "},\"places\":"
-            << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient << ",\"displacement\":"
+  std::cout << "},\"violations\":{";
+  for(int c = 0; c < 5; ++c)
+    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":" << certificate.number_of_witnesses[std::size_t(c)];
+  std::cout << "},\"places\":" << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient << ",\"displacement\":"
             << if_positive(certificate.displacement_bound / r.unit)
             << ",\"least_angle\":" << certificate.least_angle << ",\"tiers\":{\"containment\":" << tier(s.containment)
             << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"

@@ -17,13 +17,25 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-/*
- * Reduces the text of an OFF file to positions and facets, as CGAL's reader wants them. That reader refuses "OFF8 6 12"
- * and a header without a keyword; takes the first coordinate for the number of edges where that is missing; reads
- * beyond its buffers where colors or texture coordinates are; and reserves space for whatever number the file names.
- * Returns false for binary files, for other dimensions than three, and where a row is missing or too short.
- */
-inline bool normalize_OFF(std::string& text)
+// The OFF file whose numbers stand in lines as they like: possible if there is nothing but three counts, positions and indices.
+inline bool normalize_free_OFF(const std::string& text, std::string& out)
+{
+  std::vector<std::string_view> words;
+  for(Text_rows rows(text, 0, '#'); rows.next(words); ) {}
+  std::size_t n = !words.empty() && words[0] == "OFF" ? 1 : 0, vertices, facets;
+  if(words.size() < n + 3 || !read_count(words[n], vertices) || !read_count(words[n + 1], facets)) return false;
+  n += 3;
+  if(vertices > (words.size() - n) / 3 || facets > words.size()) return false;
+  out = "OFF\n" + std::to_string(vertices) + ' ' + std::to_string(facets) + " 0\n";
+  for(std::size_t v = 0; v < vertices; ++v, n += 3)
+    for(std::size_t a = 0; a < 3; ++a) (out += words[n + a]) += a < 2 ? ' ' : '\n';
+  for(std::size_t f = 0, size; f < facets; ++f, n += 1 + size)
+    if(n == words.size() || !read_count(words[n], size) || words.size() - n - 1 < size || !write_facet(words, n + 1, size, out)) return false;
+  return n == words.size();
+}
+
+// The OFF file with a row for the counts, for each vertex and for each facet, whatever else the rows have.
+inline bool normalize_OFF_rows(const std::string& text, std::string& out)
 {
   Text_rows rows(text, 0, '#');
   std::vector<std::string_view> words;
@@ -55,7 +67,7 @@ inline bool normalize_OFF(std::string& text)
   } else if(words.size() > first + 3) return false;
 
   const std::size_t coordinates = has_keyword && homogeneous ? 4 : 3;
-  std::string out = (coordinates == 4 ? "4OFF\n" : "OFF\n") + std::to_string(vertices) + ' ' + std::to_string(facets) + " 0\n";
+  out = (coordinates == 4 ? "4OFF\n" : "OFF\n") + std::to_string(vertices) + ' ' + std::to_string(facets) + " 0\n";
   for(std::size_t v = 0; v < vertices; ++v) {
     words.clear();
     if(!rows.next(words) || words.size() < coordinates) return false;
@@ -65,6 +77,19 @@ inline bool normalize_OFF(std::string& text)
     words.clear();
     if(!rows.next(words) || !read_count(words[0], size) || words.size() - 1 < size || !write_facet(words, 1, size, out)) return false;
   }
+  return true;
+}
+
+/*
+ * Reduces the text of an OFF file to positions and facets, as CGAL's reader wants them. That reader refuses "OFF8 6 12"
+ * and a header without a keyword; takes the first coordinate for the number of edges where that is missing; reads
+ * beyond its buffers where colors or texture coordinates are; and reserves space for whatever number the file names.
+ * Returns false for binary files, for other dimensions than three, and where a row is missing or too short.
+ */
+inline bool normalize_OFF(std::string& text)
+{
+  std::string out;
+  if(!normalize_OFF_rows(text, out) && !normalize_free_OFF(text, out)) return false;
   text.swap(out);
   return true;
 }
