@@ -135,7 +135,9 @@ public:
     const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
     Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
     const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
-    *slope = verdict == Verdict::PROVED ? least.value / length * (1 - 4 * internal::rounding) : 0;
+    // a slope that is too large for a number is at least the largest one
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    *slope = verdict == Verdict::PROVED ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
     return verdict;
   }
 

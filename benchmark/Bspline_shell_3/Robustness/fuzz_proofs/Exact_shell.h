@@ -27,6 +27,7 @@ public:
   // at a point, all times a positive number that depends on its cell
   struct Jets { Exact_jet f, inner, outer; Dyadic scale; };
   enum Answer { HOLDS, FAILS, UNDEFINED };
+  enum Needed { FIELD = 0, INNER = 1, OUTER = 2 };      // to know that something holds
 
   // the field and the thresholds outlive this object
   Exact_shell(const Field& field, const Threshold& inner, const Threshold& outer)
@@ -38,19 +39,25 @@ public:
   const Threshold& inner() const { return m_inner_threshold; }
   const Threshold& outer() const { return m_outer_threshold; }
 
+  // of a cell on which the field is defined; a threshold that is not has the field's value
   Jets jets(Cell_index c, const Dyadic_vector& p) const
   {
-    return { m_field.jet(c, p), m_inner.jet(m_field, c, p), m_outer.jet(m_field, c, p), m_field.scale(c) };
+    const Exact_jet f = m_field.jet(c, p), unknown = { f.value, { Dyadic(0), Dyadic(0), Dyadic(0) } };
+    return { f, m_inner.is_defined(c) ? m_inner.jet(m_field, c, p) : unknown, m_outer.is_defined(c) ? m_outer.jet(m_field, c, p) : unknown,
+             m_field.scale(c) };
   }
   bool is_defined(Cell_index c) const { return m_field.bernstein(c) && m_inner.is_defined(c) && m_outer.is_defined(c); }
 
-  // whether `holds`, a function of jets, is true at a point; nothing is outside of the domain
+  // Whether `holds`, a function of jets, is true at a point; nothing is outside of the domain.
   template <typename Holds>
-  Answer ask(const Dyadic_vector& p, const Holds& holds) const
+  Answer ask(const Dyadic_vector& p, const Holds& holds, int needed = INNER | OUTER) const
   {
     const auto cells = m_field.cells_at(p);
-    for(Cell_index c : cells)
-      if(is_defined(c)) return holds(jets(c, p)) ? HOLDS : FAILS;
+    for(Cell_index c : cells) {
+      if(!m_field.bernstein(c)) continue;
+      if(!holds(jets(c, p))) return FAILS;
+      if((!(needed & INNER) || m_inner.is_defined(c)) && (!(needed & OUTER) || m_outer.is_defined(c))) return HOLDS;
+    }
     return cells.empty() ? FAILS : UNDEFINED;
   }
 
@@ -85,12 +92,12 @@ std::string describe(const std::array<Point, size>& simplex)
 // at the witness.
 template <typename Shell, std::size_t size, typename Margin, typename Holds>
 void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const BS::Witness& witness, const Shell& shell,
-                   const std::array<Point_3, size>& simplex, const Margin& margin, const Holds& holds)
+                   const std::array<Point_3, size>& simplex, const Margin& margin, const Holds& holds, int needed)
 {
   tally.count(kind, verdict);
   if(verdict == Verdict::PROVED) {
     for(const Barycentric<size>& b : worst_points(simplex, margin))
-      if(shell.ask(exact_point(simplex, b), holds) != Shell::HOLDS) {
+      if(shell.ask(exact_point(simplex, b), holds, needed) != Shell::HOLDS) {
         tally.wrong(kind, "proved on" + describe(simplex));
         return;
       }
@@ -99,7 +106,7 @@ void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const
     double sum = 0;
     for(std::size_t v = 0; v < size; ++v) sum += b[v] = witness.barycentric[v];
     const Dyadic_vector p = exact_point(simplex, b);
-    if(sum != 1 || shell.ask(p, holds) != Shell::FAILS) tally.wrong(kind, "refuted on" + describe(simplex));
+    if(sum != 1 || shell.ask(p, holds, needed) != Shell::FAILS) tally.wrong(kind, "refuted on" + describe(simplex));
     if(witness.outside && !shell.exact_field().cells_at(p).empty()) tally.wrong(kind, "a witness outside of the domain is inside, of" + describe(simplex));
   }
 }

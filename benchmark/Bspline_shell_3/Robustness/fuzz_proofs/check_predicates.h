@@ -12,12 +12,24 @@
 // the double next to a computed one by some units in the last place, or by a random share of `size`
 inline double nearby(CGAL::Random& random, double x, double size)
 {
-  if(chance(random, 0.3)) {
+  if(chance(random, 0.1)) {
     for(int n = random.get_int(-2, 3); n != 0; n += n < 0 ? 1 : -1)
       x = std::nextafter(x, n < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
     return x;
   }
   return x + random_distance(random) * size;
+}
+
+// A lower bound of a function on a simplex. Mostly one that is false, but holds at the vertices: where the function sags between them.
+template <std::size_t size, typename Function>
+double random_bound(CGAL::Random& random, const std::array<Point_3, size>& simplex, const Function& f, double size_of_values)
+{
+  const double least = f(rounded_point(simplex, worst_points(simplex, f).front()));
+  double at_vertices = std::numeric_limits<double>::infinity();
+  for(const Point_3& p : simplex) at_vertices = (std::min)(at_vertices, f({ p[0], p[1], p[2] }));
+  if(least < at_vertices && chance(random, 0.6))
+    return least + (at_vertices - least) * (random.get_bool() ? random.get_double(0, 1) : power_of_ten(random, -6, 0));
+  return nearby(random, least, size_of_values);
 }
 
 // how large coefficients are around a point
@@ -66,13 +78,12 @@ void check_levels(Tally& tally, CGAL::Random& random, const Shell& shell, const 
   const auto& field = shell.field();
   const auto value = [&](const std::array<double, 3>& p) { return rounded_value(field, p); };
   const auto negative = [&](const std::array<double, 3>& p) { return -value(p); };
-  const double size_of_values = magnitude(field, simplex[0]),
-               least = value(rounded_point(simplex, worst_points(simplex, value).front())),
-               most = value(rounded_point(simplex, worst_points(simplex, negative).front()));
+  const double size_of_values = magnitude(field, simplex[0]), least = random_bound(random, simplex, value, size_of_values),
+               most = -random_bound(random, simplex, negative, size_of_values);
   BS::Level_range levels;
   const bool at_least = random.get_bool(), at_most = !at_least || random.get_bool();
-  levels.min = at_least ? nearby(random, least, size_of_values) : least - size_of_values;
-  levels.max = at_most ? nearby(random, most, size_of_values) : most + size_of_values;
+  levels.min = at_least ? least : least - size_of_values;
+  levels.max = at_most ? most : most + size_of_values;
   if(!std::isfinite(levels.min) || !std::isfinite(levels.max)) return;
   BS::Witness witness;
   const Verdict verdict = predicates.values_within(simplex, levels, &witness);
@@ -80,7 +91,7 @@ void check_levels(Tally& tally, CGAL::Random& random, const Shell& shell, const 
   check_verdict(tally, size == 2 ? "segment_within_levels" : "triangle_within_levels", verdict, witness, shell, simplex, margin,
                 [&](const typename Shell::Jets& j) {
                   return j.f.value >= Dyadic(levels.min) * j.scale && j.f.value <= Dyadic(levels.max) * j.scale;
-                });
+                }, Shell::FIELD);
 }
 
 template <typename Shell>
@@ -94,7 +105,7 @@ void check_thresholds(Tally& tally, const Shell& shell, const BS::Field_predicat
   const Verdict verdict = predicates.values_within(simplex, shell.inner(), shell.outer(), &witness);
   const auto margin = [&](const std::array<double, 3>& p) { return (std::min)(shell.above_inner(p), shell.below_outer(p)); };
   check_verdict(tally, size == 2 ? "segment_within_thresholds" : "triangle_within_thresholds", verdict, witness, shell, simplex, margin,
-                &is_between<Shell>);
+                &is_between<Shell>, Shell::INNER | Shell::OUTER);
 }
 
 template <typename Shell>
@@ -107,12 +118,12 @@ void check_slope(Tally& tally, CGAL::Random& random, const Shell& shell, const B
   BS::Witness witness;
   Verdict verdict = predicates.crosses_upwards(triangle, &witness);
   check_verdict(tally, "crosses_upwards", verdict, witness, shell, triangle, slope,
-                [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, 0); });
+                [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, 0); }, Shell::FIELD);
   double bound = slope({ triangle[0][0], triangle[0][1], triangle[0][2] }) / n.norm() * random.get_double(0, 2);
   verdict = predicates.crosses_upwards(triangle, &witness, nullptr, &bound);
   if(verdict != Verdict::PROVED && bound != 0) tally.wrong("slope_bound", "of what is not proved, on" + describe(triangle));
   check_verdict(tally, "slope_bound", verdict, witness, shell, triangle, slope,
-                [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, bound); });
+                [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, bound); }, Shell::FIELD);
 }
 
 template <typename Shell>
@@ -124,12 +135,12 @@ void check_segment(Tally& tally, const Shell& shell, const BS::Field_predicates_
   BS::Witness witness;
   Verdict verdict = predicates.increases(segment, &witness);
   check_verdict(tally, "increases", verdict, witness, shell, segment, slope,
-                [&](const typename Shell::Jets& j) { return sign(dot(along, j.f.gradient)) > 0; });
+                [&](const typename Shell::Jets& j) { return sign(dot(along, j.f.gradient)) > 0; }, Shell::FIELD);
   if constexpr(!Shell::Threshold::is_constant) {
     verdict = predicates.increases_above(segment, shell.outer(), &witness);
     check_verdict(tally, "increases_above", verdict, witness, shell, segment,
                   [&](const std::array<double, 3>& p) { return slope(p) - direction.dot(rounded_gradient(shell.outer().field(), p)); },
-                  [&](const typename Shell::Jets& j) { return sign(dot(along, minus(j.f.gradient, j.outer.gradient))) > 0; });
+                  [&](const typename Shell::Jets& j) { return sign(dot(along, minus(j.f.gradient, j.outer.gradient))) > 0; }, Shell::OUTER);
   }
 }
 
@@ -139,7 +150,8 @@ void check_is_beyond(Tally& tally, const Shell& shell, const BS::Field_predicate
   for(CGAL::Sign side : { CGAL::NEGATIVE, CGAL::POSITIVE }) {
     const bool is_beyond = predicates.is_beyond(p, shell.inner(), side);
     tally.count("is_beyond", is_beyond ? Verdict::PROVED : Verdict::UNDECIDED);
-    if(is_beyond && shell.ask(dyadic(p), [&](const typename Shell::Jets& j) { return sign(j.f.value - j.inner.value) == int(side); }) != Shell::HOLDS)
+    if(is_beyond && shell.ask(dyadic(p), [&](const typename Shell::Jets& j) { return sign(j.f.value - j.inner.value) == int(side); },
+                              Shell::INNER) != Shell::HOLDS)
       tally.wrong("is_beyond", "at" + describe(std::array<Point_3, 1>{ p }));
   }
 }
@@ -156,9 +168,9 @@ void check_examination(Tally& tally, CGAL::Random& random, const Shell& shell, c
                                     wanted);
   const auto faces_along = [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, found.is_transversal ? found.slope : 0); };
   check_verdict(tally, "examine_contained", found.is_contained ? Verdict::PROVED : Verdict::UNDECIDED, BS::Witness(), shell, t, margin,
-                &is_between<Shell>);
+                &is_between<Shell>, Shell::INNER | Shell::OUTER);
   check_verdict(tally, "examine_transversal", found.is_transversal ? Verdict::PROVED : Verdict::UNDECIDED, BS::Witness(), shell, t, slope,
-                faces_along);
+                faces_along, Shell::FIELD);
   if(found.leaves_shell) {
     tally.count("examine_contained", Verdict::REFUTED);
     if(!fails_somewhere(shell, t, margin, &is_between<Shell>)) tally.wrong("examine_contained", "leaves the shell nowhere:" + describe(t));

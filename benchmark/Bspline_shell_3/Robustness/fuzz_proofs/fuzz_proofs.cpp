@@ -28,11 +28,10 @@ std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL
 {
   const auto value = [&](const std::array<double, 3>& p) { return rounded_value(field, p); };
   const auto negative = [&](const std::array<double, 3>& p) { return -value(p); };
-  const double size = magnitude(field, t[0]), least = value(rounded_point(t, worst_points(t, value).front())),
-               most = value(rounded_point(t, worst_points(t, negative).front()));
+  const double size = magnitude(field, t[0]), least = random_bound(random, t, value, size), most = -random_bound(random, t, negative, size);
   const bool is_close = random.get_bool();
-  const double inner = is_close ? nearby(random, least, size) : least - size * power_of_ten(random, -4, 0);
-  const double outer = !is_close || random.get_bool() ? nearby(random, most, size) : most + size * power_of_ten(random, -4, 0);
+  const double inner = is_close ? least : least - size * power_of_ten(random, -4, 0);
+  const double outer = !is_close || random.get_bool() ? most : most + size * power_of_ten(random, -4, 0);
   return { BS::Constant_threshold(std::isfinite(inner) ? inner : 0), BS::Constant_threshold(std::isfinite(outer) ? outer : 0) };
 }
 
@@ -50,9 +49,9 @@ random_thresholds(CGAL::Random& random, const Random_cells& cells, const Field& 
     Field spline = field;
     spline.set_coefficients(x);
     const auto margin = [&](const std::array<double, 3>& p) { return sign * (rounded_value(field, p) - rounded_value(spline, p)); };
-    const double least = margin(rounded_point(t, worst_points(t, margin).front()));
+    const double least = random_bound(random, t, margin, size);
     if(!std::isfinite(least)) return Threshold(std::move(spline));
-    const double shift = sign * (least - (is_close ? nearby(random, 0, size) : size * power_of_ten(random, -4, 0)));
+    const double shift = sign * (is_close ? least : least - size * power_of_ten(random, -4, 0));
     for(Eigen::Index n = 0; n < x.size(); ++n) x[n] += shift;
     spline.set_coefficients(std::move(x));
     return Threshold(std::move(spline));
@@ -67,13 +66,13 @@ template <typename Field, typename Threshold>
 void check_field(Tally& tally, CGAL::Random& random)
 {
   typedef Exact_shell<Field, Threshold> Shell;
-  const Random_cells cells(random, std::is_same<Field, Uniform_field>::value && chance(random, 0.2) ? 5 : 3);
+  const Random_cells cells(random, std::is_same<Field, Uniform_field>::value ? random.get_int(1, 5) : random.get_int(1, 4));
   if(!cells.roots.is_exact()) return;
   const Field field = random_field<Field>(random, cells);
   const BS::Field_predicates_3<Field> predicates(field);
   const Exact_field<Field> exact(field);
   check_cells(tally, random, exact);
-  for(int n = 0; n < 12; ++n) check_compare(tally, random, cells, exact);
+  for(int n = 0; n < 40; ++n) check_compare(tally, random, cells, exact);
   for(int round = 0; round < 4; ++round) {
     Triangle t = random_triangle(random, cells);
     if(chance(random, 0.4)) t = grazing_triangle(random, field, t);
@@ -91,9 +90,12 @@ void check_field(Tally& tally, CGAL::Random& random)
     check_segment(tally, shell, predicates, Segment{ t[1], t[2] });
     for(const Point_3& p : t) check_is_beyond(tally, shell, predicates, p);
     check_examination(tally, random, shell, bounds, t);
-    check_examination(tally, random, shell, bounds, Triangle{ t[0], CGAL::midpoint(t[0], t[1]), t[2] });
+    const Point_3 middles[] = { CGAL::midpoint(t[1], t[2]), CGAL::midpoint(t[2], t[0]), CGAL::midpoint(t[0], t[1]) };
+    for(const Triangle& part : { Triangle{ t[0], middles[2], t[2] }, Triangle{ t[0], middles[2], middles[1] }, Triangle{ t[1], middles[0], middles[2] },
+                                 Triangle{ t[2], middles[1], middles[0] } })
+      if(!is_degenerate(part)) check_examination(tally, random, shell, bounds, part);
     if(chance(random, 0.3)) check_oracle(tally, random, shell, t);
-    if(field.number_of_cells() <= 130 && chance(random, 0.1)) {
+    if(field.number_of_cells() <= 130 && chance(random, 0.15)) {
       std::vector<Point_3> seeds;
       for(const Point_3& p : { t[0], t[1], CGAL::centroid(t[0], t[1], t[2]) })
         if(field.locate(p) != Field::npos) seeds.push_back(p);

@@ -49,14 +49,15 @@ struct Random_cells
   Root_cells roots;
   Lattice_point first, last;
 
+  // at most so many along an axis
   Random_cells(CGAL::Random& random, int most_cells)
   {
     const double spacing = std::ldexp(random.get_double(0.5, 1), random.get_int(-300, 301));
     Vector center = Vector::Zero();
     if(chance(random, 0.5)) center = random_vector(random) * spacing * std::ldexp(1., random.get_int(0, 34));
     for(int a = 0; a < 3; ++a) {
-      first[a] = -random.get_int(0, most_cells);
-      last[a] = first[a] + random.get_int(1, most_cells);
+      first[a] = -random.get_int(0, most_cells + 1);
+      last[a] = first[a] + random.get_int(1, most_cells + 1) - 1;
     }
     const BS::Lattice_3 lattice(CGAL::Bbox_3(center[0], center[1], center[2], center[0], center[1], center[2]), spacing);
     roots = some_cells(random, lattice, first, last, chance(random, 0.8) ? 1 : 0.85);
@@ -166,8 +167,11 @@ inline Vector rounded_normal(const Triangle& t)
   return n / (std::max)(n.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
 }
 
-// as a distance from the decision, relative to what is decided about
-inline double random_distance(CGAL::Random& random) { return chance(random, 0.05) ? 0 : sign(random) * power_of_ten(random, -17.5, -2); }
+// As a distance from the decision, relative to what is decided about. Mostly not as near as to keep predicates busy up to their limits.
+inline double random_distance(CGAL::Random& random)
+{
+  return chance(random, 0.02) ? 0 : sign(random) * (chance(random, 0.3) ? power_of_ten(random, -17.5, -6) : power_of_ten(random, -6, -1));
+}
 
 // Triangles on a lattice, in cell faces, needles, large and tiny ones, partly outside.
 inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
@@ -193,7 +197,7 @@ inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
   }
 }
 
-// Turned so that the least slope across it is near a chosen small one.
+// Turned so that the least slope across it is near zero, or that it is less than zero but not at the vertices.
 template <typename Field>
 Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triangle& t)
 {
@@ -202,7 +206,7 @@ Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triang
   const Vector gradient = rounded_gradient(field, middle) / rounded_gradient(field, middle).norm();
   if(!gradient.allFinite()) return t;
   const Vector across = gradient.cross(random_direction(random)).normalized();
-  const double size = (Vector(t[1][0], t[1][1], t[1][2]) - Vector(t[0][0], t[0][1], t[0][2])).norm(), wanted = random_distance(random);
+  const double size = (Vector(t[1][0], t[1][1], t[1][2]) - Vector(t[0][0], t[0][1], t[0][2])).norm();
   const auto turned = [&](double angle) {
     Triangle triangle = t;
     const Vector q = size * (std::cos(angle) * gradient + std::sin(angle) * gradient.cross(across));
@@ -211,28 +215,36 @@ Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triang
     triangle[2] = Point_3(t[0][0] + r[0], t[0][1] + r[1], t[0][2] + r[2]);
     return triangle;
   };
-  const auto least_slope = [&](const Triangle& triangle) {
+  // on a grid of so many parts of an edge
+  const auto least_slope = [&](const Triangle& triangle, int parts) {
     const Vector n = rounded_normal(triangle);
     double least = std::numeric_limits<double>::infinity();
-    for(int i = 0; i <= 6; ++i)
-      for(int j = 0; i + j <= 6; ++j) {
+    for(int i = 0; i <= parts; ++i)
+      for(int j = 0; i + j <= parts; ++j) {
         std::array<double, 3> p;
-        for(int a = 0; a < 3; ++a) p[a] = (i * triangle[0][a] + j * triangle[1][a] + (6 - i - j) * triangle[2][a]) / 6;
+        for(int a = 0; a < 3; ++a) p[a] = (i * triangle[0][a] + j * triangle[1][a] + (parts - i - j) * triangle[2][a]) / parts;
         const Vector g = rounded_gradient(field, p);
         const double slope = n.dot(g) / g.norm();
         if(!(slope >= least)) least = slope;
       }
     return least;
   };
-  double low = -1, high = 1;
-  for(const double end : { low, high })
-    if(!(least_slope(turned(end)) == least_slope(turned(end)))) return t;
-  const bool rises = least_slope(turned(high)) > least_slope(turned(low));
-  for(int step = 0; step < 50; ++step) {
-    const double angle = (low + high) / 2;
-    ((least_slope(turned(angle)) < wanted) == rises ? low : high) = angle;
-  }
-  const Triangle result = turned(rises ? high : low);
+  constexpr int parts = 6;
+  for(double end : { -1, 1 })
+    if(std::isnan(least_slope(turned(end), parts))) return t;
+  const bool rises = least_slope(turned(1), parts) > least_slope(turned(-1), parts);
+  const auto with_least_slope = [&](double wanted, int steps) {
+    double low = -1, high = 1;
+    for(int step = 0; step < steps; ++step) {
+      const double angle = (low + high) / 2;
+      ((least_slope(turned(angle), parts) < wanted) == rises ? low : high) = angle;
+    }
+    return turned(rises ? high : low);
+  };
+  Triangle result = with_least_slope(0, 20);
+  const double sag = least_slope(result, 1) - least_slope(result, parts);
+  if(sag > 1e-4 && chance(random, 0.7)) result = with_least_slope(-sag * random.get_double(0, 1), 20);
+  else result = with_least_slope(random_distance(random), 50);
   return is_degenerate(result) ? t : result;
 }
 
