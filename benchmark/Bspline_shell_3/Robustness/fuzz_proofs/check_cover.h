@@ -95,7 +95,8 @@ private:
       if(box.kind == BS::Box_kind::UNDECIDED) { m_tally.count("box_monotone", Verdict::UNDECIDED); continue; }
       const std::string kind = box.kind == BS::Box_kind::EXCLUDED ? "box_excluded" : "box_monotone";
       m_tally.count(kind, Verdict::PROVED);
-      if(!m_shell.is_defined(c)) { m_tally.wrong(kind, "nothing is known on " + describe_box(n)); continue; }
+      // one threshold is enough to exclude a box
+      if(!m_shell.exact_field().bernstein(c)) { m_tally.wrong(kind, "nothing is known on " + describe_box(n)); continue; }
       // each with the polynomials of its own cell, in the closed box
       if(box.kind == BS::Box_kind::EXCLUDED) {
         const Place p = worst_place(m_bbox[n], [&](const Place& p) {

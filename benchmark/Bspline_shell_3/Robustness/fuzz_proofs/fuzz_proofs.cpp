@@ -10,15 +10,18 @@
 #include "check_geometry.h"
 #include "check_predicates.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 // thresholds at the extrema of the field on a triangle, or next to them
@@ -75,6 +78,7 @@ void check_field(Tally& tally, CGAL::Random& random)
   for(int n = 0; n < 40; ++n) check_compare(tally, random, cells, exact);
   for(int round = 0; round < 4; ++round) {
     Triangle t = random_triangle(random, cells);
+    if(chance(random, 0.3)) t = level_triangle(field, t);
     if(chance(random, 0.4)) t = grazing_triangle(random, field, t);
     else if(rounded_normal(t).dot(rounded_gradient(field, { t[0][0], t[0][1], t[0][2] })) < 0 && chance(random, 0.9)) std::swap(t[1], t[2]);
     const auto thresholds = random_thresholds(random, cells, field, t, static_cast<const Threshold*>(nullptr));

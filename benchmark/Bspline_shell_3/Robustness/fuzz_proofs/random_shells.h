@@ -197,6 +197,23 @@ inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
   }
 }
 
+// Its vertices moved, along the gradient, to where the field has one value: what it does between them then decides.
+template <typename Field>
+Triangle level_triangle(const Field& field, const Triangle& t)
+{
+  Triangle result = t;
+  const double level = rounded_value(field, { t[0][0], t[0][1], t[0][2] });
+  for(int v = 1; v < 3; ++v)
+    for(int step = 0; step < 4; ++step) {
+      const std::array<double, 3> p = { result[v][0], result[v][1], result[v][2] };
+      const Vector g = rounded_gradient(field, p), u = g / g.norm();
+      const double s = (level - rounded_value(field, p)) / g.norm();
+      if(!std::isfinite(s) || !u.allFinite()) return t;
+      result[v] = Point_3(p[0] + s * u[0], p[1] + s * u[1], p[2] + s * u[2]);
+    }
+  return is_degenerate(result) ? t : result;
+}
+
 // Turned so that the least slope across it is near zero, or that it is less than zero but not at the vertices.
 template <typename Field>
 Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triangle& t)
