@@ -310,6 +310,15 @@ TEST_CASE("Predicates: a slope that is too large for a number is bounded by one"
   CHECK(slope <= largest);
 }
 
+TEST_CASE("Predicates: no side of a threshold that varies outside of the domain, be it by the last bit")
+{
+  const Field field = linear_field(1, 0, 0);
+  const BS::Spline_threshold<Field> threshold(linear_field(0.5, 0, 0));
+  const Predicates predicates(field);
+  CHECK(predicates.is_beyond(Point_3(4, 0.3, 0.2), threshold, CGAL::POSITIVE));
+  CHECK_FALSE(predicates.is_beyond(Point_3(std::nextafter(4., 5.), 0.3, 0.2), threshold, CGAL::POSITIVE));
+}
+
 TEST_CASE("Predicates: segments along which the field increases")
 {
   const Field field = random_field(21);

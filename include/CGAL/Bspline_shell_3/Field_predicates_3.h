@@ -166,6 +166,7 @@ public:
       const std::optional<Comparison_result> result = compare(p, threshold.level());
       return result && *result == (side == POSITIVE ? LARGER : SMALLER);
     } else {
+      if(m_field->locate(p) == Field::npos) return false;      // by less than rounding, too
       Witness w;
       return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w, nullptr,
                     nullptr) == Verdict::REFUTED && !w.outside;
