@@ -1,5 +1,6 @@
 // Rigorous questions about fields: known answers, exact oracles, planted faults.
 #include <CGAL/Bspline_shell_3/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
 #include "test_meshes.h"
@@ -295,6 +296,27 @@ TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a le
     CHECK_FALSE(predicates.compare(away[0], not_a_number));
     CHECK(predicates.values_within(away, { 0, not_a_number }) == Verdict::UNDECIDED);
   }
+}
+
+TEST_CASE("Predicates: a slope that is too large for a number is bounded by one")
+{
+  constexpr double largest = std::numeric_limits<double>::max(), scale = 1e-20;
+  Field field = cube_field(CGAL::ORIGIN, scale);
+  set(field, [](double, double, double z) { return 1e300 * z; });
+  double slope = 0;
+  const Triangle t = { Point_3(0, 0, 0), Point_3(scale, 0, 0), Point_3(0, scale, 0) };
+  CHECK(Predicates(field).crosses_upwards(t, nullptr, nullptr, &slope) == Verdict::PROVED);
+  CHECK(slope > largest / 2);
+  CHECK(slope <= largest);
+}
+
+TEST_CASE("Predicates: no side of a threshold that varies outside of the domain, be it by the last bit")
+{
+  const Field field = linear_field(1, 0, 0);
+  const BS::Spline_threshold<Field> threshold(linear_field(0.5, 0, 0));
+  const Predicates predicates(field);
+  CHECK(predicates.is_beyond(Point_3(4, 0.3, 0.2), threshold, CGAL::POSITIVE));
+  CHECK_FALSE(predicates.is_beyond(Point_3(std::nextafter(4., 5.), 0.3, 0.2), threshold, CGAL::POSITIVE));
 }
 
 TEST_CASE("Predicates: segments along which the field increases")

@@ -144,7 +144,9 @@ public:
     const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
     Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
     const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
-    *slope = verdict == Verdict::PROVED ? least.value / length * (1 - 4 * internal::rounding) : 0;
+    // a slope that is too large for a number is at least the largest one
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    *slope = verdict == Verdict::PROVED ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
     return verdict;
   }
 
@@ -173,6 +175,7 @@ public:
       const std::optional<Comparison_result> result = compare(p, threshold.level());
       return result && *result == (side == POSITIVE ? LARGER : SMALLER);
     } else {
+      if(m_field->locate(p) == Field::npos) return false;      // by less than rounding, too
       Witness w;
       return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w, nullptr,
                     nullptr) == Verdict::REFUTED && !w.outside;

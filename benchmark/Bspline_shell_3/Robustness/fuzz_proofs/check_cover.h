@@ -1,0 +1,285 @@
+// Shell_cover_3: what its boxes say, the flood against brute force over all pairs of boxes, and bounds of the gradient.
+#ifndef CHECK_COVER_H
+#define CHECK_COVER_H
+
+#include "Exact_shell.h"
+
+#include <CGAL/Bspline_shell_3/Shell_cover_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+typedef std::array<double, 3> Place;
+
+// where a function is least in a box, nearly; all points are in the closed box
+template <typename Function>
+Place worst_place(const CGAL::Bbox_3& box, const Function& f)
+{
+  const auto value = [&](const Place& p) {
+    const double x = f(p);
+    return std::isnan(x) ? -std::numeric_limits<double>::infinity() : x;
+  };
+  const auto at = [&](int a, double t) { return (std::min)((box.max)(a), (std::max)((box.min)(a), (box.min)(a) + t * ((box.max)(a) - (box.min)(a)))); };
+  Place best = { box.xmin(), box.ymin(), box.zmin() };
+  double least = value(best);
+  for(int k = 0; k <= 2; ++k)
+    for(int j = 0; j <= 2; ++j)
+      for(int i = 0; i <= 2; ++i) {
+        const Place p = { i == 2 ? box.xmax() : at(0, i / 2.), j == 2 ? box.ymax() : at(1, j / 2.), k == 2 ? box.zmax() : at(2, k / 2.) };
+        const double x = value(p);
+        if(x < least) { least = x; best = p; }
+      }
+  for(double step = 0.25; step > 1e-7; ) {
+    const Place center = best;
+    for(int a = 0; a < 3; ++a)
+      for(double s : { -step, step }) {
+        Place p = center;
+        p[a] = (std::min)((box.max)(a), (std::max)((box.min)(a), p[a] + s * ((box.max)(a) - (box.min)(a))));
+        const double x = value(p);
+        if(x < least) { least = x; best = p; }
+      }
+    if(best == center) step /= 4;
+  }
+  return best;
+}
+
+template <typename Shell>
+class Cover_check
+{
+  typedef typename Shell::Field Field;
+  typedef typename Shell::Threshold Threshold;
+  typedef BS::Shell_cover_3<Field, Threshold> Cover;
+  typedef typename Shell::Jets Jets;
+
+public:
+  Cover_check(Tally& tally, CGAL::Random& random, const Shell& shell, const std::vector<Point_3>& seeds)
+    : m_tally(tally), m_random(random), m_shell(shell), m_cover(shell.field(), shell.inner(), shell.outer(), random.get_int(0, 3))
+  {
+    std::vector<std::uint32_t> components;
+    for(std::size_t n = 0; n < seeds.size(); ++n) components.push_back(m_cover.template flood<CGAL::Sequential_tag>(seeds[n], std::uint32_t(n)));
+    for(const BS::Cover_box& box : m_cover.boxes()) m_bbox.push_back(m_cover.bbox(box));
+    check_boxes();
+    check_tiling();
+    if(m_cover.boxes().size() < 6000) check_flood(seeds, components);
+    check_border();
+    check_gradients();
+  }
+
+private:
+  static bool touch(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b)
+  {
+    for(int d = 0; d < 3; ++d)
+      if((a.max)(d) < (b.min)(d) || (b.max)(d) < (a.min)(d)) return false;
+    return true;
+  }
+  static bool contains(const CGAL::Bbox_3& b, const Point_3& p) { return touch(b, p.bbox()); }
+
+  std::string describe_box(std::size_t n) const
+  {
+    const CGAL::Bbox_3& b = m_bbox[n];
+    return "box " + std::to_string(n) + " of cell " + std::to_string(m_cover.boxes()[n].cell)
+         + describe(Segment{ Point_3(b.xmin(), b.ymin(), b.zmin()), Point_3(b.xmax(), b.ymax(), b.zmax()) });
+  }
+
+  void check_boxes()
+  {
+    const std::size_t stride = m_cover.boxes().size() / 200 + 1;
+    for(std::size_t n = std::size_t(m_random.get_int(0, int(stride))); n < m_cover.boxes().size(); n += stride) {
+      const BS::Cover_box& box = m_cover.boxes()[n];
+      const auto c = box.cell;
+      const auto cell = m_shell.field().cell(c);
+      if(box.kind == BS::Box_kind::UNDECIDED) { m_tally.count("box_monotone", Verdict::UNDECIDED); continue; }
+      const std::string kind = box.kind == BS::Box_kind::EXCLUDED ? "box_excluded" : "box_monotone";
+      m_tally.count(kind, Verdict::PROVED);
+      // one threshold is enough to exclude a box
+      if(!m_shell.exact_field().bernstein(c)) { m_tally.wrong(kind, "nothing is known on " + describe_box(n)); continue; }
+      // each with the polynomials of its own cell, in the closed box
+      if(box.kind == BS::Box_kind::EXCLUDED) {
+        const Place p = worst_place(m_bbox[n], [&](const Place& p) {
+          const double f = cell.value(p);
+          return (std::max)(m_shell.inner().value(p, c) - f, f - m_shell.outer().value(p, c));
+        });
+        const Jets j = m_shell.jets(c, dyadic(p));
+        if(j.f.value >= j.inner.value && j.f.value <= j.outer.value) m_tally.wrong(kind, describe_box(n));
+        continue;
+      }
+      const Place p = worst_place(m_bbox[n], [&](const Place& p) {
+        const auto g = cell.first_order_jet(p).gradient;
+        return box.direction[0] * g[0] + box.direction[1] * g[1] + box.direction[2] * g[2];
+      });
+      if(sign(dot(dyadic(box.direction), m_shell.jets(c, dyadic(p)).f.gradient)) <= 0) m_tally.wrong(kind, describe_box(n));
+      if constexpr(!Threshold::is_constant)
+        for(const Threshold* threshold : { &m_shell.inner(), &m_shell.outer() }) check_crossing(n, *threshold);
+    }
+  }
+
+  // Where the field crosses a threshold in a monotone box, it crosses it upwards.
+  void check_crossing(std::size_t n, const Threshold& threshold)
+  {
+    const BS::Cover_box& box = m_cover.boxes()[n];
+    const auto cell = m_shell.field().cell(box.cell), other = threshold.field().cell(box.cell);
+    const bool is_inner = &threshold == &m_shell.inner();
+    const auto margin = [&](const Place& p) { return cell.value(p) - other.value(p); };
+    const auto slope = [&](const Place& p) {
+      const auto g = cell.first_order_jet(p).gradient, t = other.first_order_jet(p).gradient;
+      return g[0] * (g[0] - t[0]) + g[1] * (g[1] - t[1]) + g[2] * (g[2] - t[2]);
+    };
+    std::vector<std::pair<double, Place> > below, above;      // the least slopes first
+    for(int i = 0; i < 27; ++i) {
+      Place p;
+      const int position[3] = { i % 3, i / 3 % 3, i / 9 };
+      for(int a = 0; a < 3; ++a) p[a] = position[a] == 0 ? (m_bbox[n].min)(a) : position[a] == 2 ? (m_bbox[n].max)(a)
+                                      : (m_bbox[n].min)(a) + ((m_bbox[n].max)(a) - (m_bbox[n].min)(a)) / 2;
+      (margin(p) < 0 ? below : above).emplace_back(slope(p), p);
+    }
+    std::sort(below.begin(), below.end());
+    std::sort(above.begin(), above.end());
+    for(std::size_t k = 0; k < (std::min)({ below.size(), above.size(), std::size_t(3) }); ++k) {
+      Place low = below[k].second, high = above[k].second;
+      for(int step = 0; step < 60; ++step) {
+        Place middle;
+        for(int a = 0; a < 3; ++a) middle[a] = low[a] + (high[a] - low[a]) / 2;
+        (margin(middle) < 0 ? low : high) = middle;
+      }
+      bool is_below = false, is_above = false, is_steep_enough = false;
+      for(const Place& p : { low, high }) {
+        const Jets j = m_shell.jets(box.cell, dyadic(p));
+        const Exact_jet& t = is_inner ? j.inner : j.outer;
+        is_below = is_below || j.f.value <= t.value;
+        is_above = is_above || j.f.value >= t.value;
+        is_steep_enough = is_steep_enough || sign(dot(j.f.gradient, minus(j.f.gradient, t.gradient))) > 0;
+      }
+      if(!is_below || !is_above) continue;
+      m_tally.count("box_crossing", is_steep_enough, "does not rise through a threshold: " + describe_box(n));
+    }
+  }
+
+  // The boxes of a cell fill it without overlapping, and their corners are exact.
+  void check_tiling()
+  {
+    std::map<std::uint32_t, double> volume;
+    for(std::size_t n = 0; n < m_bbox.size(); ++n) {
+      const BS::Cover_box& box = m_cover.boxes()[n];
+      const auto cell = m_shell.field().cell(box.cell);
+      volume[box.cell] += std::ldexp(1., -3 * int(box.depth));
+      bool is_exact = true;
+      for(int a = 0; a < 3; ++a) {
+        const double unit = std::ldexp(1., -int(box.depth));
+        is_exact = is_exact && box.position[a] < 1 << box.depth
+                && Dyadic((m_bbox[n].min)(a)) == Dyadic(cell.corner()[a]) + Dyadic(box.position[a] * unit) * Dyadic(cell.width())
+                && Dyadic((m_bbox[n].max)(a)) == Dyadic(cell.corner()[a]) + Dyadic((box.position[a] + 1) * unit) * Dyadic(cell.width());
+      }
+      if(!is_exact) m_tally.wrong("box_tiling", "corner of " + describe_box(n));
+    }
+    m_tally.count("box_tiling", Verdict::PROVED);
+    for(const auto& v : volume)
+      if(v.second != 1) m_tally.wrong("box_tiling", "of cell " + std::to_string(v.first));
+  }
+
+  void check_flood(const std::vector<Point_3>& seeds, const std::vector<std::uint32_t>& components)
+  {
+    const auto& boxes = m_cover.boxes();
+    std::vector<std::size_t> order;
+    for(std::size_t n = 0; n < boxes.size(); ++n)
+      if(boxes[n].kind != BS::Box_kind::EXCLUDED) order.push_back(n);
+    std::vector<std::uint32_t> truth(boxes.size(), BS::Cover_box::no_component);
+    for(std::size_t s = 0; s < seeds.size(); ++s) {
+      std::vector<std::size_t> stack;
+      std::uint32_t known = std::uint32_t(s);
+      for(std::size_t n : order)
+        if(contains(m_bbox[n], seeds[s])) {
+          if(truth[n] != BS::Cover_box::no_component) known = truth[n];
+          else { truth[n] = std::uint32_t(s); stack.push_back(n); }
+        }
+      m_tally.count("flood", known == components[s], "from seed " + std::to_string(s));
+      while(!stack.empty()) {
+        const std::size_t b = stack.back();
+        stack.pop_back();
+        for(std::size_t n : order)
+          if(truth[n] == BS::Cover_box::no_component && touch(m_bbox[b], m_bbox[n])) { truth[n] = std::uint32_t(s); stack.push_back(n); }
+      }
+    }
+    std::set<std::uint32_t> seen;
+    for(const BS::Cover_box& box : boxes) seen.insert(box.cell);
+    for(std::size_t n = 0; n < boxes.size(); ++n) {
+      if(boxes[n].component != truth[n]) m_tally.wrong("flood", "component of " + describe_box(n));
+      if(truth[n] == BS::Cover_box::no_component) continue;
+      for(std::uint32_t c = 0; c < m_shell.field().number_of_cells(); ++c)
+        if(!seen.count(c) && touch(m_shell.field().cell(c).bbox(), m_bbox[n])) m_tally.wrong("flood", "has not looked beyond " + describe_box(n));
+    }
+  }
+
+  // Boxes at the end of the domain, by whole numbers: a box that touches sides of its root cell needs the root cells behind them.
+  void check_border()
+  {
+    const auto& boxes = m_cover.boxes();
+    std::vector<char> is_at_border(boxes.size(), 0);
+    for(auto b : m_cover.border()) is_at_border[b] = 1;
+    const Root_cells& roots = roots_of(m_shell.field().cells());
+    m_tally.count("border", Verdict::PROVED);
+    for(std::size_t n = 0; n < boxes.size(); ++n) {
+      if(boxes[n].component == BS::Cover_box::no_component) continue;
+      const int depth = level_of(m_shell.field().cells(), boxes[n].cell) + boxes[n].depth;
+      const Lattice_point p = m_shell.field().cells().lattice_point(boxes[n].cell);
+      Lattice_point root;
+      std::array<int, 3> first, last;
+      for(int a = 0; a < 3; ++a) {
+        const int position = p[a] * (1 << boxes[n].depth) + boxes[n].position[a];
+        root[a] = position >> depth;
+        first[a] = position == root[a] * (1 << depth) ? -1 : 0;
+        last[a] = position + 1 == (root[a] + 1) * (1 << depth) ? 1 : 0;
+      }
+      bool ends = false;
+      for(int k = first[2]; k <= last[2]; ++k)
+        for(int j = first[1]; j <= last[1]; ++j)
+          for(int i = first[0]; i <= last[0]; ++i)
+            ends = ends || roots.cell(Lattice_point{ root[0] + i, root[1] + j, root[2] + k }) == Root_cells::npos;
+      if(ends != (is_at_border[n] != 0)) m_tally.wrong("border", describe_box(n));
+    }
+  }
+  static const Root_cells& roots_of(const Root_cells& cells) { return cells; }
+  static const Root_cells& roots_of(const Hierarchy& cells) { return cells.roots(); }
+  static int level_of(const Root_cells&, std::uint32_t) { return 0; }
+  static int level_of(const Hierarchy& cells, std::uint32_t c) { return cells.level(c); }
+
+  void check_gradients()
+  {
+    if(m_cover.number_of_undecided_boxes() > 0) return;
+    const double of_all = m_cover.template least_gradient<CGAL::Sequential_tag>();
+    const std::vector<double> of_cells = m_cover.template least_gradients<CGAL::Sequential_tag>();
+    const std::size_t stride = m_cover.boxes().size() / 200 + 1;
+    for(std::size_t n = std::size_t(m_random.get_int(0, int(stride))); n < m_cover.boxes().size(); n += stride) {
+      const BS::Cover_box& box = m_cover.boxes()[n];
+      if(box.component == BS::Cover_box::no_component || !m_shell.is_defined(box.cell)) continue;
+      const auto cell = m_shell.field().cell(box.cell);
+      const Place p = worst_place(m_bbox[n], [&](const Place& p) {
+        const double f = cell.value(p);
+        if(f < m_shell.inner().value(p, box.cell) || f > m_shell.outer().value(p, box.cell)) return std::numeric_limits<double>::infinity();
+        const auto g = cell.first_order_jet(p).gradient;
+        return Vector(g[0], g[1], g[2]).stableNorm();
+      });
+      const Jets j = m_shell.jets(box.cell, dyadic(p));
+      if(j.f.value < j.inner.value || j.f.value > j.outer.value) continue;
+      for(double bound : { of_all, of_cells[box.cell] }) {
+        bool is_right = std::isfinite(bound);
+        if(is_right) {
+          const Dyadic least = Dyadic(bound) * j.scale;
+          is_right = dot(j.f.gradient, j.f.gradient) >= least * least;
+        }
+        m_tally.count("least_gradient", is_right, "of " + describe_box(n));
+      }
+    }
+  }
+
+  Tally& m_tally;
+  CGAL::Random& m_random;
+  const Shell& m_shell;
+  Cover m_cover;
+  std::vector<CGAL::Bbox_3> m_bbox;
+};
+
+#endif // CHECK_COVER_H
