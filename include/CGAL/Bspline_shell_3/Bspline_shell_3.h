@@ -134,7 +134,7 @@ public:
   bool is_certified() const
   {
     const auto& verdicts = m_report.certificate.verdicts;
-    return std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
+    return status() == Shell_status::SUCCESS && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
   }
   /// what became of the shell, in one sentence: why there is none, or whether it is certified
   const char* message() const

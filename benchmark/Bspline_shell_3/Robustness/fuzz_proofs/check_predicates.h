@@ -171,14 +171,6 @@ void check_examination(Tally& tally, CGAL::Random& random, const Shell& shell, c
                 &is_between<Shell>, Shell::INNER | Shell::OUTER);
   check_verdict(tally, "examine_transversal", found.is_transversal ? Verdict::PROVED : Verdict::UNDECIDED, BS::Witness(), shell, t, slope,
                 faces_along, Shell::FIELD);
-  if(found.leaves_shell) {
-    tally.count("examine_contained", Verdict::REFUTED);
-    if(!fails_somewhere(shell, t, margin, &is_between<Shell>)) tally.wrong("examine_contained", "leaves the shell nowhere:" + describe(t));
-  }
-  if(found.faces_away) {
-    tally.count("examine_transversal", Verdict::REFUTED);
-    if(!fails_somewhere(shell, t, slope, faces_along)) tally.wrong("examine_transversal", "faces away nowhere:" + describe(t));
-  }
 }
 
 // single facets, and fans
