@@ -1,5 +1,6 @@
 // Rigorous questions about fields: known answers, exact oracles, planted faults.
 #include <CGAL/Bspline_shell_3/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
 #include "test_meshes.h"

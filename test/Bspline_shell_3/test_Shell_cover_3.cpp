@@ -1,0 +1,1 @@
+// Shell_cover_3.h
