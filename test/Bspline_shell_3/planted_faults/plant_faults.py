@@ -124,9 +124,7 @@ def render(text, begin, end, places):
         inner = render(text, place.begin, place.end, place.inner)
         statement = inner.rstrip().endswith(";") or not inner.strip()
         if statement:
-            for fault in place.faults:
-                result += f"if(planted({fault.number})) {{ {fault.replacement} }} else "
-            result += f"{{ {inner} }}"
+            result += "{ " + "".join(f"if(planted({fault.number})) {{ {fault.replacement} }} else " for fault in place.faults) + f"{{ {inner} }} }}"
         else:
             result += "(" + "".join(f"planted({fault.number}) ? ({fault.replacement}) : " for fault in place.faults) + f"({inner}))"
         begin = place.end
