@@ -388,3 +388,130 @@ TEST_CASE("Predicates: far from the origin, slack of 1e-12 of the box decides wh
   CHECK(predicates.values_within(t, { 1e-6, 1.5 + 1e-6 }) == Verdict::REFUTED);
   CHECK(predicates.crosses_upwards(t) == Verdict::PROVED);
 }
+
+namespace {
+
+// cells of width one around the z-axis: three of the four at each height; `missing` has the bits of the signs of x and y
+Field bent_field(int missing)
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -2; k < 2; ++k)
+    for(int j = -2; j < 2; ++j)
+      for(int i = -2; i < 2; ++i)
+        if(((i >= 0) | (j >= 0) << 1) != missing) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys));
+  set(field, [](double, double, double z) { return z; });
+  return field;
+}
+
+// a number three times of which is rounded up or down
+double thirds(CGAL::Random& random, bool up)
+{
+  for(;;) {
+    const double x = random.get_double(0.2, 0.5) + std::ldexp(random.get_double(0, 1), -33);
+    if(Rational(3 * x) != 3 * Rational(x) && (Rational(3 * x) > 3 * Rational(x)) == up) return x;
+  }
+}
+
+} // namespace
+
+TEST_CASE("Predicates: what leaves the domain between its corners is not proved, also if it does so by less than rounding")
+{
+  CGAL::Random random(41);
+  for(int missing = 0; missing < 4; ++missing)
+    for(int n = 0; n < 8; ++n) {
+      CAPTURE(missing, n);
+      const Field field = bent_field(missing);
+      const Predicates predicates(field);
+      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+      // a quarter of the way, the segment is off the axis by what three times a number is rounded by, on that side
+      const double x = thirds(random, true), y = thirds(random, false);
+      const Point_3 p(-sx * x, sy * y, 0.1), q(sx * 3 * x, -sy * 3 * y, 0.1), away(-sx, -sy, 0.5);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ p, q }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.values_within(Triangle{ p, q, away }, { -1, 1 }) != Verdict::PROVED);
+      // on the other side, it is inside
+      const Point_3 inside_p(-sx * x, sy * (y - 0.01), 0.1);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ inside_p, q }, { -1, 1 }) == Verdict::PROVED);
+      // and by much; corners and most of the facet are inside
+      const Point_3 far_p(-sx, sy * 1.5, 0.1), far_q(sx * 1.5, -sy, 0.1);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ far_p, far_q }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.values_within(Triangle{ far_p, far_q, away }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.crosses_upwards({ far_p, far_q, away }) != Verdict::PROVED);
+    }
+}
+
+TEST_CASE("Predicates: a facet along the gradient does not face it, however thin it is")
+{
+  CGAL::Random random(43);
+  int inexact = 0;
+  for(int n = 0; n < 8; ++n) {
+    // the gradient is an edge of the facet, exactly
+    const auto integer = [&] { return random.get_int(-100, 100); };
+    const double a = integer(), b = integer(), c = 1 + std::abs(integer());
+    const Field field = linear_field(a, b, c);
+    const Predicates predicates(field);
+    const Point_3 p(0, 0, 0), q(a / 128, b / 128, c / 128);
+    const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
+    const double s = number(), width = std::ldexp(1., -20 - n % 5);
+    const Point_3 r(s * q.x() + width * number(), s * q.y() + width * number(), s * q.z() + width * number());
+    if(CGAL::collinear(p, q, r)) continue;
+    inexact += BS::facet_normal(p, q, r).radius > 1e-12;
+    for(const Triangle& t : { Triangle{ p, q, r }, Triangle{ q, p, r } }) {
+      double slope = 0;
+      CHECK(predicates.crosses_upwards(t) != Verdict::PROVED);
+      CHECK(predicates.crosses_upwards(t, nullptr, nullptr, &slope) != Verdict::PROVED);
+      CHECK(slope == 0);
+    }
+  }
+  CHECK(inexact > 4);
+}
+
+TEST_CASE("Predicates: the bound of the slope is that of the least steep part")
+{
+  CGAL::Random random(47);
+  Field field = cube_field();
+  set(field, [&](double, double, double z) { return z + random.get_double(-0.4, 0.4); });
+  const Predicates predicates(field);
+  int proved = 0;
+  for(int n = 0; n < 100; ++n) {
+    const double size = std::ldexp(2., -(n % 5));
+    const Point_3 p = random_point(random, 1.5);
+    const auto tilt = [&] { return random.get_double(-0.3, 0.3) * size; };
+    const Triangle t = { p, p + Vector_3(size, 0, tilt()), p + Vector_3(0, size, tilt()) };
+    double slope = inf;
+    if(predicates.crosses_upwards(t, nullptr, nullptr, &slope) != Verdict::PROVED) continue;
+    ++proved;
+    CHECK(slope > 0);
+    Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    normal = normal / std::sqrt(normal.squared_length());
+    double least = inf;
+    for(int i = 0; i <= 24; ++i)
+      for(int j = 0; i + j <= 24; ++j)
+        least = (std::min)(least, *field.gradient(CGAL::barycenter(t[0], i, t[1], j, t[2], 24. - i - j)) * normal);
+    CHECK(slope <= least * (1 + 1e-12));
+  }
+  CHECK(proved > 20);
+}
+
+TEST_CASE("Predicates: a needle sees what sticks out of the levels in any cell that it passes, however its normal is rounded")
+{
+  CGAL::Random random(53);
+  int seen = 0;
+  for(int n = 0; n < 200; ++n) {
+    const Point_3 p = random_point(random, 3.5), q = random_point(random, 3.5);
+    const double width = std::ldexp(1., -30 - n % 20);
+    const Point_3 r = q + width * (random_point(random, 1) - CGAL::ORIGIN);
+    // a coefficient of one near its middle
+    const Point_3 middle = CGAL::midpoint(p, q);
+    Field field = cube_field();
+    const double x = std::round(middle.x()), y = std::round(middle.y()), z = std::round(middle.z());
+    set(field, [&](double i, double j, double k) { return i == x && j == y && k == z ? 1. : 0.; });
+    const Predicates predicates(field);
+    double highest = 0;
+    for(int i = 0; i <= 200; ++i) highest = (std::max)(highest, *field.value(p + i / 200. * (q - p)));
+    CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 0.99 * highest }) == Verdict::REFUTED);
+    ++seen;
+    if(n < 20) CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 1.01 }) == Verdict::PROVED);
+  }
+  CHECK(seen == 200);
+}

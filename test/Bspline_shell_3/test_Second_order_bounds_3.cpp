@@ -699,3 +699,116 @@ TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, near
     CHECK(proved >= by_predicates * 99 / 100);
   }
 }
+
+TEST_CASE("Second-order bounds: near the origin, where places have no errors, roundings of values prove nothing")
+{
+  CGAL::Random random(61);
+  int turned = 0;
+  const Polynomial steep = { { 1, { 0, 0, 1 } } };
+  for(int n = 0; n < 12; ++n) {
+    Uniform_field field(cells_of_cube());
+    set_random(field, random, steep, 0.5);
+    const BS::Field_predicates_3<Uniform_field> predicates(field);
+    for(int m = 0; m < 16; ++m) {
+      const Point_3 p = CGAL::ORIGIN + random_vector(random, 1e-9);
+      const auto g = field.gradient(p);
+      // from the corner, all of the facet is lower, or higher
+      const Vector_3 along = (1e-9 / std::sqrt(g->squared_length())) * *g, across = CGAL::cross_product(along, Vector_3(0.36, 0.48, 0.8));
+      // the number next to the field at the corner that is less, or larger
+      double level = *field.value(p) + 1e-14;
+      while(predicates.compare(p, level) != CGAL::LARGER) level = std::nextafter(level, -inf);
+      CHECK_FALSE(is_contained(field, -10, level, { p, p - along, p - along + across }));
+      level = *field.value(p) - 1e-14;
+      while(predicates.compare(p, level) != CGAL::SMALLER) level = std::nextafter(level, inf);
+      CHECK_FALSE(is_contained(field, level, 10, { p, p + along, p + along + across }));
+      ++turned;
+    }
+  }
+  CHECK(turned == 192);
+}
+
+TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen, for each pair of axes")
+{
+  // x y, and so on, on needles along the diagonal: higher in the middle
+  for(int axis = 0; axis < 3; ++axis)
+    for(double sign : { 1., -1. }) {
+      const int a = axis, b = (axis + 1) % 3, c = (axis + 2) % 3;
+      Polynomial mixed = { { sign, { 0, 0, 0 } }, { -sign * 0.12, { 0, 0, 0 } }, { -sign * 0.12, { 0, 0, 0 } } };
+      mixed[0].power[a] = mixed[0].power[b] = 1;
+      mixed[1].power[a] = 1;
+      mixed[2].power[b] = 1;
+      const auto point = [&](double x, double y) {
+        std::array<double, 3> p;
+        p[a] = x;
+        p[b] = y;
+        p[c] = 0.1;
+        return Point_3(p[0], p[1], p[2]);
+      };
+      const Triangle needle = { point(0.22, 0.02), point(0.02, 0.22), point(0.219, 0.019) };
+      const Uniform_field field = uniform_field(mixed);
+      const Extrema e = values(field, needle);
+      const double size = e.highest - e.lowest;
+      for(double share : { -0.03, -0.2, -0.4 })
+        CHECK_FALSE((sign > 0 ? is_contained(field, -1, e.highest + share * size, needle, 0) : is_contained(field, e.lowest - share * size, 1, needle, 0)));
+      CHECK((sign > 0 ? is_contained(field, -1, e.highest + 0.1 * size, needle) : is_contained(field, e.lowest - 0.1 * size, 1, needle)));
+    }
+}
+
+TEST_CASE("Second-order bounds: a facet along the gradient does not face it, however thin it is")
+{
+  CGAL::Random random(67);
+  int inexact = 0;
+  for(int n = 0; n < 200; ++n) {
+    // the gradient is an edge of the facet, exactly
+    const auto integer = [&] { return random.get_int(-60, 60); };
+    const double a = integer(), b = integer(), c = 1 + std::abs(integer());
+    const Uniform_field field = uniform_field({ { a, { 1, 0, 0 } }, { b, { 0, 1, 0 } }, { c, { 0, 0, 1 } } });
+    const Point_3 p(0, 0, 0), q(a / 128, b / 128, c / 128);
+    const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
+    const double s = number(), width = std::ldexp(1., -20 - n % 5);
+    const Point_3 r(s * q.x() + width * number(), s * q.y() + width * number(), s * q.z() + width * number());
+    if(CGAL::collinear(p, q, r)) continue;
+    inexact += BS::facet_normal(p, q, r).radius > 1e-12;
+    const Bounds bounds = between(field, -200, 200);
+    for(const Triangle& t : { Triangle{ p, q, r }, Triangle{ q, p, r } })
+      for(double wanted : { 0., 1e-12 }) {
+        const auto found = examine(bounds, t, many, wanted);
+        CHECK_FALSE(found.is_transversal);
+        CHECK_FALSE(found.faces_away);      // neither does it face away
+      }
+  }
+  CHECK(inexact > 100);
+}
+
+TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
+{
+  CGAL::Random random(71);
+  for(int missing = 0; missing < 4; ++missing) {
+    std::vector<std::uint64_t> keys;
+    for(int k = -2; k < 2; ++k)
+      for(int j = -2; j < 2; ++j)
+        for(int i = -2; i < 2; ++i)
+          if(((i >= 0) | (j >= 0) << 1) != missing) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+    Uniform_field field{ Root_cells(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys) };
+    set_polynomial(field, height);
+    const Bounds bounds = between(field, -5, 5);
+    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+    // three times a number, rounded up or down
+    const auto thirds = [&](bool up) {
+      for(;;) {
+        const double x = random.get_double(0.2, 0.5) + std::ldexp(random.get_double(0, 1), -33);
+        if(Rational(3 * x) != 3 * Rational(x) && (Rational(3 * x) > 3 * Rational(x)) == up) return x;
+      }
+    };
+    for(int n = 0; n < 16; ++n) {
+      // a quarter of the way, the edge is off the axis by that rounding
+      const double x = thirds(true), y = thirds(false);
+      const Triangle t = { Point_3(-sx * x, sy * y, 0.1), Point_3(sx * 3 * x, -sy * 3 * y, 0.1), Point_3(-sx, -sy, 0.5) };
+      for(const Triangle& turned : { t, Triangle{ t[1], t[0], t[2] } }) {
+        const auto found = examine(bounds, turned);
+        CHECK_FALSE(found.is_contained);
+        CHECK_FALSE(found.is_transversal);
+      }
+    }
+  }
+}

@@ -574,11 +574,67 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   CHECK_FALSE(refuted);
   CHECK(refuted.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 
-  // As steep as the field: curves do not leave through it. Below the mesh there is room for such a threshold.
-  const auto steep = certify_between(threshold([](double x, double y, double z) { return 0.9 - 1.5 * (1 - std::sqrt(x*x + y*y + z*z)); }),
-                                     threshold(constant(1.2)), mesh);
-  CHECK_FALSE(steep);
-  CHECK(steep.verdict(Claim::GRADIENT) != Verdict::PROVED);
+  // Falling as the field rises, so that the shell is where it is between constants: without a critical point, and inside the domain.
+  // A threshold that is less steep than the field is crossed; what is as steep might not be.
+  const auto falling = [&](double level, double steepness) {
+    return threshold([=](double x, double y, double z) { return level - steepness * (std::sqrt(x*x + y*y + z*z) - level); });
+  };
+  for(double steepness : { 0.5, 1.5 }) {
+    CAPTURE(steepness);
+    const bool is_crossed = steepness < 1;
+    CHECK((certify_between(falling(0.85, steepness), threshold(constant(1.2)), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
+    CHECK((certify_between(threshold(constant(0.85)), falling(1.2, steepness), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
+  }
+}
+
+TEST_CASE("Thresholds that vary: an overhang of either of them is not certified")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  const Mesh mesh = sphere(2);
+  // a dent of the inner threshold, a bump of the outer one, beside the sphere
+  const auto dented = [&](double level, const BS::Lattice_3::Point& p, double height) {
+    Field values = field;
+    set(values, [=](double, double, double) { return level; });
+    Eigen::VectorXd x = values.coefficients();
+    x[values.functions().index(p)] += height;
+    values.set_coefficients(x);
+    return values;
+  };
+  // the least of grad f . grad(f - threshold) where the field has the threshold's value, near that
+  const auto least_crossing = [&](const Field& threshold, const Point_3& near) {
+    double least = 1e9;
+    const int parts = 60;
+    for(int i = -parts; i <= parts; ++i)
+      for(int j = -parts; j <= parts; ++j)
+        for(int k = -parts; k <= parts; ++k) {
+          const Point_3 p = near + 0.3 / parts * Vector_3(i, j, k);
+          const auto f = field.value(p), t = threshold.value(p);
+          if(!f || !(std::abs(*f - *t) < 0.002)) continue;
+          const Vector_3 g = *field.gradient(p);
+          least = (std::min)(least, g * (g - *threshold.gradient(p)));
+        }
+    return least;
+  };
+  const BS::Lattice_3::Point below = { 0, 3, 4 }, above = { 0, 6, 9 };
+  for(bool is_inner : { true, false })
+    for(double height : { 0.3, 3. }) {
+      CAPTURE(is_inner, height);
+      const Field inner = dented(0.85, below, is_inner ? -height : 0), outer = dented(1.15, above, is_inner ? 0 : height);
+      BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+      certificate.verify<CGAL::Sequential_tag>(mesh);
+      const double least = is_inner ? least_crossing(inner, Point_3(0, 3. / 8, 4. / 8)) : least_crossing(outer, Point_3(0, 6. / 8, 9. / 8));
+      if(height < 1) {
+        CHECK(least > 0);
+        CHECK(certificate);
+      } else {
+        CHECK(least < -0.01);
+        CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+        CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+        for(const Place& w : certificate.witnesses())
+          if(w.claim == Claim::GRADIENT) CHECK(w.reason == Place::BOX);
+      }
+    }
 }
 
 TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")

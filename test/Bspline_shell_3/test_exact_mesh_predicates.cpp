@@ -118,3 +118,47 @@ TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, 
     CHECK(status == BS::Arithmetic_status::SOUND);
   }
 }
+
+TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first; so is a facet on which an end lies")
+{
+  Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
+  for(int turn = 0; turn < 3; ++turn) {
+    for(auto f : cube.faces()) cube.set_halfedge(f, cube.next(cube.halfedge(f)));
+    const BS::Crossing_counter_3 counter(cube);
+    for(double x : { -1., 1. })
+      for(double y : { -1., 1. }) {
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5)));       // an edge along z
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 0.5, 2 * y)));
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(0.5, 2 * x, 2 * y)));
+        for(double z : { -1., 1. }) CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 2 * z)));
+      }
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 1), Point_3(0.1, 0.2, 0)));
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 1), Point_3(0.1, 0.2, 2)));
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 2), Point_3(0.1, 0.2, 1)));
+  }
+  // one end at a vertex at which each facet has another of its corners first
+  for(int corner = 0; corner < 3; ++corner) {
+    Mesh pyramid = bipyramid(5, 1);
+    for(auto f : pyramid.faces())
+      for(int n = 0; n < 3; ++n) {
+        auto h = pyramid.halfedge(f);
+        const Mesh::Vertex_index of_corner = corner == 0 ? pyramid.source(h) : corner == 1 ? pyramid.target(h) : pyramid.target(pyramid.next(h));
+        if(of_corner != Mesh::Vertex_index(0) && of_corner != Mesh::Vertex_index(1)) pyramid.set_halfedge(f, pyramid.next(h));
+      }
+    const BS::Crossing_counter_3 counter(pyramid);
+    CHECK_FALSE(counter.crossings(Point_3(0.01, 0.02, 0), Point_3(-0.01, -0.02, 2)));
+    CHECK_FALSE(counter.crossings(Point_3(0.01, 0.02, 0), Point_3(-0.01, -0.02, -2)));
+  }
+}
+
+TEST_CASE("Fan winding: an axis in the plane of a facet is faced by none, one just beside it by all")
+{
+  const std::vector<Point_3> link = { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) };
+  const Point_3 apex(0, 0, 1);
+  for(std::size_t n = 0; n < 4; ++n) {
+    const Vector_3 back = 0.5 * ((link[n] - apex) + (link[(n + 1) % 4] - apex));
+    CHECK(BS::link_winding_number(apex, apex - back, link) == 0);
+    CHECK(BS::link_winding_number(apex, apex - back + Vector_3(0, 0, 1e-12), link) == 1);
+    CHECK(BS::link_winding_number(apex, apex - back - Vector_3(0, 0, 1e-12), link) == 0);
+  }
+}

@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+"""Plants each fault of a list into what proofs rest on, and tells which test sees it.
+
+   plant_faults.py [--work FOLDER] [--jobs N] [--list FILE] [--dry] [WORDS ...]
+
+With WORDS, only faults are run whose name or file contains one of them. The list (faults.txt beside this script) says how faults
+are written down. All of them are planted into a copy of the sources, in FOLDER (build/planted_faults), behind one switch that
+is read from the environment: each test is compiled once. FOLDER is kept, so that a later run compiles what has changed, and
+begins with the test that saw a fault last time.
+
+First all tests must pass without a fault. Then each fault is switched on, and the tests are run up to the first that fails; to end
+in any other way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake,
+those of check_certificate to its own test. Exit code 0 if every fault is seen, but those that the list argues to change no
+answer; 1 if others survive, or one of these is seen; 2 if the list does not fit the sources. --dry stops after it was planted.
+
+Needs what test/run.sh installs. Two cores take TIME_TO_COMPILE to compile, and TIME_TO_RUN for the whole list.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
+HEADERS = "include/CGAL/Bspline_shell_3/"
+CHECKER = "benchmark/Bspline_shell_3/Robustness/"
+SWITCH = """#ifndef PLANTED_FAULT_H
+#define PLANTED_FAULT_H
+#include <cstdlib>
+inline const int planted_fault = std::getenv("PLANTED_FAULT") ? std::atoi(std::getenv("PLANTED_FAULT")) : 0;
+inline bool planted(int fault) { return fault == planted_fault; }
+#endif
+"""
+
+
+class Fault:
+    def __init__(self, number, name, file):
+        self.number, self.name, self.file = number, name, file
+        self.lines, self.replacement, self.argument = [], None, None
+
+    @property
+    def is_of_checker(self):
+        return self.file.startswith(CHECKER)
+
+
+def fail(message):
+    print(message, file=sys.stderr)
+    sys.exit(2)
+
+
+def read_list(path):
+    faults, file, fault = [], None, None
+    for number, line in enumerate(open(path, encoding="utf-8"), 1):
+        stripped = line.strip()
+        if not stripped:
+            fault = None
+        elif line[0] == "#":
+            pass
+        elif line[0] == "[":
+            name = stripped[1:-1]
+            file = (CHECKER if name.startswith("check_certificate/") else HEADERS) + name
+        elif line[0] != " ":
+            fault = Fault(len(faults) + 1, stripped, file)
+            faults.append(fault)
+        elif fault is None:
+            fail(f"{path}:{number}: a fault begins with its name, at the beginning of a line")
+        elif stripped.startswith("->") and fault.replacement is None:
+            fault.replacement = stripped[2:].strip()
+        elif stripped.startswith("equivalent:"):
+            fault.argument = stripped[len("equivalent:"):].strip()
+        elif fault.argument is not None:
+            fault.argument += " " + stripped
+        elif fault.replacement is not None:
+            fault.replacement += " " + stripped
+        else:
+            fault.lines.append(stripped)
+    names = set()
+    for fault in faults:
+        if fault.replacement is None or " ".join(fault.lines).count("⟦") != 1:
+            fail(f"{fault.name}: no line with ⟦what is changed⟧ and -> what it is changed into")
+        if fault.name in names:
+            fail(f"{fault.name}: two faults have this name")
+        names.add(fault.name)
+    return faults
+
+
+def pattern(text):
+    """that finds the text however lines are broken in it"""
+    return r"\s+".join(re.escape(word) for word in text.split())
+
+
+class Place:
+    """a piece of a source, and what is to be there instead for some faults"""
+
+    def __init__(self, begin, end):
+        self.begin, self.end, self.faults, self.inner = begin, end, [], []
+
+
+def find(fault, text):
+    before, rest = " ".join(fault.lines).split("⟦")
+    changed, after = rest.split("⟧")
+    parts = [pattern(part) for part in (before, changed, after)]
+    # spaces at the marks
+    glue = [r"\s+" if a[-1:].isspace() or b[:1].isspace() else "" for a, b in ((before, changed), (changed, after))]
+    if not changed.strip():
+        glue = [r"\s*", r"\s*"]
+    expression = f"{parts[0]}{glue[0]}({parts[1]}){glue[1]}{parts[2]}"
+    found = list(re.finditer(expression, text))
+    if len(found) != 1:
+        fail(f"{fault.name}: its place is found {len(found)} times in {fault.file}")
+    return found[0].span(1)
+
+
+def render(text, begin, end, places):
+    """the text with all faults of all places in it"""
+    result = ""
+    for place in places:
+        result += text[begin:place.begin]
+        inner = render(text, place.begin, place.end, place.inner)
+        statement = inner.rstrip().endswith(";") or not inner.strip()
+        if statement:
+            result += "{ " + "".join(f"if(planted({fault.number})) {{ {fault.replacement} }} else " for fault in place.faults) + f"{{ {inner} }} }}"
+        else:
+            result += "(" + "".join(f"planted({fault.number}) ? ({fault.replacement}) : " for fault in place.faults) + f"({inner}))"
+        begin = place.end
+    return result + text[begin:end]
+
+
+def plant(file, faults):
+    text = open(os.path.join(ROOT, file), encoding="utf-8").read()
+    places = {}
+    for fault in faults:
+        span = find(fault, text)
+        places.setdefault(span, Place(*span)).faults.append(fault)
+    outer, open_places = [], []
+    for place in sorted(places.values(), key=lambda p: (p.begin, -p.end)):
+        while open_places and open_places[-1].end <= place.begin:
+            open_places.pop()
+        if open_places and place.end > open_places[-1].end:
+            fail(f"{place.faults[0].name}: overlaps {open_places[-1].faults[0].name}")
+        (open_places[-1].inner if open_places else outer).append(place)
+        if place.begin < place.end:
+            open_places.append(place)
+    return render(text, 0, len(text), outer)
+
+
+def write(path, text):
+    """leaves what is up to date alone, so that it is not compiled again"""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    if not os.path.exists(path) or open(path, encoding="utf-8").read() != text:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+
+def plant_all(faults, source):
+    by_file = {}
+    for fault in faults:
+        by_file.setdefault(fault.file, []).append(fault)
+    wanted = {"planted_fault.h"}
+    write(os.path.join(source, "planted_fault.h"), SWITCH)
+    for top in ("CMakeLists.txt", "cmake", "include", "test", "benchmark"):
+        top = os.path.join(ROOT, top)
+        for path in [top] if os.path.isfile(top) else [os.path.join(f, n) for f, _, names in os.walk(top) for n in names]:
+            name = os.path.relpath(path, ROOT)
+            wanted.add(name)
+            if name in by_file:
+                write(os.path.join(source, name), plant(name, by_file.pop(name)))
+            elif not name.endswith(".pyc"):
+                write(os.path.join(source, name), open(path, encoding="utf-8").read())
+    for file in by_file:
+        fail(f"{file} does not exist")
+    for folder, _, names in os.walk(source):
+        for name in names:
+            if os.path.relpath(os.path.join(folder, name), source) not in wanted:
+                os.remove(os.path.join(folder, name))
+
+
+def run(command, **options):
+    done = subprocess.run(command, **options)
+    if done.returncode != 0:
+        fail(f"{' '.join(command)} failed")
+
+
+def build(source, build_folder, jobs):
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DBSPLINE_SHELL_3_EXAMPLES=OFF", "-DBSPLINE_SHELL_3_BENCHMARKS=ON",
+               "-DCMAKE_DISABLE_FIND_PACKAGE_Doxygen=ON", "-DCMAKE_CXX_FLAGS=-include " + os.path.join(source, "planted_fault.h")]
+    if shutil.which("ccache"):
+        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    run(["cmake", "-S", source, "-B", build_folder, "-G", "Ninja", "-Wno-dev", *options], stdout=subprocess.DEVNULL)
+    run(["cmake", "--build", build_folder, "--parallel", str(jobs), "--target", "proof_tests", "check_certificate", "certify_meshes", "--", "-k", "0"])
+
+
+class Tests:
+    """runs one of the two sets of tests; run() returns the name of a test that fails, or nothing"""
+
+    def __init__(self, command, name_of_test, choose):
+        self.command, self.name_of_test, self.choose = command, name_of_test, choose
+
+    def run(self, number, timeout, only=None):
+        environment = dict(os.environ, PLANTED_FAULT=str(number))
+        command = self.command + (self.choose(only) if only else [])
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                                   start_new_session=True)
+        try:
+            output, _ = process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, 9)
+            output, _ = process.communicate()
+            return f"{self.last_test(output)} (not in time)"
+        return self.last_test(output) if process.returncode != 0 else None
+
+    def last_test(self, output):
+        names = re.findall(self.name_of_test, output)
+        return names[-1].replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", '"') if names else "no test in particular"
+
+
+def main():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "planted_faults"))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--list", default=os.path.join(HERE, "faults.txt"))
+    parser.add_argument("--dry", action="store_true")
+    arguments = parser.parse_args()
+    work = os.path.abspath(arguments.work)
+    source, build_folder = os.path.join(work, "source"), os.path.join(work, "build")
+
+    faults = read_list(arguments.list)
+    plant_all(faults, source)
+    print(f"{len(faults)} faults are planted", flush=True)
+    if arguments.dry:
+        return 0
+    build(source, build_folder, arguments.jobs)
+    of_package = Tests([os.path.join(build_folder, "test", "Bspline_shell_3", "proof_tests"), "--abort", "-r", "xml"],
+                       r'<TestCase name="([^"]*)"', lambda name: [f'"{name}"'])
+    ctest = ["ctest", "--test-dir", build_folder]
+    run([*ctest, "-R", "^write_certificate_"], stdout=subprocess.DEVNULL)
+    of_checker = Tests([*ctest, "-R", "^check_certificate_", "-FS", ".", "--stop-on-failure"], r"Start +\d+: (\S+)",
+                       lambda name: ["-R", f"^{name}$"])
+
+    chosen = [f for f in faults if not arguments.words or any(w.lower() in (f.name + " " + f.file).lower() for w in arguments.words)]
+    timeout = {}
+    for tests in {f.is_of_checker: (of_checker if f.is_of_checker else of_package) for f in chosen}.values():
+        start = time.time()
+        failed = tests.run(0, None)
+        if failed:
+            fail(f"{failed} fails without a fault")
+        timeout[tests] = 30 + 5 * (time.time() - start)
+        print(f"without a fault all tests pass, in {time.time() - start:.0f} s", flush=True)
+
+    memory = os.path.join(work, "seen_by.json")
+    seen_by = json.load(open(memory)) if os.path.exists(memory) else {}
+
+    def examine(fault):
+        tests = of_checker if fault.is_of_checker else of_package
+        seen = tests.run(fault.number, timeout[tests], seen_by[fault.name]) if fault.name in seen_by else None
+        return fault, seen or tests.run(fault.number, timeout[tests])
+
+    start, file, survivors, argued, mistaken = time.time(), None, [], [], []
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for fault, seen in pool.map(examine, chosen):
+            if fault.file != file:
+                file = fault.file
+                print(f"\n{file}")
+            if seen:
+                print(f"  {fault.name}\n      seen by {seen}" + (", although it is argued to change no answer" if fault.argument else ""))
+                seen_by[fault.name] = seen.removesuffix(" (not in time)")
+                mistaken += [fault] * bool(fault.argument)
+            else:
+                print(f"  {fault.name}\n      {'changes no answer: ' + fault.argument if fault.argument else 'NOT SEEN'}")
+                seen_by.pop(fault.name, None)
+                (argued if fault.argument else survivors).append(fault)
+            sys.stdout.flush()
+            with open(memory, "w") as out:
+                json.dump(seen_by, out, indent=1)
+    print(f"\n{len(chosen)} faults planted, {len(chosen) - len(argued) - len(survivors)} seen, {len(argued)} argued to change no answer, "
+          f"{len(survivors)} not seen; {time.time() - start:.0f} s")
+    for fault in survivors:
+        print(f"  not seen: {fault.name} ({os.path.basename(fault.file)})")
+    for fault in mistaken:
+        print(f"  seen, although argued: {fault.name}")
+    return 1 if survivors or mistaken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
