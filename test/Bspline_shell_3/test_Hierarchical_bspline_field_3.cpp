@@ -507,7 +507,7 @@ TEST_CASE("hierarchical fields: the error radius bounds how far Bernstein coeffi
         field.visit_parents(l, point(field, l, at), [&](Index parent, double) { largest = (std::max)(largest, std::abs(x[parent])); });
       }
       dependent += !is_free;
-      idle += scale > 1e-300 && radius > (is_free ? 6 : 20) * eps * largest;
+      idle += scale > 1e-300 && radius > (is_free ? 11 : 38) * eps * largest;
       if(scale > 1e-300) tightest = (std::max)(tightest, worst / radius);
     }
     CAPTURE(scale);

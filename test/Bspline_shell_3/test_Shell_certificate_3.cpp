@@ -694,10 +694,10 @@ TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothi
   certificate.verify<CGAL::Sequential_tag>(mesh);
   const long calls = -1 - field.left;
   REQUIRE(calls > 1000);
-  for(int n = 0; n < 40; ++n) {
+  for(int n = 0; n < 20; ++n) {
     field.left = -1;
     REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
-    field.left = calls * n / 40;
+    field.left = calls * n / 20;
     CHECK_THROWS_AS(certificate.verify<CGAL::Sequential_tag>(mesh), std::bad_alloc);
     CHECK_FALSE(certificate.is_certified());
     for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
