@@ -17,7 +17,7 @@ if [ "${1-}" = --sanitize ]; then
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 else
   build=${BUILD_DIR:-build/test}
-  options+=(-DBSPLINE_SHELL_3_EXAMPLES=ON -DBSPLINE_SHELL_3_BENCHMARKS=ON)
+  options+=(-DBSPLINE_SHELL_3_EXAMPLES=ON -DBSPLINE_SHELL_3_BENCHMARKS=ON -DBSPLINE_SHELL_3_QUICK_BUILD=ON)
   target=()
 fi
 cmake -S . -B "$build" -G Ninja -Wno-dev "${options[@]}"
