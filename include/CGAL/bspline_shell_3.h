@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
+#include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/fit_field.h>
 #include <CGAL/Bspline_shell_3/level_bounds.h>
@@ -224,6 +225,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
        && is_weight(weights.mu) && is_weight(weights.zeta) && is_weight(weights.singular_hessian)))
     return stop(Status::INVALID_PARAMETER);
 
+  if(BS::arithmetic_self_test() != BS::Arithmetic_status::SOUND) return stop(Status::UNSOUND_ARITHMETIC);
   if(!start(Step::CHECK)) return stop(Status::CANCELED);
   BS::Input_mesh_3 input;
   const Status checked = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);

@@ -14,6 +14,7 @@
 #include <CGAL/Bspline_shell_3/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Thresholds.h>
+#include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/refine_until_certified.h>
 
 #include <CGAL/Real_timer.h>
@@ -140,6 +141,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
        && parameters.max_seconds > 0 && parameters.max_bytes > 0 && parameters.weights.are_valid()))
     return stop(Status::INVALID_PARAMETER);
 
+  if(BS::arithmetic_self_test() != BS::Arithmetic_status::SOUND) return stop(Status::UNSOUND_ARITHMETIC);
   if(!start(Step::CHECK)) return stop(Status::CANCELED);
   const auto input = std::make_shared<BS::Input_mesh_3>();
   const Status checked = input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
@@ -188,6 +190,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
     report.cells = refinement.field().number_of_cells();
     report.unknowns = refinement.field().number_of_coefficients();
     report.certificate = refinement.certificate()->report();
+    if(refinement.certificate()->status() != Status::SUCCESS) return stop(refinement.certificate()->status());
     if(report.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
     std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh(thickness);
     std::vector<char> shell_cells(report.cells, 0);

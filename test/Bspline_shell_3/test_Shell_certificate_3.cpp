@@ -13,6 +13,7 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <set>
 #include <vector>
@@ -706,6 +707,39 @@ TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothi
     CHECK(certificate.least_gradient() == 0);
     CHECK(certificate.displacement_bound() == std::numeric_limits<double>::infinity());
   }
+}
+
+TEST_CASE("Certificate: nothing is proved of a mesh that was refused, nor kept of the one before")
+{
+  const Field field = radial_field();
+  Mesh open = sphere(2);
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  const auto refused = std::make_shared<BS::Input_mesh_3>(), accepted = std::make_shared<BS::Input_mesh_3>();
+  REQUIRE(refused->build<CGAL::Sequential_tag>(open, open.points(), {}) == BS::Shell_status::OPEN_MESH);
+  const Mesh closed = sphere(2);
+  REQUIRE(accepted->build<CGAL::Sequential_tag>(closed, closed.points(), {}) == BS::Shell_status::SUCCESS);
+  Certificate certificate(field, Constant(0.7), Constant(1.3));
+  for(const std::shared_ptr<const BS::Input_mesh_3>& input : { refused, std::make_shared<BS::Input_mesh_3>() }) {
+    REQUIRE(certificate.verify<CGAL::Sequential_tag>(std::shared_ptr<const BS::Input_mesh_3>(accepted)));
+    CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(input));
+    CHECK(certificate.status() == input->status());
+    for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+    CHECK(certificate.facets().empty());
+  }
+}
+
+TEST_CASE("Certificate: what refutes a claim is listed, however many places are undecided before")
+{
+  BS::Certificate_report report;
+  Place w = {};
+  w.claim = Claim::GRADIENT;
+  w.verdict = Verdict::UNDECIDED;
+  for(std::size_t n = 0; n < 2 * BS::Certificate_report::max_witnesses; ++n) report.add(w);
+  w.verdict = Verdict::REFUTED;
+  report.add(w);
+  CHECK(report.witnesses.size() == BS::Certificate_report::max_witnesses);
+  CHECK(report.witnesses.back().verdict == Verdict::REFUTED);
+  CHECK(report.total_number_of_witnesses() == 2 * BS::Certificate_report::max_witnesses + 1);
 }
 
 TEST_CASE("Certificate: witnesses are bounded, and counted")

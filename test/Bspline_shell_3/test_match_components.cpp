@@ -126,7 +126,11 @@ TEST_CASE("Components: meshes with a certificate of a certified shell have those
     CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
     CHECK(has(certificate, Place::EMPTY_COMPONENT, Verdict::REFUTED));
   }
+  // two sheets in a component are both in it
   CHECK_FALSE(certificate.verify(both(both(small_sphere(), small_sphere(1.02)), large_sphere())));
+  CHECK(certificate.components() == std::vector<std::size_t>{ 0, 0, 1 });
+  CHECK_FALSE(has(certificate, Place::OTHER_COMPONENT, Verdict::REFUTED));
+  CHECK(has(certificate, Place::SHELL_CROSSINGS, Verdict::REFUTED));
 }
 
 TEST_CASE("Components: a mesh in a component of the level set that the shell does not have is not in the shell")
@@ -178,6 +182,12 @@ TEST_CASE("Components: the map between meshes in other components is refused")
       CHECK(image.status == BS::Flow_status::OTHER_COMPONENTS);
     CHECK_FALSE(std::string(message(refused.status())).empty());
   }
+  // what faces the other way, or has more parts elsewhere, is no reason
+  Mesh turned = mesh;
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  CHECK(BS::Shell_map_3(shell, mesh, turned).status() == BS::Flow_status::SUCCESS);
+  const Mesh debris = both(mesh, sphere(1, 0.1));
+  CHECK(BS::Shell_map_3(shell, mesh, debris).status() == BS::Flow_status::SUCCESS);
   // nothing is known of the components of a shell that is not certified
   CHECK(BS::Shell_map_3(Shell(shell.field(), BS::Level_range{ -0.09, 0.09 }, shell.shell_cells(), {}, [] {
     BS::Shell_report report;

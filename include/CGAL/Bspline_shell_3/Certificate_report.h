@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Level_range.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -63,7 +64,7 @@ struct Predicate_statistics
  */
 enum class Claim
 {
-  CONTAINMENT,        ///< P1: \f$\epsilon_1 \le f \le \epsilon_2\f$ on every point of every facet
+  CONTAINMENT,        ///< P1: \f$\epsilon_1 < f < \epsilon_2\f$ on every point of every facet
   TRANSVERSALITY,     ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
   GRADIENT,           ///< P3: the shell lies in the interior of the domain, and has no critical point
   ONE_SHEET,          ///< P4: every component of the shell contains exactly one component of the mesh
@@ -102,6 +103,7 @@ struct Certificate_witness
     OTHER_COMPONENT,    ///< `component` of the mesh was found in no component of the shell; refuted if it certainly is in none
     NO_PATH,            ///< no segment through `component` was found whose count says something; `facet` is a large one of it
     CROSSINGS,          ///< the path through `component` that goes through `facet` at `point` crosses the mesh `count` times
+    SHELL_CROSSINGS,    ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
     CONTAINMENT_NEEDED  ///< the claim was not examined, as containment is not proved
   };
   static constexpr std::size_t none = std::size_t(-1);
@@ -132,6 +134,7 @@ inline const char* name(Certificate_witness::Reason reason)
     case Certificate_witness::OTHER_COMPONENT:    return "other component";
     case Certificate_witness::NO_PATH:            return "no path";
     case Certificate_witness::CROSSINGS:          return "crossings";
+    case Certificate_witness::SHELL_CROSSINGS:    return "crossings of the shell";
     case Certificate_witness::CONTAINMENT_NEEDED: return "containment needed";
   }
   return "";
@@ -207,10 +210,16 @@ struct Certificate_report
     return std::accumulate(number_of_witnesses.begin(), number_of_witnesses.end(), std::size_t(0));
   }
 
-  /// adds a witness, or only counts it
+  /// adds a witness, or counts it if there are enough
   void add(const Certificate_witness& witness)
   {
-    if(number_of_witnesses[std::size_t(witness.claim)]++ < max_witnesses) witnesses.push_back(witness);
+    const auto is_of_claim = [&](const Certificate_witness& w) { return w.claim == witness.claim; };
+    if(number_of_witnesses[std::size_t(witness.claim)]++ < max_witnesses) { witnesses.push_back(witness); return; }
+    if(witness.verdict != Verdict::REFUTED) return;
+    // what refutes the claim is listed in any case
+    const auto is_refuting = [&](const Certificate_witness& w) { return is_of_claim(w) && w.verdict == Verdict::REFUTED; };
+    if(std::none_of(witnesses.begin(), witnesses.end(), is_refuting))
+      *std::find_if(witnesses.rbegin(), witnesses.rend(), is_of_claim) = witness;
   }
 };
 

@@ -18,7 +18,7 @@ namespace Bspline_shells {
 enum class Flow_status
 {
   SUCCESS,
-  OTHER_COMPONENTS,       ///< the source and the target of a map do not have the same components of the shell
+  OTHER_COMPONENTS,       ///< a component of the shell holds no part of the source, or none of the target
   INVALID_MESH,           ///< the target has facets that are no triangles, or coordinates that are no finite numbers
   NOT_FINITE,             ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,         ///< the point is not in the shell
@@ -39,7 +39,7 @@ inline const char* message(Flow_status status)
     case Flow_status::INVALID_MESH:
       return "The target must have triangles only, and finite coordinates: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Flow_status::OTHER_COMPONENTS:
-      return "The meshes do not each have one component in every component of the shell, so that no map is one-to-one: compare their certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
+      return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each other: compare their certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
     case Flow_status::NOT_FINITE:
       return "The point has coordinates that are infinite or not a number.";
     case Flow_status::STARTS_OUTSIDE:

@@ -66,6 +66,7 @@ public:
   Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated)
   {
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+    m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
     Shell_status status = copy(mesh, vpm);
     if(status == Shell_status::SUCCESS) status = check_surface();
@@ -75,10 +76,15 @@ public:
     if(status == Shell_status::SUCCESS && !tolerated.orientation)
       status = tolerated.self_intersections ? check_volume() : check_orientation();
     if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
-    if(status != Shell_status::SUCCESS) m_mesh.clear();
-    return status;
+    if(status != Shell_status::SUCCESS) {
+      m_mesh.clear();
+      m_components = 0;
+    }
+    return m_status = status;
   }
 
+  /// what `build()` returned; without `SUCCESS` there is no mesh
+  Shell_status status() const { return m_status; }
   const Triangle_mesh& mesh() const { return m_mesh; }
   /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
@@ -311,6 +317,7 @@ private:
 
   static constexpr unsigned int max_pairs = 1000;
 
+  Shell_status m_status = Shell_status::NOT_BUILT;
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
   Bbox_3 m_bbox;

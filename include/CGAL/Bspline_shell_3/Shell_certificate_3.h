@@ -109,20 +109,21 @@ public:
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
+    unsay();
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     auto input = std::make_shared<Input_mesh_3>();
-    const Shell_status status = input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
-    return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)), status);
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
+    return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
   /// examines a mesh that is known as the package works on it; facets and vertices are those of the user's mesh.
-  /// \param input the mesh
-  /// \param status of `input`
+  /// \param input the mesh; not null
   template <typename ConcurrencyTag = Parallel_if_available_tag>
-  bool verify(std::shared_ptr<const Input_mesh_3> input, Shell_status status = Shell_status::SUCCESS)
+  bool verify(std::shared_ptr<const Input_mesh_3> input)
   {
+    unsay();
     Real_timer timer;
     timer.start();
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
@@ -134,7 +135,7 @@ public:
       return false;
     }
     m_input = std::move(input);
-    m_status = status;
+    m_status = m_input->status();
     m_offenders = m_input->offending_simplices();
     if(m_status != Shell_status::SUCCESS) return false;
     if(!m_inner.has_cells_of(*m_field) || !m_outer.has_cells_of(*m_field)) {
@@ -154,7 +155,7 @@ public:
         conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
     }
     m_draft.statistics.seconds = timer.time();
-    // Only now: what is thrown before leaves all claims undecided.
+    // Published last: an exception leaves every claim undecided.
     m_facets = std::move(facets);
     m_report = std::move(m_draft);
     return is_certified();
@@ -162,7 +163,7 @@ public:
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
   /// components of the shell. Undecided if one of them is not certified, or if no path tells.
-  /// \pre both certificates are of the same field and thresholds
+  /// \pre both certificates are of the same field object, and of the same thresholds
   Verdict matches(const Shell_certificate_3& other) const
   {
     CGAL_precondition(m_field == other.m_field);
@@ -315,6 +316,14 @@ private:
   typedef typename Field::Point_3 Point_3;
   typedef Triangle_mesh::Face_index Face_index;
   typedef Triangle_mesh::Vertex_index Vertex_index;
+
+  // what was said of the last mesh; throws nothing
+  void unsay()
+  {
+    m_status = Shell_status::NOT_BUILT;
+    m_report = Certificate_report();
+    m_facets.clear();
+  }
 
   // all but what does not depend on the mesh, which is kept for a shell: a field may have got other coefficients
   void forget()
@@ -692,7 +701,7 @@ private:
   }
 
   // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
-  // other. A mesh for which there is no shell yet defines its components.
+  // other. Without a certified shell, the mesh defines the components.
   void examine_components(const Input_mesh_3& input)
   {
     m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
@@ -711,11 +720,12 @@ private:
       if(count == 1) continue;
       const bool is_empty = !count || *count == 0;
       Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE, count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
-                                      is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::CROSSINGS);
+                                      is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
       w.component = k;
       if(!is_empty) w.count = *count;
       for(const Crossing_path& path : m_shell_paths)
-        if(path.component == k) w.point = path.source;
+        if(path.component == k)
+          for(int a = 0; a < 3; ++a) w.point[a] = (path.source[a] + path.target[a]) / 2;
       conclude(w);
     }
     for(std::size_t c = 0; c < input.number_of_components(); ++c)

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Progress.h>
 #include <CGAL/Bspline_shell_3/Projection_target_3.h>
+#include <CGAL/Bspline_shell_3/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/match_components.h>
 
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -34,8 +36,8 @@ namespace Bspline_shells {
  * \brief the map between two meshes in a shell, along the integral curves of its field.
  *
  * If both meshes have a certificate of the certified shell (`Shell_certificate_3`) the map is one-to-one. The map asks for no
- * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and one of two closed
- * meshes certainly does not have exactly one component in each component of the shell. It keeps what both directions need, a tree of boxes
+ * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and a component of it holds
+ * no part of one of the meshes, if they are closed: no vertex, and no crossing with the paths through the component. It keeps what both directions need, a tree of boxes
  * for each mesh, and shares it with copies and with its inverse; all of these may be used from several threads at once. The shell and the
  * meshes must outlive them, unchanged.
  *
@@ -82,7 +84,7 @@ public:
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {
     if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
-    else if(has_other_components(m_to_source.target()) || has_other_components(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
+    else if(misses_component(m_to_source.target()) || misses_component(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
   }
 
   /// whether points are mapped: `SUCCESS`, or the status that all images have
@@ -142,9 +144,9 @@ private:
     return image;
   }
 
-  // Crossings of an open mesh depend on the path, and say nothing.
+  // Whether a component of the shell holds no part of a mesh. For an open mesh the count depends on the path.
   template <typename Target>
-  bool has_other_components(const Target& target) const
+  bool misses_component(const Target& target) const
   {
     const std::vector<Crossing_path> paths = shell().component_paths();
     if(paths.empty() || !target.is_closed()) return false;
@@ -152,10 +154,23 @@ private:
     const std::vector<typename Target::Index> component = target.components(number);
     typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
-    return match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
+    const Component_match match = match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
       const typename Target::Index f = typename Target::Index(n);
       return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
-    }, [&](std::size_t n) { return std::size_t(component[n]); }).verdict() == Verdict::REFUTED;
+    }, [&](std::size_t n) { return std::size_t(component[n]); });
+    std::vector<char> is_missed(match.crossings.size(), 0);
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
+    for(std::size_t k : match.component_of_shell)
+      if(k != Component_match::none) is_missed[k] = 0;
+    const auto is_any_missed = [&] { return std::find(is_missed.begin(), is_missed.end(), 1) != is_missed.end(); };
+    if(!is_any_missed() || !shell().proved_cover()) return false;
+    Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
+    cover.adopt(*shell().proved_cover());
+    for(const Coordinates& v : target.vertices_of_mesh()) {
+      const std::uint32_t k = cover.component(typename Shell::Point_3(v[0], v[1], v[2]));
+      if(k < is_missed.size()) is_missed[k] = 0;
+    }
+    return is_any_missed();
   }
 
   template <typename NamedParameters>

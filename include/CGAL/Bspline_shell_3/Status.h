@@ -40,7 +40,8 @@ enum class Shell_status
   DISTANCE_NOT_FINITE,         ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,               ///< the linear solver did not reach its tolerance
   SHELL_LEAVES_BAND,           ///< a bounding surface runs into the end of the cells
-  MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh, when a limit was reached
+  MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh
+  UNSOUND_ARITHMETIC,          ///< nothing can be proved in this build (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
   CANCELED                     ///< the visitor asked to stop
 };
@@ -95,7 +96,9 @@ inline const char* message(Shell_status status)
     case Shell_status::MESH_NOT_CONTAINED:
       return "No shell was found that contains the mesh: raise the limits of time and memory, or the resolution.";
     case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
-      return "A threshold is given on other cells than the field: give both on the same cells.";
+      return "A threshold and the field have different cells: define both on the same cells.";
+    case Shell_status::UNSOUND_ARITHMETIC:
+      return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target CGAL::CGAL does.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
   }

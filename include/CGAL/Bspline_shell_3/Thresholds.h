@@ -75,11 +75,12 @@ public:
   const Field& field() const { return *m_field; }
 
   /// whether the threshold has the leaf cells of a field, under the same numbers
-  bool has_cells_of(const Field& other) const
+  template <typename OtherField>
+  bool has_cells_of(const OtherField& other) const
   {
     if(!m_field || m_field->number_of_cells() != other.number_of_cells()) return false;
     for(std::size_t c = 0; c < other.number_of_cells(); ++c) {
-      const auto a = m_field->cell(typename Field::Cell_index(c)), b = other.cell(typename Field::Cell_index(c));
+      const auto a = m_field->cell(typename Field::Cell_index(c)), b = other.cell(typename OtherField::Cell_index(c));
       if(a.corner() != b.corner() || a.width() != b.width()) return false;
     }
     return true;

@@ -48,9 +48,9 @@ inline const char* message(Arithmetic_status status)
  * \brief tests, in any build, what no assertion could: what the compiler says of its options, and single operations with known results.
  * Takes less than a microsecond; leaves the rounding mode as it was.
  *
- * What the compiler says holds for the file that is compiled. All files of a program that include the package must be compiled with the same
- * options, as the linker keeps one of several copies of a function. GCC tells each of its options; Clang tells `-ffast-math` and has no macro
- * for `-frounding-math`, so that there the operations alone are tested.
+ * The macros describe the current translation unit only. All files of a program that include the package must be compiled with the same
+ * options, as the linker keeps one of several copies of a function. GCC 12 defines a macro for each option; Clang, and older versions that may
+ * not, have none for `-frounding-math`, so that there the operations alone are tested.
  */
 inline Arithmetic_status arithmetic_self_test()
 {
@@ -60,7 +60,7 @@ inline Arithmetic_status arithmetic_self_test()
 #else
   constexpr bool reorders = false;
 #endif
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__ROUNDING_MATH__)
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__ROUNDING_MATH__)
   constexpr bool ignores_mode = true;
 #else
   constexpr bool ignores_mode = false;

@@ -18,7 +18,7 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Certificate
  *
  * \brief how a segment crosses a facet, exactly: 1 if it passes through the interior from the back to the front, -1 if it passes
- * the other way, 0 if they are disjoint. Nothing if the segment touches an edge or a vertex, or ends on the facet.
+ * the other way, 0 if they are certainly apart. Nothing if the segment touches an edge or a vertex, ends on the facet, or lies in its plane.
  *
  * \tparam Point_3 a point of a kernel with exact predicates
  */

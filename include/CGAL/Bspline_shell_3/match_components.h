@@ -35,8 +35,8 @@ struct Component_match
 
   /// for each component of the mesh, that of the shell which contains it; `none` if there is none, or if it is not known
   std::vector<std::size_t> component_of_shell;
-  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with signs; nothing if no path
-  /// tells
+  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with signs; empty if every
+  /// path is degenerate
   std::vector<std::optional<int> > crossings;
 
   /// whether the components of the mesh and those of the shell match one-to-one; undecided if nothing is known of the shell
@@ -65,8 +65,10 @@ struct Component_match
  * least once, counted with signs. So if the count is one, there is exactly one, and it is the one that is crossed.
  *
  * Crossings are decided exactly. Where a path meets an edge or a vertex of the mesh, another path through the same component is
- * taken, if there is one. Paths through one component whose counts differ say that the mesh is not between the thresholds; one is taken,
- * if it occurs.
+ * taken, if there is one. If the counts of paths through one component differ, the mesh is not between the thresholds; a count of one is
+ * then preferred.
+ *
+ * \pre the field has no critical point in the components of the shell, and crosses the thresholds there: the third claim of the certificate
  *
  * \param paths paths through the components of the shell, in any order
  * \param number_of_components of the mesh
@@ -92,7 +94,7 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
   {
     int sum = 0;
     bool is_clean = true;       // no edge or vertex is met
-    std::size_t crossed = Component_match::none;
+    std::vector<std::size_t> crossed;       // components
   };
   const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
 
@@ -114,7 +116,7 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
     count.is_clean = count.is_clean && crossing;
     if(!crossing || *crossing == 0) return;
     count.sum += *crossing;
-    if(*crossing == 1) count.crossed = component(b.number);
+    count.crossed.push_back(component(b.number));
   });
 
   Component_match match;
@@ -124,7 +126,7 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
     if(k >= match.crossings.size()) match.crossings.resize(k + 1);
     if(!counts[n].is_clean || match.crossings[k] == 1) continue;
     match.crossings[k] = counts[n].sum;
-    if(counts[n].sum == 1) match.component_of_shell[counts[n].crossed] = k;
+    for(std::size_t c : counts[n].crossed) match.component_of_shell[c] = k;
   }
   return match;
 }

@@ -71,16 +71,18 @@ inline bool read_PLY_header(const std::string& text, PLY_header& header)
   for(words.clear(); rows.next(words); words.clear()) {
     if(words[0] == "format" && words.size() > 1) {
       header.format = words[1];
-    } else if(words[0] == "element" && words.size() == 3) {
+    } else if(words[0] == "element" && words.size() >= 3) {
       header.elements.emplace_back();
       header.elements.back().name = words[1];
       if(!read_count(words[2], header.elements.back().size)) return false;
     } else if(words[0] == "property" && !header.elements.empty()) {
-      const bool is_list = words.size() == 5 && words[1] == "list";
-      if(!is_list && words.size() != 3) return false;
+      // what stands behind the name is not read
+      const bool is_list = words.size() > 1 && words[1] == "list";
+      const std::size_t type = is_list ? 3 : 1;
+      if(words.size() < type + 2) return false;
       PLY_property property;
-      property.name = words.back();
-      property.value_bytes = size_of_PLY_type(words[words.size() - 2], property.is_real);
+      property.name = words[type + 1];
+      property.value_bytes = size_of_PLY_type(words[type], property.is_real);
       bool is_real = false;
       if(is_list) property.count_bytes = size_of_PLY_type(words[2], is_real);
       if(property.value_bytes == 0 || (is_list && property.count_bytes == 0) || is_real) return false;
@@ -88,7 +90,7 @@ inline bool read_PLY_header(const std::string& text, PLY_header& header)
     } else if(words[0] == "end_header") {
       header.end = rows.position();
       return !header.format.empty();
-    } else if(words[0] != "comment" && words[0] != "obj_info") return false;
+    }
   }
   return false;
 }
@@ -165,7 +167,7 @@ inline Shell_status normalize_PLY(std::string& text)
     if(element.name == "tristrips") return Shell_status::TRIANGLE_STRIPS;
     if(element.properties.empty()) return Shell_status::UNREADABLE_FILE;
     for(const PLY_property& property : element.properties)
-      if(!is_text && !property.is_real && property.value_bytes == 8) return Shell_status::UNREADABLE_FILE;
+      if(!is_text && ((!property.is_real && property.value_bytes == 8) || property.count_bytes == 8)) return Shell_status::UNREADABLE_FILE;
     if(element.is_vertex())
       for(const char* a : { "x", "y", "z" }) {
         const std::size_t p = element.find(a);
