@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12), builds all tests, examples and benchmarks, and runs the tests.
 #   bash test/run.sh [--sanitize]
-# --sanitize: unit tests of what counts, addresses and proves, compiled with address and undefined-behaviour sanitizers.
+# --sanitize: unit tests of what counts, addresses and proves, compiled with assertions, address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh

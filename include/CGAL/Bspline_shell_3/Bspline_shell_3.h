@@ -136,7 +136,7 @@ public:
     const auto& verdicts = m_report.certificate.verdicts;
     return status() == Shell_status::SUCCESS && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
   }
-  /// what became of the shell, in one sentence: why there is none, or whether it is certified
+  /// the outcome in one sentence: why there is no shell, or whether it is certified
   const char* message() const
   {
     if(!*this || m_report.refinement == Bspline_shells::Refinement_status::NOT_REFINED) return Bspline_shells::message(status());

@@ -68,8 +68,8 @@ public:
   struct Facet_bounds
   {
     bool is_contained = false, is_transversal = false;        ///< proved
-    bool leaves_shell = false, faces_away = false;            ///< at a point that is off the triangle by rounding at most: no proof, but a
-                                                              ///< reason not to go on
+    bool leaves_shell = false, faces_away = false;            ///< at a point that is off the triangle by rounding at most: not a proof;
+                                                              ///< the search stops there
     double slope = 0;         ///< if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
   };
 

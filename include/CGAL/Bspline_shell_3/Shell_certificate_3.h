@@ -55,7 +55,7 @@ namespace Bspline_shells {
  *
  * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell asks that a mesh has
  * exactly one component in each of them, and no other. So all meshes with a certificate of the same certified shell are mapped onto each
- * other. Of two certificates between thresholds that were chosen otherwise, `matches()` tells.
+ * other. For certificates between other thresholds, see `matches()`.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -162,7 +162,7 @@ public:
   }
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
-  /// components of the shell. Undecided if one of them is not certified, or if no path tells.
+  /// components of the shell. Undecided if one of them is not certified, or if every path is degenerate.
   /// \pre both certificates are of the same field object, and of the same thresholds
   Verdict matches(const Shell_certificate_3& other) const
   {
@@ -738,7 +738,7 @@ private:
   }
 
   // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or refuted by the
-  // count; undecided if the segment is of no use.
+  // count; undecided if the segment does not qualify.
   Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, const std::array<double, 3>& weights,
                    Crossing_path& path, int& count) const
   {

@@ -134,8 +134,8 @@ public:
   bool is_empty() const { return m_is_empty; }
 
 private:
-  // Whether a point that lies between the thresholds is in the shell. What is connected to it between the thresholds is then, too, as the
-  // cover is closed under touching.
+  // Whether a point that lies between the thresholds is in the shell. So is everything connected to it between the
+  // thresholds: the boxes around the cover are excluded.
   bool is_in_cover(const Point_3& p) const { return m_cover->component(p) != Cover_box::no_component; }
   bool is_in_cell(const Point_3& p) const
   {

@@ -546,7 +546,7 @@ private:
     return true;
   }
 
-  // An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. Not a number if a component is none.
+  // An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. NaN if a component is NaN.
   static double length(const std::array<double, 3>& v)
   {
     const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
