@@ -4,9 +4,9 @@
 
 #include "json.h"
 
-#include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

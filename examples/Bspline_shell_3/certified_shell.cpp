@@ -1,6 +1,6 @@
 // A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another mesh in
 // the shell, here the input with its vertices moved along the normals, is certified by the same claims.
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,8 +2,8 @@
 // shell is certified by the same object, and single facets are tested before a mesh is changed.
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Shell_containment_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,10 +4,10 @@
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
-#include <CGAL/Bspline_shell_3/Named_parameters.h>
-#include <CGAL/Bspline_shell_3/Progress.h>
-#include <CGAL/Bspline_shell_3/Status.h>
-#include <CGAL/Bspline_shell_3/extract_level_set.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/io.h>

@@ -2,8 +2,8 @@
 // points return to where they were.
 #include "second_mesh.h"
 
-#include <CGAL/Bspline_shell_3/Shell_map_3.h>
-#include <CGAL/Bspline_shell_3/project_points.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Projection/project_points.h>
 
 #include <algorithm>
 #include <cstdlib>

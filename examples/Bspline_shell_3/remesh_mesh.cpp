@@ -1,7 +1,7 @@
 // Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its vertices over to the result. That
 // cannot intersect itself, and the map between it and the mesh before is one-to-one: both are proved.
-#include <CGAL/Bspline_shell_3/remesh_in_shell.h>
-#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,9 +2,9 @@
 #ifndef SECOND_MESH_H
 #define SECOND_MESH_H
 
-#include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Transfer_report.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,9 +3,9 @@
 // render_shell.py draws them.
 #include "example_output.h"
 
-#include <CGAL/Bspline_shell_3/Shell_map_3.h>
-#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/IO/Color.h>

@@ -1,6 +1,6 @@
 // Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the map between it and
 // the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that they were collapsed into.
-#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,7 +2,7 @@
 // crosses, one quadrangle for each facet, that can be looked at together with the mesh.
 #include "second_mesh.h"
 
-#include <CGAL/Bspline_shell_3/transfer_tangent_vectors.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -1,7 +1,7 @@
 // A scalar field and colours at the vertices of a mesh are transferred to another mesh in the same shell, which is written with its colours.
 #include "second_mesh.h"
 
-#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 
 #include <CGAL/IO/Color.h>
 

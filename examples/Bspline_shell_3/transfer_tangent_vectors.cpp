@@ -1,7 +1,7 @@
 // Tangent vectors at the facets of a mesh are moved to another mesh in the same shell by the differential of the map, and back again.
 #include "second_mesh.h"
 
-#include <CGAL/Bspline_shell_3/transfer_tangent_vectors.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 

@@ -2,7 +2,7 @@
 // them, as OBJ files.
 #include "second_mesh.h"
 
-#include <CGAL/Bspline_shell_3/transfer_corner_attribute.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -6,20 +6,20 @@
 #ifndef CGAL_BSPLINE_SHELL_3_H
 #define CGAL_BSPLINE_SHELL_3_H
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
-#include <CGAL/Bspline_shell_3/Conjugate_gradient_solver.h>
-#include <CGAL/Bspline_shell_3/Fit_energy.h>
-#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
-#include <CGAL/Bspline_shell_3/Named_parameters.h>
-#include <CGAL/Bspline_shell_3/Progress.h>
-#include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
-#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
-#include <CGAL/Bspline_shell_3/fit_field.h>
-#include <CGAL/Bspline_shell_3/level_bounds.h>
-#include <CGAL/Bspline_shell_3/prove_containment.h>
-#include <CGAL/Bspline_shell_3/sample_signed_distance.h>
-#include <CGAL/Bspline_shell_3/shell_component.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Fit/fit_field.h>
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Certificate/prove_containment.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Construction/shell_component.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -240,7 +240,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   const double spacing = default_spacing ? input.unit() / resolution : asked_spacing;
   if(!(spacing < input.unit() * largest_relative_spacing)) return stop(Status::INVALID_PARAMETER);
   const BS::Lattice_3 lattice = BS::Lattice_3::off_the_ends(input.bbox(), spacing);
-  if(!lattice.is_exact() || input.unit() / lattice.spacing() > BS::internal::Lattice_key::max_coordinate)
+  if(!lattice.is_exact() || input.unit() / lattice.spacing() > BS::Lattice_key::max_coordinate)
     return stop(Status::GRID_TOO_FINE);
   if(rings > max_number_of_rings) return stop(Status::TOO_MANY_CELLS);
   report.gamma = input.unit() / lattice.spacing();
@@ -260,7 +260,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   if(at_least > double(BS::Fit_energy<Field>::max_number_of_unknowns)) return stop(Status::TOO_MANY_CELLS);
   if(exceeds_memory(at_least, at_least)) return stop(Status::MEMORY_LIMIT_EXCEEDED);
   std::vector<std::uint64_t> keys = dense ? BS::internal::box_cells(lattice, box, rings)
-                                          : BS::internal::dilate(surface_keys, -rings, rings);
+                                          : BS::dilate(surface_keys, -rings, rings);
 
   // the signed distance at the samples of some cells, from the mesh or from the caller's oracle
   std::optional<BS::Mesh_signed_distance_3> distance;

@@ -6,16 +6,16 @@
 #ifndef CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 #define CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
-#include <CGAL/Bspline_shell_3/Conjugate_gradient_solver.h>
-#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
-#include <CGAL/Bspline_shell_3/Named_parameters.h>
-#include <CGAL/Bspline_shell_3/Progress.h>
-#include <CGAL/Bspline_shell_3/Thresholds.h>
-#include <CGAL/Bspline_shell_3/arithmetic_self_test.h>
-#include <CGAL/Bspline_shell_3/refine_until_certified.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Construction/refine_until_certified.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -153,7 +153,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
 
   if(!start(Step::CELLS)) return stop(Status::CANCELED);
   const BS::Lattice_3 lattice = BS::Lattice_3::off_the_ends(input->bbox(), input->unit() / resolution);
-  if(!lattice.is_exact() || input->unit() / lattice.spacing() > BS::internal::Lattice_key::max_coordinate)
+  if(!lattice.is_exact() || input->unit() / lattice.spacing() > BS::Lattice_key::max_coordinate)
     return stop(Status::GRID_TOO_FINE);
   report.gamma = input->unit() / lattice.spacing();
   const double largest_thickness = has_absolute_thickness ? absolute_thickness : relative_thickness * input->unit();
@@ -174,7 +174,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   const double rings = 1 + std::floor(has_sizing ? 0 : largest_thickness / lattice.spacing());
   if(!(rings <= most_rings)) return stop(Status::INVALID_PARAMETER);
   if(double(surface_keys.size()) * 1e4 > parameters.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  BS::Cell_hierarchy_3 cells(BS::Cell_complex_3(lattice, BS::internal::dilate(surface_keys, -int(rings), int(rings))));
+  BS::Cell_hierarchy_3 cells(BS::Cell_complex_3(lattice, BS::dilate(surface_keys, -int(rings), int(rings))));
 
   const auto refine = [&](const auto& oracle) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;

@@ -4,12 +4,12 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Bspline_shell_3/Fit_energy.h>
-#include <CGAL/Bspline_shell_3/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Mesh_signed_distance_3.h>
-#include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/clip_mesh_to_cells.h>
-#include <CGAL/Bspline_shell_3/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 
 #include <Eigen/Core>
 
@@ -52,7 +52,7 @@ struct Fit_problem
     REQUIRE(status == BS::Shell_status::SUCCESS);
     lattice = BS::Lattice_3(input.bbox(), input.unit() / gamma);
     const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
-    field = Field(BS::Cell_complex_3(lattice, BS::internal::dilate(keys, -rings, rings)));
+    field = Field(BS::Cell_complex_3(lattice, BS::dilate(keys, -rings, rings)));
     clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
     const BS::Mesh_signed_distance_3 distance(input);
     samples = BS::sample_signed_distance<Tag>(distance, field.cells());

@@ -5,7 +5,7 @@
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
-#include <CGAL/Bspline_shell_3/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 
 #include <algorithm>
 #include <array>

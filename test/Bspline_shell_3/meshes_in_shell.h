@@ -4,8 +4,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Bspline_shell_3/Gradient_flow_3.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 
 #include <cmath>
 

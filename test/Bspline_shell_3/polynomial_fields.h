@@ -4,10 +4,10 @@
 
 #include "random_hierarchies.h"
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
-#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Random.h>
 

@@ -2,7 +2,7 @@
 #ifndef RANDOM_HIERARCHIES_H
 #define RANDOM_HIERARCHIES_H
 
-#include <CGAL/Bspline_shell_3/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 
 #include <CGAL/Random.h>
 
@@ -22,7 +22,7 @@ inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::L
   for(int k = first[2]; k <= last[2]; ++k)
     for(int j = first[1]; j <= last[1]; ++j)
       for(int i = first[0]; i <= last[0]; ++i)
-        if(share >= 1 || random.get_double() < share) keys.push_back(CGAL::Bspline_shells::internal::Lattice_key::encode(i, j, k));
+        if(share >= 1 || random.get_double() < share) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
   return Root_cells(lattice, keys);
 }
 

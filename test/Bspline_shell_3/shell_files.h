@@ -39,8 +39,8 @@ inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point
                       const std::function<double(std::size_t)>& coefficient)
 {
   std::vector<std::uint64_t> keys;
-  for(const Cell_point& p : points) keys.push_back(BS::internal::Lattice_key::encode(p.i, p.j, p.k));
-  BS::internal::sort_unique(keys);
+  for(const Cell_point& p : points) keys.push_back(BS::Lattice_key::encode(p.i, p.j, p.k));
+  BS::sort_unique(keys);
   Field field{ BS::Cell_complex_3(lattice, keys) };
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
   for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(std::size_t(n));
@@ -83,7 +83,7 @@ inline Varying_shell small_varying_shell()
 {
   typedef Varying_shell::Field Varying_field;
   std::vector<std::uint64_t> keys;
-  for(int i = -2; i < 3; ++i) keys.push_back(BS::internal::Lattice_key::encode(i, 1, 0));
+  for(int i = -2; i < 3; ++i) keys.push_back(BS::Lattice_key::encode(i, 1, 0));
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -2, 0, 2, 1, 5), 0.3);
   Varying_field field(BS::Cell_hierarchy_3(BS::Cell_complex_3(lattice, keys)).refined({ 0 }));
   CGAL::Random random(7);

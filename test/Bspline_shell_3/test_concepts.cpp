@@ -2,15 +2,15 @@
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
-#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/extract_level_set.h>
-#include <CGAL/Bspline_shell_3/transfer_corner_attribute.h>
-#include <CGAL/Bspline_shell_3/transfer_face_labels.h>
-#include <CGAL/Bspline_shell_3/transfer_tangent_vectors.h>
-#include <CGAL/Bspline_shell_3/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #ifdef HAVE_CHOLMOD
-#include <CGAL/Bspline_shell_3/Cholmod_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/Cholmod_solver.h>
 #endif
 
 #include <CGAL/Simple_cartesian.h>

@@ -11,11 +11,11 @@
 #include "random_hierarchies.h"
 #include "test_meshes.h"
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -45,7 +45,7 @@ Root_cells cells_near(const Function& f, double distance, const Lattice_point& s
     for(int j = -size[1]; j < size[1]; ++j)
       for(int i = -size[0]; i < size[0]; ++i)
         if(std::abs(f(Point_3((i + 0.5) * width, (j + 0.5) * width, (k + 0.5) * width))) < distance)
-          keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+          keys.push_back(BS::Lattice_key::encode(i, j, k));
   const double x = size[0] * width, y = size[1] * width, z = size[2] * width;
   return Root_cells(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), keys);
 }

@@ -6,7 +6,7 @@
 // Default: a million points of armadillo. The second mesh is the first with its vertices moved along the flow.
 #include "../meshes_in_shell.h"
 
-#include <CGAL/Bspline_shell_3/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -6,7 +6,7 @@
 // ratio of inradius to circumradius. Edges sharper than 60 degrees are constrained in both.
 #include "../meshes_in_shell.h"
 
-#include <CGAL/Bspline_shell_3/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>

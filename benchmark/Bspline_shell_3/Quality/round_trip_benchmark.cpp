@@ -8,8 +8,8 @@
 // meshes. Lengths are in units of the longest box side.
 #include "../meshes_in_shell.h"
 
-#include <CGAL/Bspline_shell_3/Shell_map_3.h>
-#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 
 #include <Eigen/Dense>
 

@@ -10,7 +10,7 @@
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
-#include <CGAL/Bspline_shell_3/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 

@@ -2,9 +2,9 @@
 #ifndef EXACT_FIELD_H
 #define EXACT_FIELD_H
 
-#include <CGAL/Bspline_shell_3/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Mpzf.h>
 

@@ -5,7 +5,7 @@
 #include "Tally.h"
 #include "random_shells.h"
 
-#include <CGAL/Bspline_shell_3/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef TALLY_H
 #define TALLY_H
 
-#include <CGAL/Bspline_shell_3/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "Exact_shell.h"
 
-#include <CGAL/Bspline_shell_3/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,10 @@
 
 #include "Exact_shell.h"
 
-#include <CGAL/Bspline_shell_3/Bernstein_bounds.h>
-#include <CGAL/Bspline_shell_3/Crossing_counter_3.h>
-#include <CGAL/Bspline_shell_3/facet_normal.h>
-#include <CGAL/Bspline_shell_3/fan_winding.h>
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 
 #include <algorithm>
 #include <map>

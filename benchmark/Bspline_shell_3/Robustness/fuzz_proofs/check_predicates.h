@@ -5,9 +5,9 @@
 #include "Exact_shell.h"
 #include "check_geometry.h"
 
-#include <CGAL/Bspline_shell_3/Field_predicates_3.h>
-#include <CGAL/Bspline_shell_3/Second_order_bounds_3.h>
-#include <CGAL/Bspline_shell_3/Shell_facet_oracle_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
 // the double next to a computed one by some units in the last place, or by a random share of `size`
 inline double nearby(CGAL::Random& random, double x, double size)

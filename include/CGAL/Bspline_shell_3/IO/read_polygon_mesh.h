@@ -6,9 +6,9 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 
-#include <CGAL/Bspline_shell_3/Status.h>
-#include <CGAL/Bspline_shell_3/internal/normalize_OFF.h>
-#include <CGAL/Bspline_shell_3/internal/normalize_PLY.h>
+#include <CGAL/Bspline_shell_3/IO/internal/normalize_OFF.h>
+#include <CGAL/Bspline_shell_3/IO/internal/normalize_PLY.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

@@ -6,11 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_SHELL_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_SHELL_H
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/IO/Shell_file_status.h>
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
-#include <CGAL/Bspline_shell_3/internal/File_input.h>
-#include <CGAL/Bspline_shell_3/internal/shell_file.h>
+#include <CGAL/Bspline_shell_3/IO/internal/File_input.h>
+#include <CGAL/Bspline_shell_3/IO/internal/shell_file.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 
 #include <Eigen/Core>
 

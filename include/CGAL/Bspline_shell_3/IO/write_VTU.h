@@ -6,10 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_WRITE_VTU_H
 #define CGAL_BSPLINE_SHELL_3_IO_WRITE_VTU_H
 
-#include <CGAL/Bspline_shell_3/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/IO/Shell_file_status.h>
+#include <CGAL/Bspline_shell_3/IO/internal/File_output.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
-#include <CGAL/Bspline_shell_3/internal/File_output.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_WRITE_CERTIFICATE_H
 #define CGAL_BSPLINE_SHELL_3_IO_WRITE_CERTIFICATE_H
 
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
-#include <CGAL/Bspline_shell_3/Shell_certificate_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,613 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_SECOND_ORDER_BOUNDS_3_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_SECOND_ORDER_BOUNDS_3_H
+
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief whether triangles are in a shell and face along the gradient, by what is known at their corners and of the second derivatives on
+ * the cells that they meet: rigorous, and fast for most triangles. `Field_predicates_3` has the last word on what is left open.
+ *
+ * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle, and let the second derivatives of a function \f$g\f$ on the cells that the
+ * triangle meets differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's formula at \f$x\f$ for each
+ * corner, weighted by \f$\lambda_i\f$, has no terms of first order. With \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$ it gives
+ * \f[ g(x) \ge \min_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j)
+ *          \ge \min_i g(v_i) - \frac{1}{6} \max (0, \max_{i<j} q(v_i - v_j)), \f]
+ * where \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal: what does not curve upwards in the
+ * triangle's plane costs next to nothing. In the slope along the normal \f$n\f$, \f$C\f$ drops out in the same way:
+ * \f[ n \cdot \nabla g(x) \ge \min_i n \cdot \nabla g(v_i) - \frac{1}{2} \sum_{a, b} |n_a| R_{ab} w_b \f]
+ * with the widths \f$w\f$ of the triangle's box, as numbers differ from their mean by at most half the length of the interval that they lie
+ * in, in the mean. The field has two continuous derivatives, so that this holds across cells. Triangles are bisected until it is enough.
+ *
+ * Const member functions may be called from several threads at once.
+ *
+ * \tparam Field a model of `BsplineField_3`
+ * \tparam Threshold a model of `ShellThreshold`
+ */
+template <typename Field, typename Threshold = Constant_threshold>
+class Second_order_bounds_3
+{
+public:
+  typedef typename Field::Point_3 Point_3;
+  typedef typename Field::Cell_index Cell_index;
+
+  /// what is known at a point
+  struct Sample
+  {
+    std::array<double, 3> point;
+    Cell_index cell;                      ///< one that contains the point; `npos` outside the domain
+    double above, below;                  ///< lower bounds of the field minus the inner threshold, and of the outer one minus the field
+    std::array<double, 3> gradient;       ///< per user unit, rounded
+  };
+
+  /// what was found on a triangle
+  struct Facet_bounds
+  {
+    bool is_contained = false, is_transversal = false;        ///< proved
+    bool leaves_shell = false, faces_away = false;            ///< at a point that is off the triangle by rounding at most: not a proof;
+                                                              ///< the search stops there
+    double slope = 0;         ///< if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
+  };
+
+  /// bounds the second derivatives on all cells
+  /// \pre `field` outlives this object
+  template <typename ConcurrencyTag>
+  Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer, ConcurrencyTag)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_cells(field.number_of_cells())
+  {
+    constexpr std::size_t chunk = 256;
+    internal::for_each_chunk<ConcurrencyTag>(m_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c) bound(Cell_index(c));
+    });
+  }
+
+  Sample sample(const Point_3& p) const { return sample({ p[0], p[1], p[2] }, m_field->locate(p), true, true); }
+
+  /// halfway between two points, rounded
+  Sample sample_middle(const Sample& p, const Sample& q) const
+  {
+    const Coordinates x = middle(p, q);
+    return sample(x, locate(x), true, true);
+  }
+
+  /// the derivative of the field along a direction, rounded
+  static double slope(const Sample& s, const std::array<double, 3>& direction)
+  {
+    return s.gradient[0] * direction[0] + s.gradient[1] * direction[1] + s.gradient[2] * direction[2];
+  }
+
+  /// \param corners samples of the triangle's corners
+  /// \param normal encloses its normal
+  /// \param most_bisections after which nothing more is proved
+  /// \param wanted_slope up to which the bound of the slope is to be at least nine tenths of what the slope is at some point; per user unit
+  Facet_bounds examine(const std::array<Sample, 3>& corners, const Facet_normal& normal, std::size_t most_bisections,
+                       double wanted_slope = 0) const
+  {
+    return Examination(*this, corners, normal, most_bisections, wanted_slope).result();
+  }
+
+private:
+  typedef std::array<double, 3> Coordinates;
+  typedef std::array<double, 6> Symmetric_matrix;      // xx, yy, zz, yz, xz, xy
+
+  struct Matrix_range
+  {
+    Symmetric_matrix least, most;
+
+    void include(const Matrix_range& other)
+    {
+      for(int m = 0; m < 6; ++m) {
+        least[m] = (std::min)(least[m], other.least[m]);
+        most[m] = (std::max)(most[m], other.most[m]);
+      }
+    }
+    // sum of the absolute entries
+    double size() const
+    {
+      double sum = 0;
+      for(int m = 0; m < 6; ++m) sum += (m < 3 ? 1 : 2) * (std::max)(-least[m], most[m]);
+      return sum;
+    }
+  };
+
+  // What is known of all of a cell, per user unit. Margins: the field minus the inner threshold, the outer one minus the field.
+  struct Cell_bounds
+  {
+    Coordinates corner;
+    double width;
+    Matrix_range above, below, field;                   // second derivatives, of the margins and the field
+    Coordinates least_gradient, greatest_gradient;      // of the field, components
+    double steepness, curvature;                        // sums of absolute first and second derivatives, of the margins and the field
+    double value_error, gradient_error;                 // of a margin, and of a gradient's component, that are computed at a point
+    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards.
+    bool has_flat_thresholds;
+    double inner, outer;
+  };
+
+  static Coordinates middle(const Sample& p, const Sample& q)
+  {
+    return { (p.point[0] + q.point[0]) / 2, (p.point[1] + q.point[1]) / 2, (p.point[2] + q.point[2]) / 2 };
+  }
+
+  Cell_index locate(const Coordinates& x) const { return m_field->locate(Point_3(x[0], x[1], x[2])); }
+
+  // in a cell that contains the point
+  Sample sample(const Coordinates& x, Cell_index c, bool wants_margins, bool wants_gradient) const
+  {
+    Sample s = { x, c, -1, -1, {} };
+    if(c == Field::npos) return s;
+    const typename Field::Cell cell = m_field->cell(c);
+    double value = 0;
+    if(wants_gradient) {
+      const auto jet = cell.first_order_jet(x);
+      s.gradient = jet.gradient;
+      value = jet.value;
+    } else if(wants_margins) {
+      value = cell.value(x);
+    }
+    s.above = s.below = 0;
+    if(wants_margins) {
+      const Cell_bounds& bounds = m_cells[c];
+      s.above = value - (bounds.has_flat_thresholds ? bounds.inner : m_inner.value(x, c)) - bounds.value_error;
+      s.below = (bounds.has_flat_thresholds ? bounds.outer : m_outer.value(x, c)) - value - bounds.value_error;
+    }
+    return s;
+  }
+
+  // encloses the second derivatives on a cell, by second differences of the coefficients
+  static Matrix_range second_derivatives(const Enclosed_tricubic& f, double width)
+  {
+    constexpr int stride[3] = { 1, 4, 16 };
+    const std::array<double, 64>& b = f.coefficients;
+    double largest = 0;
+    for(double x : b) largest = (std::max)(largest, std::abs(x));
+    // a difference of four coefficients, and three roundings of at most four times the largest
+    const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
+    Matrix_range h;
+    for(int m = 0; m < 6; ++m) {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      const auto include = [&](double x) {
+        least = (std::min)(least, x);
+        most = (std::max)(most, x);
+      };
+      if(m < 3) {
+        const int s = stride[m], t = stride[(m + 1) % 3], u = stride[(m + 2) % 3];
+        for(int k = 0; k < 4; ++k)
+          for(int j = 0; j < 4; ++j) {
+            const double* p = &b[k * u + j * t];
+            include(p[2*s] - 2 * p[s] + p[0]);
+            include(p[3*s] - 2 * p[2*s] + p[s]);
+          }
+      } else {
+        const int s = stride[(m + 1) % 3], t = stride[(m + 2) % 3], u = stride[m % 3];
+        for(int k = 0; k < 4; ++k)
+          for(int j = 0; j < 3; ++j)
+            for(int i = 0; i < 3; ++i) {
+              const double* p = &b[k * u + j * t + i * s];
+              include((p[s + t] - p[s]) - (p[t] - p[0]));
+            }
+      }
+      // divided twice: the square of a width may be no finite number, or zero
+      const double factor = m < 3 ? 6 : 9, rounded = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most));
+      h.least[m] = factor * (least - error - rounded) / width / width - internal::underflow;
+      h.most[m] = factor * (most + error + rounded) / width / width + internal::underflow;
+    }
+    return h;
+  }
+
+  struct Slopes { Coordinates least, most; };
+
+  // encloses the components of the gradient on a cell
+  static Slopes slopes(const Enclosed_tricubic& f, double width)
+  {
+    Slopes slopes;
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for(int n = 0; n < 64; ++n) {
+        if((n / stride) % 4 == 3) continue;
+        const double x = f.coefficients[n + stride] - f.coefficients[n];
+        least = (std::min)(least, x);
+        most = (std::max)(most, x);
+      }
+      const double error = (1 + 16 * internal::rounding)
+                         * (8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius + internal::underflow);
+      slopes.least[axis] = 3 * (least - error) / width - internal::underflow;
+      slopes.most[axis] = 3 * (most + error) / width + internal::underflow;
+    }
+    return slopes;
+  }
+
+  static double size(const Slopes& s)
+  {
+    double sum = 0;
+    for(int a = 0; a < 3; ++a) sum += (std::max)(-s.least[a], s.most[a]);
+    return sum;
+  }
+
+  void bound(Cell_index c)
+  {
+    const typename Field::Cell cell = m_field->cell(c);
+    const double width = cell.width();
+    const Enclosed_tricubic f = enclosed_value(cell), above = m_inner.difference(f, c);
+    Enclosed_tricubic below = m_outer.difference(f, c);
+    for(double& x : below.coefficients) x = -x;
+    Cell_bounds& bounds = m_cells[c];
+    bounds.corner = cell.corner();
+    bounds.width = width;
+    bounds.field = second_derivatives(f, width);
+    bounds.above = second_derivatives(above, width);
+    bounds.below = second_derivatives(below, width);
+    const Slopes gradient = slopes(f, width);
+    bounds.least_gradient = gradient.least;
+    bounds.greatest_gradient = gradient.most;
+    bounds.curvature = (std::max)({ bounds.field.size(), bounds.above.size(), bounds.below.size() });
+    bounds.steepness = (std::max)({ size(gradient), size(slopes(above, width)), size(slopes(below, width)) });
+    // Of values that cells compute at points in them: Form_error covers more roundings than there are. A threshold is the difference of the
+    // field and a margin.
+    const internal::Form_error error(8 * internal::rounding);
+    bounds.value_error = 2 * error(f) + error(above) + error(below);
+    const Level_range inner = threshold_range(m_inner, c), outer = threshold_range(m_outer, c);
+    bounds.inner = inner.max;
+    bounds.outer = outer.min;
+    const double variation = (std::max)(inner.max - inner.min, outer.max - outer.min);
+    bounds.has_flat_thresholds = variation < flat * (outer.min - inner.max);
+    if(bounds.has_flat_thresholds) bounds.value_error += variation;
+    // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
+    bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width + internal::underflow;
+    // Comparisons pass over what is no number; what is infinite they keep.
+    if(!(bounds.steepness + bounds.curvature + bounds.value_error + bounds.gradient_error < std::numeric_limits<double>::infinity()))
+      bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
+  }
+
+  // of one triangle
+  class Examination
+  {
+  public:
+    Examination(const Second_order_bounds_3& all, const std::array<Sample, 3>& corners, const Facet_normal& normal,
+                std::size_t most_bisections, double wanted_slope)
+      : m_all(all), m_normal(normal), m_bisections_left(most_bisections)
+    {
+      double reach = 0;
+      for(const Sample& s : corners)
+        for(double x : s.point) reach = (std::max)(reach, std::abs(x));
+      // a rounding of a coordinate for each bisection
+      m_shift = 4 * (max_depth + 1) * internal::rounding * reach;
+      for(int a = 0; a < 3; ++a) m_absolute_normal[a] = std::abs(normal.direction[a]) + normal.radius;
+      m_result.slope = std::numeric_limits<double>::infinity();
+      const Part part = { corners, 0, 0, false, false };
+      const double length = std::sqrt(square(m_absolute_normal[0]) + square(m_absolute_normal[1]) + square(m_absolute_normal[2]));
+      m_enough = wanted_slope * length * (1 + 32 * internal::rounding);
+      m_result.is_contained = m_result.is_transversal = true;
+      bool is_hopeless = false;
+      for(const Sample& s : corners) is_hopeless = is_hopeless || fails(s, part);
+      if(!is_hopeless) find_cells(part);
+      m_result.slope = m_result.is_transversal ? m_result.slope / length * (1 - 16 * internal::rounding) : 0;
+    }
+
+    const Facet_bounds& result() const { return m_result; }
+
+  private:
+    struct Part
+    {
+      std::array<Sample, 3> corner;
+      int depth, refinements;                   // bisections; those of them below the size of a cell
+      bool is_contained, is_transversal;        // known of all of it
+    };
+    struct Cell_met
+    {
+      Cell_index cell;
+      bool is_transversal;                      // by the gradients on the cell
+    };
+    // of cells met, by number, and what is known of all of them
+    struct Region
+    {
+      std::size_t begin, end;
+      Symmetric_matrix above, below;            // q of the margins
+      Symmetric_matrix radius;                  // R of the field
+      double width, steepness, curvature;       // the least width, otherwise the largest
+      bool is_transversal;
+    };
+    struct Edges
+    {
+      std::array<Symmetric_matrix, 3> products;       // of components; of those off the diagonal, twice
+      double longest;                                 // length
+      int top;                                        // the corner opposite to it
+    };
+
+    static double square(double x) { return x * x; }
+
+    // whether a point keeps one of the claims from being proved; then there is no use in going on
+    bool fails(const Sample& s, const Part& part)
+    {
+      bool fails = s.cell == Field::npos;
+      if(!fails && !part.is_contained) {
+        const double margin = (std::min)(s.above, s.below);
+        fails = margin < 0;
+        m_result.leaves_shell = margin < -2 * m_all.m_cells[s.cell].value_error;
+      }
+      if(!fails && !part.is_transversal) {
+        const double at_point = slope(s, m_normal.direction);
+        fails = !(at_point > 0);
+        m_result.faces_away = at_point < -slope_error(s);
+        m_enough = (std::min)(m_enough, 0.9 * at_point);
+      }
+      if(fails) m_result.is_contained = m_result.is_transversal = false;
+      return fails;
+    }
+
+    // of the slope that is computed at a point
+    double slope_error(const Sample& s) const
+    {
+      const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
+      return 4 * m_all.m_cells[s.cell].gradient_error + (2 * m_normal.radius + 8 * internal::rounding) * size;
+    }
+
+    static Edges edges(const Part& part)
+    {
+      Edges edges;
+      double longest = -1;
+      for(int v = 0; v < 3; ++v) {
+        const Coordinates &p = part.corner[(v + 1) % 3].point, &q = part.corner[(v + 2) % 3].point;
+        const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x*x + y*y + z*z;
+        edges.products[v] = { x*x, y*y, z*z, 2*y*z, 2*x*z, 2*x*y };
+        if(squared > longest) { longest = squared; edges.top = v; }
+      }
+      edges.longest = std::sqrt(longest) * (1 + 8 * internal::rounding);
+      return edges;
+    }
+
+    // of the exact part, too
+    Bbox_3 bbox(const Part& part) const
+    {
+      Coordinates least, most;
+      for(int a = 0; a < 3; ++a) {
+        const double x = part.corner[0].point[a], y = part.corner[1].point[a], z = part.corner[2].point[a];
+        least[a] = (std::min)((std::min)(x, y), z) - m_shift;
+        most[a] = (std::max)((std::max)(x, y), z) + m_shift;
+      }
+      return Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]);
+    }
+
+    static bool is_in(const Bbox_3& box, const Cell_bounds& cell)
+    {
+      for(int a = 0; a < 3; ++a)
+        if((box.min)(a) < cell.corner[a] || (box.max)(a) > cell.corner[a] + cell.width) return false;
+      return true;
+    }
+    static bool do_meet(const Bbox_3& box, const Cell_bounds& cell)
+    {
+      for(int a = 0; a < 3; ++a)
+        if((box.max)(a) < cell.corner[a] || (box.min)(a) > cell.corner[a] + cell.width) return false;
+      return true;
+    }
+    static bool contains(const Cell_bounds& cell, const Coordinates& x)
+    {
+      for(int a = 0; a < 3; ++a)
+        if(x[a] < cell.corner[a] || x[a] > cell.corner[a] + cell.width) return false;
+      return true;
+    }
+
+    // false if the facet's plane misses the cell
+    bool plane_meets(const Cell_bounds& cell, const Part& part) const
+    {
+      double distance = 0, extent = 0, reach = 0;
+      for(int a = 0; a < 3; ++a) {
+        const double d = cell.corner[a] + cell.width / 2 - part.corner[0].point[a];
+        distance += m_normal.direction[a] * d;
+        extent += m_absolute_normal[a] * (cell.width / 2 + m_shift);
+        reach = (std::max)(reach, std::abs(d));
+      }
+      return std::abs(distance) <= extent * (1 + 16 * internal::rounding) + (3 * m_normal.radius + 16 * internal::rounding) * reach;
+    }
+
+    void meet(Cell_index c)
+    {
+      const Cell_bounds& cell = m_all.m_cells[c];
+      double sum = 0, size = 0;
+      for(int a = 0; a < 3; ++a) {
+        sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a], m_normal.direction[a] * cell.greatest_gradient[a]);
+        size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.greatest_gradient[a]));
+      }
+      const double least = sum - (2 * m_normal.radius + 8 * internal::rounding) * size;
+      const bool is_transversal = least > 0 && least >= m_enough;
+      m_cells.push_back({ c, is_transversal });
+      if(is_transversal) m_result.slope = (std::min)(m_result.slope, least);
+    }
+
+    // Parts that are larger than a few cells are bisected before the cells that they meet are looked up.
+    void find_cells(const Part& part)
+    {
+      double width = 0;
+      for(const Sample& s : part.corner) width = (std::max)(width, m_all.m_cells[s.cell].width);
+      const Edges e = edges(part);
+      if(e.longest < large_extent * width) {
+        const Bbox_3 box = bbox(part);
+        const Cell_index first = part.corner[0].cell;
+        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.m_cells[first]);
+        if(is_covered) meet(first);
+        else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
+          if(plane_meets(m_all.m_cells[c], part)) meet(c);
+        });
+        is_covered = is_covered && !m_cells.empty();
+        if(is_covered) examine(part, e, region_from(0));
+        m_cells.clear();
+        if(is_covered) return;
+      }
+      bisect(part, e, [&](const Part& half) { find_cells(half); });
+    }
+
+    // the halves of a part, unless there were too many; calls next() for each, as long as something can still be proved
+    template <typename Next>
+    void bisect(const Part& part, const Edges& e, const Next& next)
+    {
+      if(part.depth == max_depth || part.refinements == max_refinements || m_bisections_left == 0) {
+        m_result.is_contained = m_result.is_contained && part.is_contained;
+        m_result.is_transversal = m_result.is_transversal && part.is_transversal;
+        return;
+      }
+      --m_bisections_left;
+      const Sample &p = part.corner[(e.top + 1) % 3], &q = part.corner[(e.top + 2) % 3];
+      const Coordinates x = middle(p, q);
+      const Sample between = m_all.sample(x, locate(x), !part.is_contained, !part.is_transversal);
+      if(fails(between, part)) return;
+      Part half = part;
+      ++half.depth;
+      for(int end : { 1, 2 }) {
+        half.corner = part.corner;
+        half.corner[(e.top + end) % 3] = between;
+        half.is_contained = part.is_contained || !m_result.is_contained;        // what is lost need not be proved
+        half.is_transversal = part.is_transversal || !m_result.is_transversal;
+        if(!(half.is_contained && half.is_transversal)) next(half);
+      }
+    }
+
+    // one of the cells met, or else the field's
+    Cell_index locate(const Coordinates& x) const
+    {
+      for(std::size_t n = m_cells.size(); n-- > 0; )
+        if(contains(m_all.m_cells[m_cells[n].cell], x)) return m_cells[n].cell;
+      return m_all.locate(x);
+    }
+
+    // the cells met from a number on
+    Region region_from(std::size_t begin) const
+    {
+      const Cell_bounds& first = m_all.m_cells[m_cells[begin].cell];
+      Region region = { begin, m_cells.size(), {}, {}, {}, first.width, first.steepness, first.curvature, m_cells[begin].is_transversal };
+      Matrix_range above = first.above, below = first.below, field = first.field;
+      for(std::size_t n = begin + 1; n < m_cells.size(); ++n) {
+        const Cell_bounds& cell = m_all.m_cells[m_cells[n].cell];
+        region.width = (std::min)(region.width, cell.width);
+        region.steepness = (std::max)(region.steepness, cell.steepness);
+        region.curvature = (std::max)(region.curvature, cell.curvature);
+        region.is_transversal = region.is_transversal && m_cells[n].is_transversal;
+        above.include(cell.above);
+        below.include(cell.below);
+        field.include(cell.field);
+      }
+      region.above = form(above);
+      region.below = form(below);
+      for(int m = 0; m < 6; ++m) region.radius[m] = (field.most[m] - field.least[m]) / 2;
+      return region;
+    }
+
+    // q
+    static Symmetric_matrix form(const Matrix_range& h)
+    {
+      Symmetric_matrix q, radius;
+      for(int m = 0; m < 6; ++m) {
+        q[m] = (h.most[m] + h.least[m]) / 2;
+        radius[m] = (h.most[m] - h.least[m]) / 2;
+      }
+      for(int a = 0; a < 3; ++a) q[a] += radius[a] + radius[3 + (a + 1) % 3] + radius[3 + (a + 2) % 3];
+      return q;
+    }
+
+    // a part that meets no cells but those of a region
+    void examine(Part part, const Edges& e, const Region& around)
+    {
+      const Bbox_3 box = bbox(part);
+      const std::size_t size = m_cells.size();
+      for(std::size_t n = around.begin; n < around.end; ++n)
+        if(around.end - around.begin == 1 || do_meet(box, m_all.m_cells[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
+      const bool is_smaller = m_cells.size() - size < around.end - around.begin;
+      if(!is_smaller) m_cells.resize(size);
+      if(is_smaller && m_cells.size() > size) examine(part, e, box, region_from(size));
+      else examine(part, e, box, around);
+      m_cells.resize(size);
+    }
+
+    void examine(Part& part, const Edges& e, const Bbox_3& box, const Region& region)
+    {
+      if(!part.is_contained) part.is_contained = is_contained(part, e, region);
+      if(!part.is_transversal) part.is_transversal = is_transversal(part, box, region);
+      if(part.is_contained && part.is_transversal) return;
+      part.refinements += e.longest < region.width;
+      bisect(part, e, [&](const Part& half) { examine(half, edges(half), region); });
+    }
+
+    static constexpr double up = 1 + 32 * internal::rounding;
+
+    bool is_contained(const Part& part, const Edges& e, const Region& region) const
+    {
+      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these underflow.
+      const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift
+                         + region.curvature * internal::underflow;
+      const double above = (largest_on_edges(region.above, e) / 6 + error) * up, below = (largest_on_edges(region.below, e) / 6 + error) * up;
+      for(const Sample& s : part.corner)
+        if(!(s.above > above && s.below > below)) return false;
+      return true;
+    }
+
+    // max(0, q)
+    static double largest_on_edges(const Symmetric_matrix& q, const Edges& e)
+    {
+      double largest = 0;
+      for(const Symmetric_matrix& p : e.products)
+        largest = (std::max)(largest, q[0]*p[0] + q[1]*p[1] + q[2]*p[2] + q[3]*p[3] + q[4]*p[4] + q[5]*p[5]);
+      return largest;
+    }
+
+    bool is_transversal(const Part& part, const Bbox_3& box, const Region& region)
+    {
+      if(region.is_transversal) return true;
+      const Symmetric_matrix& r = region.radius;
+      const Coordinates& n = m_absolute_normal;
+      const double deviation = (box.xmax() - box.xmin()) * (r[0]*n[0] + r[5]*n[1] + r[4]*n[2])
+                             + (box.ymax() - box.ymin()) * (r[5]*n[0] + r[1]*n[1] + r[3]*n[2])
+                             + (box.zmax() - box.zmin()) * (r[4]*n[0] + r[3]*n[1] + r[2]*n[2]);
+      double least = std::numeric_limits<double>::infinity();
+      for(const Sample& s : part.corner) least = (std::min)(least, slope(s, m_normal.direction) - slope_error(s));
+      least -= (deviation / 2 + 4 * region.curvature * m_shift) * up;
+      if(!(least > 0 && least >= m_enough)) return false;
+      m_result.slope = (std::min)(m_result.slope, least);
+      return true;
+    }
+
+    const Second_order_bounds_3& m_all;
+    const Facet_normal& m_normal;
+    Coordinates m_absolute_normal;
+    double m_shift;                     // by which corners of parts may be off, by rounding
+    double m_enough;                    // of slope on a part, as a bound
+    std::size_t m_bisections_left;
+    Facet_bounds m_result;
+    boost::container::small_vector<Cell_met, 256> m_cells;      // of the region that is looked at, after those of the regions that it is in
+  };
+
+  static constexpr double large_extent = 3;           // cells
+  static constexpr double flat = 1e-3;                // variation of thresholds, relative to the thickness
+  static constexpr int max_depth = 40, max_refinements = 14;
+
+  const Field* m_field;
+  Threshold m_inner, m_outer;
+  std::vector<Cell_bounds> m_cells;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_SECOND_ORDER_BOUNDS_3_H

@@ -1,0 +1,807 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_CERTIFICATE_3_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_CERTIFICATE_3_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
+#include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief decides, rigorously, whether the integral curves of a field relate a mesh one-to-one to all others in the same
+ * shell for which it says so.
+ *
+ * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one point,
+ * the mesh does not intersect itself, and it is isotopic in the shell to every level set between the largest value of the inner
+ * threshold and the least value of the outer one. Two such meshes in the same components of the shell are mapped onto each other by a
+ * homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and boxes, counts are exact.
+ *
+ * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell asks that a mesh has
+ * exactly one component in each of them, and no other. So all meshes with a certificate of the same certified shell are mapped onto each
+ * other. For certificates between other thresholds, see `matches()`.
+ *
+ * \tparam Field_ a model of `BsplineField_3`
+ * \tparam Threshold a model of `ShellThreshold`
+ */
+template <typename Field_ = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+class Shell_certificate_3
+{
+public:
+  typedef Field_ Field;
+  typedef Shell_cover_3<Field, Threshold> Cover;
+  typedef Second_order_bounds_3<Field, Threshold> Bounds;
+  typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
+
+  /// what was found on a facet
+  struct Facet_verdict
+  {
+    Verdict containment = Verdict::UNDECIDED;
+    Verdict transversality = Verdict::UNDECIDED;
+    double slope = 0;         ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
+  };
+
+  /// \pre `field` outlives this object; it may change between verifications
+  Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
+    : m_field(&field), m_inner(inner), m_outer(outer)
+  {}
+
+  /// of the shell's field, between its thresholds. What does not depend on the mesh is taken over: the cover, if the shell has it, and
+  /// bounds, if they are given.
+  /// \pre there is a shell, and it outlives this object and stays as it is; `bounds` are those of the shell
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
+    : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
+  {
+    CGAL_precondition(bool(shell));
+    m_is_of_shell = true;
+    m_bounds = std::move(bounds);
+    m_proved_cover = shell.proved_cover();
+    m_proved_gradient = shell.report().certificate.least_gradient;
+    m_shell_paths = shell.component_paths();
+  }
+
+  /// examines a mesh: the one that the shell was built for, or any other.
+  ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+  /// \tparam PolygonMesh a model of `FaceListGraph`
+  /// \param mesh a closed mesh; polygons are triangulated as for the construction of a shell
+  /// \param np `vertex_point_map` as in all of \cgal
+  /// \return whether all claims are proved
+  template <typename ConcurrencyTag = Parallel_if_available_tag,
+            typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  bool verify(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    unsay();
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    Input_mesh_3::Tolerated_defects tolerated;
+    tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
+    auto input = std::make_shared<Input_mesh_3>();
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
+    return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
+  }
+
+  /// examines a mesh that is known as the package works on it; facets and vertices are those of the user's mesh.
+  /// \param input the mesh; not null
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
+  bool verify(std::shared_ptr<const Input_mesh_3> input)
+  {
+    unsay();
+    Real_timer timer;
+    timer.start();
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+    forget();
+    m_arithmetic = arithmetic_self_test();
+    if(m_arithmetic != Arithmetic_status::SOUND) return false;
+    if(!m_field->has_exact_cells()) {
+      m_status = Shell_status::GRID_TOO_FINE;
+      return false;
+    }
+    m_input = std::move(input);
+    m_status = m_input->status();
+    m_offenders = m_input->offending_simplices();
+    if(m_status != Shell_status::SUCCESS) return false;
+    if(!m_inner.has_cells_of(*m_field) || !m_outer.has_cells_of(*m_field)) {
+      m_status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
+      return false;
+    }
+    m_predicates.emplace(*m_field);
+    examine_vertices<ConcurrencyTag>(*m_input);
+    std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
+    if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
+      examine_cover<ConcurrencyTag>(*m_input);
+      const Crossing_counter_3 counter(m_input->mesh());
+      examine_paths(*m_input, counter);
+      examine_components(*m_input);
+    } else {
+      for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
+        conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
+    }
+    m_draft.statistics.seconds = timer.time();
+    // Published last: an exception leaves every claim undecided.
+    m_facets = std::move(facets);
+    m_report = std::move(m_draft);
+    return is_certified();
+  }
+
+  /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
+  /// components of the shell. Undecided if one of them is not certified, or if every path is degenerate.
+  /// \pre both certificates are of the same field object, and of the same thresholds
+  Verdict matches(const Shell_certificate_3& other) const
+  {
+    CGAL_precondition(m_field == other.m_field);
+    if(!is_certified() || !other.is_certified()) return Verdict::UNDECIDED;
+    std::vector<Crossing_path> paths = other.m_report.paths;
+    paths.insert(paths.end(), other.m_report.spare_paths.begin(), other.m_report.spare_paths.end());
+    return match_components(paths, *m_input).verdict();
+  }
+
+  /// whether all claims were proved when the mesh was last verified
+  bool is_certified() const
+  {
+    return m_status == Shell_status::SUCCESS && m_arithmetic == Arithmetic_status::SOUND
+        && std::all_of(m_report.verdicts.begin(), m_report.verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
+  }
+  explicit operator bool() const { return is_certified(); }
+
+  /// `SUCCESS` if the mesh could be examined, otherwise why not
+  Shell_status status() const { return m_status; }
+  const Offending_simplices& offending_simplices() const { return m_offenders; }
+  Arithmetic_status arithmetic() const { return m_arithmetic; }
+
+  /// all that was found, without what it refers to
+  const Certificate_report& report() const { return m_report; }
+  Verdict verdict(Claim claim) const { return m_report.verdict(claim); }
+  /// places where a claim is not proved; `Certificate_report::number_of_witnesses` tells how many there are
+  const std::vector<Certificate_witness>& witnesses() const { return m_report.witnesses; }
+  /// by facet, in the order of `faces(mesh)`
+  const std::vector<Facet_verdict>& facets() const { return m_facets; }
+  /// the cover of the shell by boxes, if containment is proved
+  const std::optional<Cover>& cover() const { return m_cover; }
+  /// the triangles with `double` coordinates that were examined
+  const Triangle_mesh& examined_mesh() const { return m_input->mesh(); }
+  /// for each component of the mesh, the vertex of the examined mesh from which the cover was flooded
+  const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
+  /// number of components of the cover
+  std::size_t number_of_covers() const { return m_report.covers; }
+  /// the paths that prove the degree
+  const std::vector<Crossing_path>& paths() const { return m_report.paths; }
+  /// for each component of the mesh, the component of the shell that certainly contains it, or `Certificate_witness::none`
+  const std::vector<std::size_t>& components() const { return m_report.components; }
+  const Certificate_statistics& statistics() const { return m_report.statistics; }
+
+  /// \name Quantities
+  /// @{
+  /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
+  double least_gradient() const { return m_report.least_gradient; }
+  /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
+  /// in the shell is at most this. Infinite if the gradient claim is not proved.
+  double displacement_bound() const { return m_report.displacement_bound; }
+  /// the same for each facet, in the order of `faces(mesh)`: no integral curve that meets the facet is longer in the shell. By the
+  /// gradient and the thresholds nearby, and so far less in most places than where the gradient is least. Takes several times as long
+  /// as the proof.
+  template <typename ConcurrencyTag = Parallel_if_available_tag>
+  std::vector<double> displacement_bounds() const
+  {
+    // Along a curve the field increases by at least the gradient's least length per unit of length. What holds within a distance of
+    // a facet is enough, if it says that curves through the facet end within that distance.
+    const double of_all = displacement_bound();
+    std::vector<double> displacements(m_facets.size(), 0.);
+    if(!(of_all < std::numeric_limits<double>::infinity())) {
+      std::fill(displacements.begin(), displacements.end(), of_all);
+      return displacements;
+    }
+    typedef std::array<int, 3> Tile_index;
+    struct Tile
+    {
+      double gradient = std::numeric_limits<double>::infinity();
+      Level_range levels;
+      double bound = 0;       // of the length of curves that meet the tile
+    };
+    constexpr double sure = 1e-6, most_tiles = 4096;      // tiles and distances differ by more than rounding can do
+    constexpr int farthest = 4;
+    const std::vector<double> gradients = m_cover->template least_gradients<ConcurrencyTag>();
+    double width = 0;
+    Bbox_3 all;
+    for(std::uint32_t c = 0; c < gradients.size(); ++c)
+      if(gradients[c] < std::numeric_limits<double>::infinity()) {
+        width = (std::max)(width, m_field->cell(c).width());
+        all += m_field->cell(c).bbox();
+      }
+    for(int a = 0; a < 3; ++a)
+      if(!((all.max)(a) - (all.min)(a) < width * double(1 << 20))) width = ((all.max)(a) - (all.min)(a)) / double(1 << 20);
+    const auto visit_tiles = [&](const Bbox_3& box, const auto& visit) {
+      Tile_index first, last;
+      double number = 1;
+      for(int a = 0; a < 3; ++a) {
+        const auto place = [&](double x) { return int(std::floor((std::min)((std::max)((x - (all.min)(a)) / width, -2.), double(1 << 21)))); };
+        first[a] = place((box.min)(a) - sure * width);
+        last[a] = place((box.max)(a) + sure * width);
+        number *= last[a] - first[a] + 1.;
+      }
+      if(number > most_tiles) return false;
+      for(int i = first[0]; i <= last[0]; ++i)
+        for(int j = first[1]; j <= last[1]; ++j)
+          for(int k = first[2]; k <= last[2]; ++k) visit(Tile_index{ i, j, k });
+      return true;
+    };
+    std::map<Tile_index, Tile> tiles;
+    for(std::uint32_t c = 0; c < gradients.size(); ++c)
+      if(gradients[c] < std::numeric_limits<double>::infinity()) {
+        const Level_range levels = threshold_range(c);
+        visit_tiles(m_field->cell(c).bbox(), [&](const Tile_index& t) {
+          Tile& tile = tiles[t];
+          tile.gradient = (std::min)(tile.gradient, gradients[c]);
+          tile.levels.include(levels);
+        });
+      }
+    for(auto& t : tiles) {
+      t.second.bound = of_all;
+      for(int distance = 1; distance <= farthest; ++distance) {
+        Tile near = t.second;
+        for(int i = -distance; i <= distance; ++i)
+          for(int j = -distance; j <= distance; ++j)
+            for(int k = -distance; k <= distance; ++k) {
+              const auto other = tiles.find({ t.first[0] + i, t.first[1] + j, t.first[2] + k });
+              if(other == tiles.end()) continue;
+              near.gradient = (std::min)(near.gradient, other->second.gradient);
+              near.levels.include(other->second.levels);
+            }
+        const double length = (near.levels.max - near.levels.min) / near.gradient * (1 + 4 * internal::rounding);
+        if(!(length < distance * width * (1 - 4 * sure))) continue;
+        t.second.bound = (std::min)(length, of_all);
+        break;
+      }
+    }
+    for(Face_index f : m_input->mesh().faces()) {
+      const auto t = m_input->triangle(f);
+      double longest = 0;
+      const bool few = visit_tiles(t[0].bbox() + t[1].bbox() + t[2].bbox(), [&](const Tile_index& i) {
+        const auto tile = tiles.find(i);
+        if(tile != tiles.end()) longest = (std::max)(longest, tile->second.bound);
+      });
+      double& displacement = displacements[m_input->facet_of_origin(f)];
+      displacement = (std::max)(displacement, few ? longest : of_all);
+    }
+    return displacements;
+  }
+  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
+  /// is not proved
+  double least_angle() const { return m_report.least_angle; }
+  /// smallest cone margin of a vertex (`vertex_cone_margin()`)
+  double least_cone_margin() const { return m_report.least_cone_margin; }
+  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact
+  const std::vector<std::size_t>& singular_vertices() const { return m_report.singular_vertices; }
+  /// @}
+
+private:
+  typedef typename Field::Cell_index Cell_index;
+  typedef typename Field::Point_3 Point_3;
+  typedef Triangle_mesh::Face_index Face_index;
+  typedef Triangle_mesh::Vertex_index Vertex_index;
+
+  // what was said of the last mesh; throws nothing
+  void unsay()
+  {
+    m_status = Shell_status::NOT_BUILT;
+    m_report = Certificate_report();
+    m_facets.clear();
+  }
+
+  // all but what does not depend on the mesh, which is kept for a shell: a field may have got other coefficients
+  void forget()
+  {
+    Shell_certificate_3 empty(*m_field, m_inner, m_outer);
+    empty.m_is_of_shell = m_is_of_shell;
+    if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
+    empty.m_proved_cover = std::move(m_proved_cover);
+    empty.m_proved_gradient = m_proved_gradient;
+    empty.m_shell_paths = std::move(m_shell_paths);
+    *this = std::move(empty);
+  }
+
+  static Point_3 to_field(const Triangle_mesh::Point& p) { return Point_3(p.x(), p.y(), p.z()); }
+  static std::array<double, 3> to_array(const Triangle_mesh::Point& p) { return { p.x(), p.y(), p.z() }; }
+  static Verdict worse(Verdict a, Verdict b)
+  {
+    if(a == Verdict::REFUTED || b == Verdict::REFUTED) return Verdict::REFUTED;
+    return a == Verdict::UNDECIDED || b == Verdict::UNDECIDED ? Verdict::UNDECIDED : Verdict::PROVED;
+  }
+
+  // what was found so far
+  Verdict found(Claim claim) const { return m_draft.verdict(claim); }
+  void begin(Claim claim) { m_draft.verdicts[std::size_t(claim)] = Verdict::PROVED; }
+
+  static Certificate_witness witness(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
+  {
+    Certificate_witness w;
+    w.claim = claim;
+    w.verdict = verdict;
+    w.reason = reason;
+    return w;
+  }
+
+  // lowers the claim's verdict to the witness's
+  void conclude(const Certificate_witness& w)
+  {
+    Verdict& verdict = m_draft.verdicts[std::size_t(w.claim)];
+    verdict = worse(verdict, w.verdict);
+    m_draft.add(w);
+  }
+  void conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason) { conclude(witness(claim, verdict, reason)); }
+
+  template <typename ConcurrencyTag>
+  void examine_vertices(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    constexpr std::size_t chunk = 256;
+    const std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    std::vector<double> margins(vertices.size(), 1);
+    std::vector<char> singular(vertices.size(), 0);
+    internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(!mesh.is_isolated(vertices[n])) {
+          margins[n] = vertex_cone_margin(mesh, vertices[n]);
+          singular[n] = !vertex_cone(mesh, vertices[n]);      // exact, unlike the margin
+        }
+    });
+    m_draft.least_cone_margin = 1;
+    for(std::size_t n = 0; n < vertices.size(); ++n) {
+      m_draft.least_cone_margin = (std::min)(m_draft.least_cone_margin, margins[n]);
+      if(singular[n]) m_draft.singular_vertices.push_back(input.vertex_of_origin(vertices[n]));
+    }
+    std::sort(m_draft.singular_vertices.begin(), m_draft.singular_vertices.end());
+    if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
+  }
+
+  // P1 and P2
+  template <typename ConcurrencyTag>
+  std::vector<Facet_verdict> examine_facets(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    constexpr std::size_t chunk = 64;
+    const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
+    struct Result
+    {
+      std::vector<Certificate_witness> witnesses;
+      Predicate_statistics containment, transversality;
+      double least_slope = std::numeric_limits<double>::infinity();
+    };
+    std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
+    std::vector<Facet_verdict> verdicts(triangles.size());
+    constexpr std::size_t most_bisections = 1024;
+    if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer, ConcurrencyTag());
+    internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      Result& result = results[begin / chunk];
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto t = input.triangle(triangles[n]);
+        const std::array<Point_3, 3> triangle = { to_field(t[0]), to_field(t[1]), to_field(t[2]) };
+        const auto note = [&](Claim claim, Verdict verdict, const Witness& place) {
+          Certificate_witness w = witness(claim, verdict, place.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET);
+          w.facet = input.facet_of_origin(triangles[n]);
+          w.triangle = std::size_t(triangles[n]);
+          w.point = place.point;
+          w.value = place.value;
+          result.witnesses.push_back(w);
+        };
+        const auto found = m_bounds->examine({ m_bounds->sample(triangle[0]), m_bounds->sample(triangle[1]), m_bounds->sample(triangle[2]) },
+                                             facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
+                                             result.least_slope);      // what is above need not be known well
+        Witness w;
+        verdicts[n].containment = Verdict::PROVED;
+        if(!found.is_contained) {
+          verdicts[n].containment = m_predicates->values_within(triangle, m_inner, m_outer, &w, &result.containment);
+          if(verdicts[n].containment != Verdict::PROVED) note(Claim::CONTAINMENT, verdicts[n].containment, w);
+        }
+        verdicts[n].transversality = Verdict::PROVED;
+        verdicts[n].slope = found.slope;
+        if(!found.is_transversal) {
+          verdicts[n].slope = (std::min)(result.least_slope, 0.25);
+          verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
+          if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
+        }
+        result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
+      }
+    });
+    m_least_slope = std::numeric_limits<double>::infinity();
+    for(const Result& result : results) {
+      for(const Certificate_witness& w : result.witnesses) m_draft.add(w);
+      m_draft.statistics.containment += result.containment;
+      m_draft.statistics.transversality += result.transversality;
+      m_least_slope = (std::min)(m_least_slope, result.least_slope);
+    }
+    // of a facet and of the mesh: the worst of their triangles; what was left out is undecided
+    std::vector<Facet_verdict> facets(input.number_of_facets_of_origin());
+    std::vector<char> is_known(facets.size(), 0);
+    begin(Claim::CONTAINMENT);
+    begin(Claim::TRANSVERSALITY);
+    Verdict &containment = m_draft.verdicts[std::size_t(Claim::CONTAINMENT)],
+            &transversality = m_draft.verdicts[std::size_t(Claim::TRANSVERSALITY)];
+    for(std::size_t n = 0; n < triangles.size(); ++n) {
+      containment = worse(containment, verdicts[n].containment);
+      transversality = worse(transversality, verdicts[n].transversality);
+      const std::size_t f = input.facet_of_origin(triangles[n]);
+      Facet_verdict& facet = facets[f];
+      if(!is_known[f]) {
+        is_known[f] = 1;
+        facet = verdicts[n];
+      } else {
+        facet.containment = worse(facet.containment, verdicts[n].containment);
+        facet.transversality = worse(facet.transversality, verdicts[n].transversality);
+        facet.slope = (std::min)(facet.slope, verdicts[n].slope);
+      }
+    }
+    return facets;
+  }
+
+  // an upper bound of the length of the gradient, per user unit, on a leaf cell: from differences of its coefficients
+  double steepest(std::uint32_t c) const
+  {
+    const typename Field::Cell cell = m_field->cell(c);
+    const double* b = cell.coefficients();
+    double squared = 0;
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
+      double largest = 0;
+      for(int n = 0; n < 64; ++n)
+        if((n / stride) % 4 != 3) largest = (std::max)(largest, std::abs(b[n + stride] - b[n]));
+      largest = 3 * (largest + 2 * cell.error_radius());
+      squared += largest * largest;
+    }
+    return std::sqrt(squared) / cell.width() * (1 + 16 * internal::rounding);
+  }
+
+  // whether the cover is known, and has a component for each of the mesh
+  bool adopt_proved_cover(const Triangle_mesh& mesh)
+  {
+    if(!m_proved_cover) return false;
+    std::vector<Point_3> points;
+    for(Vertex_index v : m_seeds) points.push_back(to_field(mesh.point(v)));
+    m_cover.emplace(*m_field, m_inner, m_outer);
+    return m_cover->adopt(*m_proved_cover, points);
+  }
+
+  // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no critical
+  // point between them, and a closer cover separates them.
+  template <typename ConcurrencyTag>
+  std::vector<std::array<std::size_t, 2> > find_cover(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    // the cells at the mesh are needed in any case
+    std::vector<std::uint32_t> cells;
+    for(Face_index f : mesh.faces()) cells.push_back(m_field->locate(to_field(mesh.point(mesh.target(mesh.halfedge(f))))));
+    std::vector<std::array<std::size_t, 2> > shared;
+    for(int depth = 0;
+        depth == 0 || (!shared.empty() && m_cover->number_of_undecided_boxes() == 0 && depth <= max_least_depth); ++depth) {
+      m_cover.emplace(*m_field, m_inner, m_outer, depth);
+      m_cover->template prepare<ConcurrencyTag>(cells);
+      shared.clear();
+      for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+        const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(mesh.point(m_seeds[c])), std::uint32_t(c));
+        if(known != c) shared.push_back({ known, c });
+      }
+    }
+    return shared;
+  }
+
+  // P3 and P4, given P1: the mesh's components stay in the components of their seeds
+  template <typename ConcurrencyTag>
+  void examine_cover(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    m_seeds.assign(input.number_of_components(), Triangle_mesh::null_vertex());
+    for(Face_index f : mesh.faces())
+      if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex()) m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
+    const bool is_known = adopt_proved_cover(mesh);
+    std::vector<std::array<std::size_t, 2> > shared;
+    if(!is_known) shared = find_cover<ConcurrencyTag>(input);
+    const Cover& cover = *m_cover;
+    begin(Claim::GRADIENT);
+    begin(Claim::ONE_SHEET);
+    m_draft.covers = input.number_of_components() - shared.size();
+    for(const std::array<std::size_t, 2>& pair : shared) {
+      const std::optional<std::array<double, 3> > joint = joined(input, pair[0], pair[1]);
+      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::TWO_SHEETS);
+      w.component = pair[0];
+      w.other_component = pair[1];
+      w.point = joint ? *joint : to_array(mesh.point(m_seeds[pair[1]]));
+      conclude(w);
+    }
+
+    Level_range thresholds;
+    double steepest_in_cover = 0;
+    std::uint32_t last_cell = std::uint32_t(-1);
+    std::size_t examined = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      m_draft.statistics.deepest_box = (std::max)(m_draft.statistics.deepest_box, std::size_t(box.depth));
+      if(box.kind == Box_kind::EXCLUDED) ++m_draft.statistics.excluded_boxes;
+      if(box.component == Cover_box::no_component) continue;
+      ++m_draft.statistics.cover_boxes;
+      if(box.cell != last_cell) {
+        last_cell = box.cell;
+        thresholds.include(threshold_range(box.cell));
+        steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
+      }
+      if(box.kind == Box_kind::MONOTONE) {
+        ++m_draft.statistics.monotone_boxes;
+        continue;
+      }
+      ++m_draft.statistics.undecided_boxes;
+      const Bbox_3 b = cover.bbox(box);
+      std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+      const bool critical = examined < max_examined && is_critical(mesh, box, center);
+      ++examined;
+      Certificate_witness w = witness(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      critical ? Certificate_witness::CRITICAL_POINT : Certificate_witness::BOX);
+      w.cell = box.cell;
+      w.point = center;
+      conclude(w);
+    }
+    for(typename Cover::Box_index b : cover.border()) {
+      Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
+      w.cell = cover.boxes()[b].cell;
+      const Bbox_3 box = cover.bbox(cover.boxes()[b]);
+      w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
+      conclude(w);
+    }
+    m_draft.statistics.cover_cells = cover.number_of_cells();
+    if(found(Claim::TRANSVERSALITY) == Verdict::PROVED)
+      m_draft.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
+    if(found(Claim::GRADIENT) == Verdict::PROVED)
+      m_draft.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
+    if(m_draft.least_gradient > 0)
+      m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
+  }
+
+  // encloses both thresholds on a cell
+  Level_range threshold_range(std::uint32_t c) const
+  {
+    if constexpr(Threshold::is_constant) {
+      return { m_inner.level(), m_outer.level() };
+    } else {
+      Level_range range = Bspline_shells::threshold_range(m_inner, c);
+      range.include(Bspline_shells::threshold_range(m_outer, c));
+      return range;
+    }
+  }
+
+  // Whether there certainly is a critical point in an undecided box, and in the shell: between the thresholds, and
+  // joined to a vertex of the mesh by a segment between them.
+  bool is_critical(const Triangle_mesh& mesh, const Cover_box& box, std::array<double, 3>& point) const
+  {
+    const Enclosed_tricubic f = m_cover->function(box);
+    const std::optional<Critical_point> critical = prove_critical_point(f);
+    if(!critical) return false;
+    const Bbox_3 b = m_cover->bbox(box);
+    const double width = b.xmax() - b.xmin();
+    for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
+    // all of the box in the shell, so that the point is where it may be
+    if(!m_cover->is_between_thresholds(box)) return false;
+    const Triangle_mesh::Point p(point[0], point[1], point[2]);
+    Triangle_mesh::Point nearest = p;
+    double least = std::numeric_limits<double>::infinity();
+    for(Vertex_index v : mesh.vertices()) {
+      const double d = CGAL::squared_distance(p, mesh.point(v));
+      if(d < least) { least = d; nearest = mesh.point(v); }
+    }
+    return m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) },
+                                                             m_inner, m_outer) == Verdict::PROVED;
+  }
+
+  // a point on a segment in the shell from one component of the mesh to another, if one is found
+  std::optional<std::array<double, 3> > joined(const Input_mesh_3& input, std::size_t first, std::size_t second) const
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    typedef std::pair<double, std::pair<Vertex_index, Vertex_index> > Candidate;
+    constexpr std::size_t samples = 256, tries = 16;
+    std::array<std::vector<Vertex_index>, 2> vertices;
+    for(Face_index f : mesh.faces())
+      for(int side = 0; side < 2; ++side)
+        if(input.component(f) == (side == 0 ? first : second)) vertices[side].push_back(mesh.target(mesh.halfedge(f)));
+    std::vector<Candidate> candidates;
+    const std::size_t stride = vertices[1].size() / samples + 1;
+    for(std::size_t n = 0; n < vertices[1].size(); n += stride) {
+      Candidate best(std::numeric_limits<double>::infinity(), {});
+      for(Vertex_index v : vertices[0]) {
+        const double d = CGAL::squared_distance(mesh.point(v), mesh.point(vertices[1][n]));
+        if(d < best.first) best = Candidate(d, { v, vertices[1][n] });
+      }
+      candidates.push_back(best);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for(std::size_t n = 0; n < (std::min)(tries, candidates.size()); ++n) {
+      const auto &p = mesh.point(candidates[n].second.first), &q = mesh.point(candidates[n].second.second);
+      if(m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer) == Verdict::PROVED)
+        return to_array(CGAL::midpoint(p, q));
+    }
+    return std::nullopt;
+  }
+
+  // P5
+  void examine_paths(const Input_mesh_3& input, const Crossing_counter_3& counter)
+  {
+    const Triangle_mesh& mesh = input.mesh();
+    std::vector<std::vector<std::pair<double, Face_index> > > facets(input.number_of_components());
+    for(Face_index f : mesh.faces()) {
+      const auto t = input.triangle(f);
+      facets[input.component(f)].emplace_back(-CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length(), f);
+    }
+    begin(Claim::DEGREE_ONE);
+    for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+      // large facets first: their middles are far from edges
+      const std::size_t tries = (std::min)(max_paths, facets[c].size());
+      std::partial_sort(facets[c].begin(), facets[c].begin() + tries, facets[c].end());
+      Verdict verdict = Verdict::UNDECIDED;
+      Crossing_path path;
+      path.component = c;
+      int count = 0;
+      Face_index facet = facets[c].front().second;
+      std::size_t n = 0;
+      for(; n < tries && verdict == Verdict::UNDECIDED; ++n) {
+        verdict = try_path(input, counter, facets[c][n].second, { 1, 1, 1 }, path, count);
+        if(verdict == Verdict::REFUTED) facet = facets[c][n].second;
+      }
+      if(verdict == Verdict::PROVED) {
+        m_draft.paths.push_back(path);
+        // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet them.
+        const std::size_t end = (std::min)(n - 1 + max_spare_paths, facets[c].size());
+        for(std::size_t m = n - 1; m < end; ++m)
+          if(try_path(input, counter, facets[c][m].second, { 0.871, 0.978, 1.151 }, path, count) == Verdict::PROVED)
+            m_draft.spare_paths.push_back(path);
+        continue;
+      }
+      // only without critical points is the count the same for all paths
+      if(found(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
+      Certificate_witness w = witness(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
+                                                                                              : Certificate_witness::NO_PATH);
+      w.component = c;
+      if(verdict == Verdict::REFUTED) w.count = count;
+      const auto t = input.triangle(facet);
+      w.point = to_array(CGAL::centroid(t[0], t[1], t[2]));
+      w.facet = input.facet_of_origin(facet);
+      w.triangle = std::size_t(facet);
+      conclude(w);
+    }
+  }
+
+  // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
+  // other. Without a certified shell, the mesh defines the components.
+  void examine_components(const Input_mesh_3& input)
+  {
+    m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
+    if(m_shell_paths.empty()) {
+      for(const Crossing_path& path : m_draft.paths) m_draft.components[path.component] = path.component;
+      return;
+    }
+    const Component_match match = match_components(m_shell_paths, input);
+    m_draft.components = match.component_of_shell;
+    // components that face along the gradient are counted with the same sign
+    const bool is_transversal = found(Claim::TRANSVERSALITY) == Verdict::PROVED;
+    bool is_known = is_transversal;
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) {
+      const std::optional<int> count = match.crossings[k];
+      is_known = is_known && count;
+      if(count == 1) continue;
+      const bool is_empty = !count || *count == 0;
+      Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE, count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
+      w.component = k;
+      if(!is_empty) w.count = *count;
+      for(const Crossing_path& path : m_shell_paths)
+        if(path.component == k)
+          for(int a = 0; a < 3; ++a) w.point[a] = (path.source[a] + path.target[a]) / 2;
+      conclude(w);
+    }
+    for(std::size_t c = 0; c < input.number_of_components(); ++c)
+      if(m_draft.components[c] == Certificate_witness::none) {
+        Certificate_witness w = witness(Claim::ONE_SHEET, is_known ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::OTHER_COMPONENT);
+        w.component = c;
+        w.point = to_array(input.mesh().point(m_seeds[c]));
+        conclude(w);
+      }
+  }
+
+  // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or refuted by the
+  // count; undecided if the segment does not qualify.
+  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, const std::array<double, 3>& weights,
+                   Crossing_path& path, int& count) const
+  {
+    const auto t = input.triangle(f);
+    const Triangle_mesh::Point middle = CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
+    const Cell_index c = m_field->locate(to_field(middle));
+    if(c == Field::npos) return Verdict::UNDECIDED;
+    const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
+    const double squared = jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1] + jet.gradient[2] * jet.gradient[2];
+    if(!(squared > 0)) return Verdict::UNDECIDED;
+    const auto along = [&](double s) {
+      return Triangle_mesh::Point(middle.x() + s * jet.gradient[0], middle.y() + s * jet.gradient[1], middle.z() + s * jet.gradient[2]);
+    };
+    const double down = jet.value - m_inner.value(to_field(middle)), up = m_outer.value(to_field(middle)) - jet.value;
+    for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
+      const Triangle_mesh::Point p = along(-stretch * (down + (up + down) / 64) / squared),
+                                 q = along(stretch * (up + (up + down) / 64) / squared);
+      if(!m_predicates->is_beyond(to_field(p), m_inner, NEGATIVE) || !m_predicates->is_beyond(to_field(q), m_outer, POSITIVE)) continue;
+      const std::array<Point_3, 2> segment = { to_field(p), to_field(q) };
+      if(m_predicates->increases(segment) != Verdict::PROVED) return Verdict::UNDECIDED;
+      if constexpr(!Threshold::is_constant) {
+        if(m_predicates->increases_above(segment, m_inner) != Verdict::PROVED ||
+           m_predicates->increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
+      }
+      const auto crossings = counter.crossings(p, q);
+      if(!crossings) return Verdict::UNDECIDED;
+      count = 0;
+      for(const auto& crossing : *crossings) count += crossing.second;
+      path.triangle = std::size_t(f);
+      path.source = to_array(p);
+      path.target = to_array(q);
+      const bool through = std::any_of(crossings->begin(), crossings->end(), [&](const auto& x) { return x.first == f; });
+      if(!through) return Verdict::UNDECIDED;
+      return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
+    }
+    return Verdict::UNDECIDED;
+  }
+
+  static constexpr int max_least_depth = 3;           // of a cover that is to separate components
+  static constexpr std::size_t max_paths = 64;        // tried for a component
+  static constexpr std::size_t max_spare_paths = 3;   // of a component
+  static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
+
+  const Field* m_field;
+  Threshold m_inner, m_outer;
+  bool m_is_of_shell = false;
+  std::shared_ptr<const Bounds> m_bounds;
+  std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
+  double m_proved_gradient = 0;
+  std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell
+  std::optional<Field_predicates_3<Field> > m_predicates;
+  std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
+  Shell_status m_status = Shell_status::NOT_BUILT;
+  Offending_simplices m_offenders;
+  Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
+  Certificate_report m_draft, m_report;               // what is found, and what is said once all is examined
+  std::vector<Facet_verdict> m_facets;
+  std::optional<Cover> m_cover;
+  std::vector<Vertex_index> m_seeds;
+  double m_least_slope = 0;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_CERTIFICATE_3_H

@@ -1,0 +1,637 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_COVER_3_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_COVER_3_H
+
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a cover, by closed boxes, of those components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
+ * points.
+ *
+ * Leaf cells are subdivided until each box is excluded or monotone, or the depth is used up. From each point, the boxes that
+ * touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so that the
+ * component of the point cannot leave its boxes: where all of them are monotone, the component has no critical point,
+ * and where none touches the end of the domain, it lies in the interior.
+ *
+ * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings
+ * \tparam Threshold a model of `ShellThreshold`
+ */
+template <typename Field_, typename Threshold = Constant_threshold>
+class Shell_cover_3
+{
+public:
+  typedef Field_ Field;
+  typedef typename Field::Point_3 Point_3;
+  typedef typename Field::Cell Cell;
+  typedef std::uint32_t Box_index;
+  static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
+  /// a cell with more boxes is not subdivided further; the smaller number holds once `many_undecided_boxes` are undecided
+  static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
+
+  /// \param least_depth monotone boxes that are not entirely in the shell are halved at least so often: the cover is closer
+  /// \pre `field` outlives this object
+  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int least_depth = 0)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_least_depth(least_depth), m_first(field.number_of_cells(), unseen)
+  {}
+
+  const Field& field() const { return *m_field; }
+
+  /// takes over what another cover found out about cells
+  /// \param changed whether the field or a threshold is another one on a cell: a function of cells
+  /// \pre `other` is of the same cells, and no cell of this cover has been subdivided
+  template <typename Changed>
+  void reuse(const Shell_cover_3& other, const Changed& changed)
+  {
+    CGAL_precondition(m_boxes.empty() && m_first.size() == other.m_first.size());
+    for(const Cell_boxes& known : other.m_cells) {
+      if(changed(known.cell)) continue;
+      m_first[known.cell] = m_cells.size();
+      m_cells.push_back({ known.cell, m_boxes.size(), m_boxes.size() + (known.end - known.begin) });
+      for(std::size_t b = known.begin; b < known.end; ++b) {
+        m_boxes.push_back(other.m_boxes[b]);
+        m_boxes.back().component = Cover_box::no_component;
+      }
+    }
+  }
+
+  /// takes over the boxes of another cover of the same shell, and its components
+  /// \pre no cell of this cover has been subdivided
+  void adopt(std::vector<Cover_box> boxes)
+  {
+    CGAL_precondition(m_boxes.empty());
+    m_boxes = std::move(boxes);
+    for(std::size_t b = 0; b < m_boxes.size(); ++b) {
+      if(m_first[m_boxes[b].cell] == unseen) {
+        m_first[m_boxes[b].cell] = m_cells.size();
+        m_cells.push_back({ m_boxes[b].cell, b, b });
+      }
+      m_cells.back().end = b + 1;
+    }
+  }
+
+  /// the same, with those components alone that hold given points, numbered in their order. Returns whether each point lies in a component of
+  /// its own; if not, this cover is of no use.
+  /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
+  bool adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
+  {
+    adopt(std::move(boxes));
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for(const Point_3& p : points) {
+      const std::uint32_t component = this->component(p), number = std::uint32_t(numbers.size());
+      if(component == Cover_box::no_component || !numbers.emplace(component, number).second) return false;
+    }
+    for(Cover_box& box : m_boxes) {
+      const auto number = numbers.find(box.component);
+      box.component = number == numbers.end() ? Cover_box::no_component : number->second;
+    }
+    return true;
+  }
+
+  /// subdivides cells that are known to be needed, several at a time
+  template <typename ConcurrencyTag>
+  void prepare(std::vector<std::uint32_t> cells)
+  {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
+    constexpr std::size_t chunk = 64;
+    const std::size_t most_boxes = m_undecided < many_undecided_boxes ? max_boxes_of_a_cell : max_boxes_of_a_hopeless_cell;
+    std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
+    internal::for_each_chunk<ConcurrencyTag>(cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], most_boxes, boxes[begin / chunk]);
+    });
+    for(const std::vector<Cover_box>& part : boxes)
+      for(const Cover_box& box : part) {
+        if(m_first[box.cell] == unseen) {
+          m_first[box.cell] = m_cells.size();
+          m_cells.push_back({ box.cell, m_boxes.size(), m_boxes.size() });
+        }
+        m_boxes.push_back(box);
+        m_cells.back().end = m_boxes.size();
+      }
+  }
+
+  /// floods from a point. Returns the number of the component of the cover that holds it: the given one, or that of an
+  /// earlier point if the boxes are the same.
+  template <typename ConcurrencyTag>
+  std::uint32_t flood(const Point_3& p, std::uint32_t component)
+  {
+    const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+    std::vector<Box_index> stack, waiting;
+    std::vector<std::uint32_t> wanted, touched;
+    m_field->visit_cells(at, [&](typename Field::Cell_index c) { wanted.push_back(c); });
+    prepare<ConcurrencyTag>(wanted);
+    std::uint32_t known = Cover_box::no_component;
+    for(std::uint32_t c : wanted)
+      for_each_touching(c, at, [&](Box_index b) {
+        Cover_box& box = m_boxes[b];
+        if(box.kind == Box_kind::EXCLUDED) return;
+        if(box.component != Cover_box::no_component) { known = box.component; return; }
+        m_undecided += box.kind == Box_kind::UNDECIDED;
+        box.component = component;
+        stack.push_back(b);
+      });
+    // All boxes at a point touch each other: if one was flooded before, all were.
+    if(known != Cover_box::no_component) return known;
+    while(!stack.empty()) {
+      while(!stack.empty()) {
+        const Box_index b = stack.back();
+        stack.pop_back();
+        const Bbox_3 box = grown(bbox(m_boxes[b]));
+        touched.clear();
+        bool inside = true, complete = true;
+        if(is_inside_cell(m_boxes[b])) touched.push_back(m_boxes[b].cell);
+        else inside = m_field->visit_cells(box, [&](typename Field::Cell_index c) {
+          touched.push_back(c);
+          if(m_first[c] == unseen) { wanted.push_back(c); complete = false; }
+        });
+        if(!complete) { waiting.push_back(b); continue; }
+        if(!inside) m_border.push_back(b);
+        for(std::uint32_t c : touched)
+          for_each_touching(c, box, [&](Box_index n) {
+            Cover_box& other = m_boxes[n];
+            if(other.kind == Box_kind::EXCLUDED || other.component != Cover_box::no_component) return;
+            m_undecided += other.kind == Box_kind::UNDECIDED;
+            other.component = component;
+            stack.push_back(n);
+          });
+      }
+      prepare<ConcurrencyTag>(wanted);
+      wanted.clear();
+      stack.swap(waiting);
+    }
+    return component;
+  }
+
+  /// the component of the cover that holds a point, or none
+  std::uint32_t component(const Point_3& p) const
+  {
+    const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+    std::uint32_t component = Cover_box::no_component;
+    m_field->visit_cells(at, [&](typename Field::Cell_index c) {
+      if(m_first[c] != unseen)
+        for_each_touching(c, at, [&](Box_index b) {
+          if(m_boxes[b].component != Cover_box::no_component) component = m_boxes[b].component;
+        });
+    });
+    return component;
+  }
+
+  /// all boxes: those of one leaf cell are consecutive
+  const std::vector<Cover_box>& boxes() const { return m_boxes; }
+  /// boxes of the cover that touch the boundary of the field's domain
+  const std::vector<Box_index>& border() const { return m_border; }
+  /// number of boxes of the cover that are undecided
+  std::size_t number_of_undecided_boxes() const { return m_undecided; }
+  /// number of leaf cells that were looked at
+  std::size_t number_of_cells() const { return m_cells.size(); }
+
+  /// the closed box; its corners are exact
+  Bbox_3 bbox(const Cover_box& box) const
+  {
+    const Cell cell = m_field->cell(box.cell);
+    const double width = cell.width() / double(1 << box.depth);
+    std::array<double, 3> least;
+    for(int a = 0; a < 3; ++a) least[a] = cell.corner()[a] + box.position[a] * width;
+    return Bbox_3(least[0], least[1], least[2], least[0] + width, least[1] + width, least[2] + width);
+  }
+
+  /// the field on a box, as an enclosed polynomial over the box
+  Enclosed_tricubic function(const Cover_box& box) const { return functions_on(box)[0]; }
+
+  /// whether all of a box is certainly in the shell
+  bool is_between_thresholds(const Cover_box& box) const { return are_between_thresholds(functions_on(box)); }
+
+  /// a lower bound, per user unit, of the length of the gradient on the cover. The boxes with the least bounds are subdivided
+  /// until these are near what the field has in their middles, or a number of subdivisions is used up.
+  /// \pre all boxes of the cover are monotone
+  template <typename ConcurrencyTag>
+  double least_gradient() const
+  {
+    constexpr std::size_t chunk = 256, max_subdivisions = 2000;
+    constexpr double near = 0.7;
+    std::vector<double> bounds(m_boxes.size(), std::numeric_limits<double>::infinity());
+    internal::for_each_chunk<ConcurrencyTag>(m_boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(m_boxes[n].component != Cover_box::no_component)
+          bounds[n] = gradient_bound(functions_on(m_boxes[n])[0], m_boxes[n]);
+    });
+    std::vector<std::pair<double, std::size_t> > least;       // a heap of boxes, and then of parts
+    for(std::size_t n = 0; n < bounds.size(); ++n)
+      if(bounds[n] < std::numeric_limits<double>::infinity()) least.emplace_back(bounds[n], n);
+    if(least.empty()) return std::numeric_limits<double>::infinity();
+    std::vector<Part> parts;
+    std::make_heap(least.begin(), least.end(), std::greater<>());
+    double attained = std::numeric_limits<double>::infinity();
+    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions && least.front().first < near * attained; ++subdivisions) {
+      std::pop_heap(least.begin(), least.end(), std::greater<>());
+      const std::pair<double, std::size_t> worst = least.back();
+      least.pop_back();
+      const std::size_t first = parts.size();
+      if(worst.second < m_boxes.size()) {
+        parts.emplace_back();
+        parts[first].box = m_boxes[worst.second];
+        parts[first].functions = functions_on(m_boxes[worst.second]);
+      } else
+        parts.push_back(parts[worst.second - m_boxes.size()]);
+      if(parts[first].box.depth == std::numeric_limits<std::uint16_t>::digits) { least.push_back(worst); break; }
+      push_octants(first, parts);
+      for(std::size_t n = first + 1; n < parts.size(); ++n) {
+        std::array<double, 3> direction;
+        const Box_kind k = kind(parts[n].functions, direction);
+        if(k == Box_kind::EXCLUDED) continue;
+        if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;      // otherwise that of the box it is a part of
+        attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
+        least.emplace_back(gradient_bound(parts[n].functions[0], parts[n].box), m_boxes.size() + n);
+        std::push_heap(least.begin(), least.end(), std::greater<>());
+      }
+      if(least.empty()) return std::numeric_limits<double>::infinity();
+    }
+    return least.front().first;
+  }
+
+  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient on the boxes of the cover in it; infinite where
+  /// there are none. Coarser than `least_gradient()`.
+  /// \pre all boxes of the cover are monotone
+  template <typename ConcurrencyTag>
+  std::vector<double> least_gradients() const
+  {
+    constexpr std::size_t chunk = 64;
+    std::vector<double> bounds(m_first.size(), std::numeric_limits<double>::infinity());
+    internal::for_each_chunk<ConcurrencyTag>(m_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n)
+        for(std::size_t b = m_cells[n].begin; b < m_cells[n].end; ++b)
+          if(m_boxes[b].component != Cover_box::no_component) {
+            double& bound = bounds[m_cells[n].cell];
+            bound = (std::min)(bound, close_gradient_bound({ m_boxes[b], functions_on(m_boxes[b]) }, 0));
+          }
+    });
+    return bounds;
+  }
+
+private:
+  static constexpr std::size_t unseen = std::size_t(-1);
+  static constexpr int max_border_depth = 4;
+  static constexpr int max_steps_of_direction = 12;
+
+  // the field and, unless the thresholds are constant, its differences to both
+  typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
+
+  typedef std::array<std::array<double, 64>, 3> Vectors;      // by axis
+
+  struct Part { Cover_box box; Functions functions; };
+  struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
+
+  static int octant(const Cover_box& box, int bit)
+  {
+    return ((box.position[0] >> bit) & 1) | ((box.position[1] >> bit) & 1) << 1 | ((box.position[2] >> bit) & 1) << 2;
+  }
+
+  // whether the box has no point in common with the boundary of its cell
+  static bool is_inside_cell(const Cover_box& box)
+  {
+    const int last = (1 << box.depth) - 1;
+    bool inside = true;
+    for(int i : box.position) inside = inside && i > 0 && i < last;
+    return inside;
+  }
+
+  static Bbox_3 grown(const Bbox_3& b)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return Bbox_3(std::nextafter(b.xmin(), -infinity), std::nextafter(b.ymin(), -infinity), std::nextafter(b.zmin(), -infinity),
+                  std::nextafter(b.xmax(), infinity), std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
+  }
+
+  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive.
+  void subdivide(std::uint32_t c, std::size_t most_boxes, std::vector<Cover_box>& boxes) const
+  {
+    // breadth first, so that where boxes run out, they are of equal size
+    std::vector<Part> queue(1);
+    queue[0].box.cell = c;
+    queue[0].box.depth = 0;
+    for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
+    queue[0].functions = functions(c);
+    const std::size_t begin = boxes.size();
+    const bool at_border = touches_border(m_field->cell(c).bbox());
+    for(std::size_t n = 0; n < queue.size(); ++n) {
+      Cover_box box = queue[n].box;
+      box.kind = kind(queue[n].functions, box.direction);
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
+                        // what is inside must be told from what is not
+                        : box.kind == Box_kind::MONOTONE
+                          && ((at_border && box.depth < max_border_depth && touches_border(bbox(box)))
+                              || (box.depth < m_least_depth && !are_between_thresholds(queue[n].functions)));
+      if(splits && queue.size() < most_boxes) push_octants(n, queue);
+      else boxes.push_back(box);
+    }
+    std::sort(boxes.begin() + begin, boxes.end(), [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
+  }
+
+  // interleaved bits of the least corner
+  static std::uint32_t order(const Cover_box& box)
+  {
+    std::uint32_t key = 0;
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit) key = key << 3 | std::uint32_t(octant(box, bit));
+    return key << (3 * (max_depth - int(box.depth)));
+  }
+
+  bool touches_border(const Bbox_3& box) const
+  {
+    return !m_field->visit_cells(grown(box), [](typename Field::Cell_index) {});
+  }
+
+  Functions functions(std::uint32_t c) const
+  {
+    Functions functions;
+    functions[0] = enclosed_value(m_field->cell(c));
+    if constexpr(!Threshold::is_constant) {
+      functions[1] = m_inner.difference(functions[0], c);
+      functions[2] = m_outer.difference(functions[0], c);
+    }
+    return functions;
+  }
+
+  bool are_between_thresholds(const Functions& functions) const
+  {
+    if constexpr(Threshold::is_constant) {
+      const Level_range r = functions[0].range();
+      return r.min >= m_inner.level() && r.max <= m_outer.level();
+    } else
+      return functions[1].range().min >= 0 && functions[2].range().max <= 0;
+  }
+
+  Functions functions_on(const Cover_box& box) const
+  {
+    Functions on_box = functions(box.cell);
+    for(int bit = int(box.depth) - 1; bit >= 0; --bit)
+      for(Enclosed_tricubic& f : on_box) f = restrict_to_octant(f, octant(box, bit));
+    return on_box;
+  }
+
+  // of a function on a box: along the direction of the box, or a better one
+  double gradient_bound(const Enclosed_tricubic& f, const Cover_box& box) const
+  {
+    const Vectors gradient = control_vectors_of_gradient(f);
+    std::array<double, 3> nearest = mean(gradient);
+    for(int step = 0; step < max_steps_of_direction; ++step) {
+      std::size_t worst;
+      worst_along(nearest, gradient, worst);
+      if(!approach(nearest, gradient, worst)) break;
+    }
+    double bound = 0;
+    for(const std::array<double, 3>& direction : { box.direction, nearest }) {
+      const double size = length(direction);
+      if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
+    }
+    // two quotients; the length is an upper bound
+    return bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)) * (1 - 4 * internal::rounding);
+  }
+
+  // the same, of parts where that is far from what the field has in the middle
+  double close_gradient_bound(const Part& part, int subdivisions) const
+  {
+    constexpr int max_subdivisions = 3;
+    constexpr double near = 0.6;
+    const double bound = gradient_bound(part.functions[0], part.box);
+    if(bound >= near * gradient_in_the_middle(part) || subdivisions == max_subdivisions
+       || part.box.depth == std::numeric_limits<std::uint16_t>::digits) return bound;
+    std::vector<Part> parts(1, part);
+    push_octants(0, parts);
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t n = 1; n < parts.size(); ++n) {
+      std::array<double, 3> direction;
+      const Box_kind k = kind(parts[n].functions, direction);
+      if(k == Box_kind::EXCLUDED) continue;
+      if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;
+      least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
+    }
+    return least;
+  }
+
+  // its length, if the middle is in the shell; not rigorous
+  double gradient_in_the_middle(const Part& part) const
+  {
+    const auto middle = [](const Enclosed_tricubic& f) {
+      const internal::Weights<double> half = { 0.125, 0.375, 0.375, 0.125 };
+      return internal::contract(f.coefficients.data(), half, half, half);
+    };
+    if constexpr(Threshold::is_constant) {
+      const double f = middle(part.functions[0]);
+      if(f < m_inner.level() || f > m_outer.level()) return std::numeric_limits<double>::infinity();
+    } else
+      if(middle(part.functions[1]) < 0 || middle(part.functions[2]) > 0) return std::numeric_limits<double>::infinity();
+    double squared = 0;
+    for(int a = 0; a < 3; ++a) {
+      std::array<double, 3> axis = {};
+      axis[a] = 1;
+      const double slope = middle(enclosed_derivative(part.functions[0], axis));
+      squared += slope * slope;
+    }
+    return std::sqrt(squared) / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
+  }
+
+  // appends the octants of a part
+  static void push_octants(std::size_t n, std::vector<Part>& parts)
+  {
+    for(int o = 0; o < 8; ++o) {
+      parts.emplace_back();
+      const Part& part = parts[n];
+      Part& child = parts.back();
+      child.box = part.box;
+      child.box.depth = std::uint8_t(part.box.depth + 1);
+      for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
+      for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
+    }
+  }
+
+  Box_kind kind(const Functions& functions, std::array<double, 3>& direction) const
+  {
+    const Enclosed_tricubic& f = functions[0];
+    bool meets_inner = false, meets_outer = false;
+    if constexpr(Threshold::is_constant) {
+      const Level_range r = f.range();
+      if(r.max < m_inner.level() || r.min > m_outer.level()) return Box_kind::EXCLUDED;
+    } else {
+      const Level_range inner = functions[1].range(), outer = functions[2].range();
+      if(inner.max < 0 || outer.min > 0) return Box_kind::EXCLUDED;
+      meets_inner = !(inner.min > 0);       // so written that what is not a number meets
+      meets_outer = !(outer.max < 0);
+    }
+    // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
+    double steepest = 0;
+    if constexpr(!Threshold::is_constant) {
+      for(int side = 1; side < 3; ++side) {
+        if(!(side == 1 ? meets_inner : meets_outer)) continue;
+        const double s = steepest_threshold(f, functions[side]);
+        // so written that what is not a number is too steep
+        steepest = s >= 0 ? (std::max)(steepest, s) : std::numeric_limits<double>::infinity();
+      }
+    }
+    // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull
+    // is the best one. It is approached from their mean, towards the worst of them.
+    const Vectors gradient = control_vectors_of_gradient(f);
+    std::array<double, 3> nearest = mean(gradient);
+    for(int step = 0; step < max_steps_of_direction; ++step) {
+      std::size_t worst;
+      const double along = worst_along(nearest, gradient, worst);
+      if(along > 0 && along > steepest * length(nearest)) {
+        const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
+        for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
+        const double slope = enclosed_derivative(f, direction).range().min;
+        if(slope > 0 && slope > steepest * length(direction)) return Box_kind::MONOTONE;
+        return Box_kind::UNDECIDED;       // by rounding only
+      }
+      if(!approach(nearest, gradient, worst)) return Box_kind::UNDECIDED;
+    }
+    return Box_kind::UNDECIDED;
+  }
+
+  static std::array<double, 3> mean(const Vectors& vectors)
+  {
+    std::array<double, 3> m;
+    for(int a = 0; a < 3; ++a) m[a] = std::accumulate(vectors[a].begin(), vectors[a].end(), 0.) / 64;
+    return m;
+  }
+
+  // the least component along a vector, times its length
+  static double worst_along(const std::array<double, 3>& v, const Vectors& vectors, std::size_t& worst)
+  {
+    std::array<double, 64> along;
+    for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
+    worst = std::size_t(std::min_element(along.begin(), along.end()) - along.begin());
+    return along[worst];
+  }
+
+  // moves a point to the nearest to the origin on its segment to one of the vectors; false if it is there
+  static bool approach(std::array<double, 3>& v, const Vectors& vectors, std::size_t worst)
+  {
+    std::array<double, 3> step;
+    double down = 0, squared = 0;
+    for(int a = 0; a < 3; ++a) {
+      step[a] = vectors[a][worst] - v[a];
+      down -= v[a] * step[a];
+      squared += step[a] * step[a];
+    }
+    const double part = down / squared;
+    if(!(part > 0)) return false;
+    for(int a = 0; a < 3; ++a) v[a] += (std::min)(part, 1.) * step[a];
+    return true;
+  }
+
+  // An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. NaN if a component is NaN.
+  static double length(const std::array<double, 3>& v)
+  {
+    const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+    if(largest == 0 && v[0] + v[1] + v[2] == 0) return 0;
+    double squared = 0;
+    for(double x : v) squared += (x / largest) * (x / largest);
+    return largest * (std::sqrt(squared) * (1 + 16 * internal::rounding)) + std::numeric_limits<double>::denorm_min();
+  }
+
+  // the coefficients of the partial derivatives raised to degree three; not rigorous
+  static Vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
+  {
+    Vectors gradient;
+    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
+      for(int n = 0; n < 64; ++n) {
+        if((n / stride) % 4 != 0) continue;
+        const double* b = &f.coefficients[n];
+        double* g = &gradient[axis][n];
+        const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+        g[0] = 3 * s0;
+        g[stride] = s0 + 2 * s1;
+        g[2*stride] = 2 * s1 + s2;
+        g[3*stride] = 3 * s2;
+      }
+    return gradient;
+  }
+
+  // an upper bound of the length of the gradient of the threshold f - (f - threshold)
+  static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
+  {
+    const Enclosed_tricubic threshold = difference(f, above);
+    std::array<double, 3> steepest;
+    for(int a = 0; a < 3; ++a) {
+      std::array<double, 3> axis = {};
+      axis[a] = 1;
+      const Level_range r = enclosed_derivative(threshold, axis).range();
+      steepest[a] = (std::max)(std::abs(r.min), std::abs(r.max));
+    }
+    return length(steepest);
+  }
+
+  // calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box
+  template <typename Visitor>
+  void for_each_touching(std::uint32_t c, const Bbox_3& target, const Visitor& visit) const
+  {
+    const Cell_boxes& range = m_cells[m_first[c]];
+    if(range.end - range.begin <= 8) {
+      for(std::size_t b = range.begin; b < range.end; ++b)
+        if(do_overlap(bbox(m_boxes[b]), target)) visit(Box_index(b));
+      return;
+    }
+    descend(range.begin, range.end, 0, target, visit);
+  }
+
+  // the boxes [begin, end) are those of one part of a cell, at the given depth
+  template <typename Visitor>
+  void descend(std::size_t begin, std::size_t end, int depth, const Bbox_3& target, const Visitor& visit) const
+  {
+    Cover_box part = m_boxes[begin];
+    const int below = int(part.depth) - depth;
+    for(int a = 0; a < 3; ++a) part.position[a] = std::uint16_t(part.position[a] >> below);
+    part.depth = std::uint8_t(depth);
+    if(!do_overlap(bbox(part), target)) return;
+    if(end - begin == 1) { visit(Box_index(begin)); return; }
+    for(std::size_t b = begin; b < end; ) {
+      const int o = octant(m_boxes[b], int(m_boxes[b].depth) - depth - 1);
+      const std::size_t next = std::size_t(std::partition_point(m_boxes.begin() + b, m_boxes.begin() + end, [&](const Cover_box& x) {
+        return octant(x, int(x.depth) - depth - 1) <= o;
+      }) - m_boxes.begin());
+      descend(b, next, depth + 1, target, visit);
+      b = next;
+    }
+  }
+
+  const Field* m_field;
+  Threshold m_inner, m_outer;
+  int m_least_depth;
+  std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
+  std::vector<Cell_boxes> m_cells;
+  std::vector<Cover_box> m_boxes;
+  std::vector<Box_index> m_border;
+  std::size_t m_undecided = 0;            // boxes of the cover
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_COVER_3_H

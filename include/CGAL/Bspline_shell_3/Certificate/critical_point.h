@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_CRITICAL_POINT_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_CRITICAL_POINT_H
+
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a box, in the box of a function, that certainly contains a point where the gradient vanishes.
+ */
+struct Critical_point
+{
+  std::array<double, 3> center;     ///< in local coordinates
+  double radius;                    ///< of the box, local
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief looks for a critical point of a function on its box, and proves that it is there, if it is and is not degenerate.
+ *
+ * Newton's method finds a candidate; Krawczyk's test, with second derivatives enclosed on the whole box, proves that a
+ * small box around it contains exactly one zero of the gradient. Nothing is lost if there is none: it is only looked
+ * for where a proof of the contrary has failed.
+ */
+inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubic& f)
+{
+  constexpr double largest_radius = 1. / 16;
+  const std::array<std::array<double, 3>, 3> axes = {{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }};
+  std::array<Enclosed_tricubic, 3> slope;
+  std::array<std::array<Level_range, 3>, 3> second;       // on the whole box
+  Eigen::Matrix3d middle;
+  for(int a = 0; a < 3; ++a) slope[a] = enclosed_derivative(f, axes[a]);
+  for(int a = 0; a < 3; ++a)
+    for(int b = 0; b < 3; ++b) {
+      second[a][b] = enclosed_derivative(slope[a], axes[b]).range();
+      middle(a, b) = (second[a][b].min + second[a][b].max) / 2;
+    }
+  const auto gradient = [&](const Eigen::Vector3d& t) {
+    Eigen::Vector3d g;
+    for(int a = 0; a < 3; ++a) {
+      const Level_range r = enclose_at_point(slope[a], { t[0], t[1], t[2] }, 0);
+      g[a] = (r.min + r.max) / 2;
+    }
+    return g;
+  };
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(middle);
+  if(!lu.isInvertible()) return std::nullopt;
+  const Eigen::Matrix3d Y = lu.inverse();
+  if(!Y.allFinite()) return std::nullopt;
+  Eigen::Vector3d x(0.5, 0.5, 0.5);
+  for(int step = 0; step < 20; ++step) x -= Y * gradient(x);
+  // the box of the test must lie in that on which the second derivatives are enclosed
+  double radius = largest_radius;
+  for(int a = 0; a < 3; ++a) radius = (std::min)({ radius, x[a], 1 - x[a] });
+  if(!(radius > 0)) return std::nullopt;
+  // K = x - Y g(x) + (I - Y H) [-radius, radius]^3 must lie in the interior of the box. Magnitudes, rounded up.
+  constexpr double up = 1 + 64 * internal::rounding;
+  for(int a = 0; a < 3; ++a) {
+    double shift = 0, spread = 0;
+    for(int b = 0; b < 3; ++b) {
+      const Level_range g = enclose_at_point(slope[b], { x[0], x[1], x[2] }, 0);
+      shift += std::abs(Y(a, b)) * (std::max)(std::abs(g.min), std::abs(g.max));
+      // row a of I - Y H: its middle, and what H may differ from the middle
+      double center = a == b ? 1 : 0, size = std::abs(center);
+      for(int c = 0; c < 3; ++c) {
+        const double product = Y(a, c) * middle(c, b);
+        center -= product;
+        size += std::abs(product);
+      }
+      spread += std::abs(center) + 8 * internal::rounding * size;
+      for(int c = 0; c < 3; ++c) {
+        const double half = (std::max)(second[c][b].max - middle(c, b), middle(c, b) - second[c][b].min);
+        spread += std::abs(Y(a, c)) * half * up;
+      }
+    }
+    if(!((shift + spread * radius) * up < radius)) return std::nullopt;
+  }
+  return Critical_point{ { x[0], x[1], x[2] }, radius };
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_CRITICAL_POINT_H

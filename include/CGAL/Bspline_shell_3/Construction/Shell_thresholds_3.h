@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SHELL_THRESHOLDS_3_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SHELL_THRESHOLDS_3_H
+
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief thresholds of a shell that vary in space: as wide as asked for, narrower where that is needed, never narrower than
+ * the mesh needs.
+ *
+ * A threshold is a spline on the cells of the field. Where all coefficients that act on a cell lie beyond the values that
+ * the field takes on the mesh in that cell, so does the threshold; that is what the mesh needs of a coefficient. Caps keep
+ * the threshold below a value in a cell, and let it rise from there with a bounded slope.
+ *
+ * \tparam Field `Hierarchical_bspline_field_3`
+ */
+template <typename Field>
+class Shell_thresholds_3
+{
+  typedef typename Field::Cell_index Index;
+public:
+  /// \param field the field; its values are not looked at
+  /// \param thickness asked for, half of it on either side: a function of points, user units
+  /// \param slope of a threshold beyond a cap, less than that of the field, which is about one
+  /// \pre `field` outlives this object
+  template <typename Thickness>
+  Shell_thresholds_3(const Field& field, const Thickness& thickness, double slope = 0.2)
+    : m_field(&field), m_slope(slope)
+  {
+    const Eigen::Index size = Eigen::Index(field.number_of_coefficients());
+    m_cap[0].resize(size);
+    for(Eigen::Index u = 0; u < size; ++u) {
+      const Bbox_3 b = field.support(Index(u));
+      m_cap[0][u] = thickness(typename Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+    }
+    m_cap[1] = m_cap[0];
+    m_highest = size > 0 ? m_cap[0].maxCoeff() : 0;
+    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(size, -std::numeric_limits<double>::infinity());
+  }
+
+  /// \param mesh_ranges encloses the field on the part of the mesh in each cell (`Facet_ranges::cell`)
+  void set_mesh_ranges(const std::vector<Level_range>& mesh_ranges)
+  {
+    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(-std::numeric_limits<double>::infinity());
+    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
+      const Level_range& range = mesh_ranges[c];
+      if(!(range.min <= range.max)) continue;
+      m_field->visit_coefficients(c, [&](int, Index u, double) {
+        m_needed[0][u] = (std::max)(m_needed[0][u], -range.min);
+        m_needed[1][u] = (std::max)(m_needed[1][u], range.max);
+      });
+    }
+  }
+
+  /// the same two levels everywhere
+  void set_constant(const Level_range& levels)
+  {
+    for(int side = 0; side < 2; ++side) {
+      m_needed[side].setConstant(side == 0 ? -levels.min : levels.max);
+      m_cap[side] = m_needed[side];
+    }
+  }
+
+  /// what the mesh needs of a threshold in a cell: the outer one has to be as large, the inner one as small as that
+  double needed(Index cell, Sign side) const
+  {
+    double most = -std::numeric_limits<double>::infinity();
+    m_field->visit_coefficients(cell, [&](int, Index u, double) { most = (std::max)(most, m_needed[number(side)][u]); });
+    return side == POSITIVE ? most : -most;
+  }
+
+  /// keeps the outer threshold at or below `level` in a cell, or the inner one at or above it, as far as the mesh allows
+  void cap(Index cell, Sign side, double level)
+  {
+    const int s = number(side);
+    const double size = side == POSITIVE ? level : -level;
+    const double reach = (m_highest - size) / m_slope;
+    if(!(reach > 0)) return;
+    // Distances are those of the functions' centres, whatever their size, from a box that holds the centres of all that act on
+    // the cell.
+    const Bbox_3 b = m_field->cell(cell).bbox();
+    Bbox_3 core = b;
+    m_field->visit_coefficients(cell, [&](int, Index u, double) {
+      const Bbox_3 s = m_field->support(u);
+      const double x = (s.xmin() + s.xmax()) / 2, y = (s.ymin() + s.ymax()) / 2, z = (s.zmin() + s.zmax()) / 2;
+      core += Bbox_3(x, y, z, x, y, z);
+    });
+    m_field->visit_coefficients_near(Bbox_3(core.xmin() - reach, core.ymin() - reach, core.zmin() - reach,
+                                            core.xmax() + reach, core.ymax() + reach, core.zmax() + reach), [&](Index u, const Bbox_3& support) {
+      double squared = 0;
+      for(int a = 0; a < 3; ++a) {
+        const double center = ((support.min)(a) + (support.max)(a)) / 2;
+        const double gap = (std::max)({ 0., center - (core.max)(a), (core.min)(a) - center });
+        squared += gap * gap;
+      }
+      m_cap[s][u] = (std::min)(m_cap[s][u], size + m_slope * std::sqrt(squared));
+    });
+  }
+
+  /// the inner (`NEGATIVE`) or the outer threshold (`POSITIVE`)
+  template <typename ConcurrencyTag>
+  Field threshold(Sign side) const
+  {
+    Field result = *m_field;
+    Eigen::VectorXd x = m_needed[number(side)].cwiseMax(m_cap[number(side)]);
+    if(side == NEGATIVE) x = -x;
+    result.template set_coefficients<ConcurrencyTag>(std::move(x));
+    return result;
+  }
+
+private:
+  static int number(Sign side) { return side == POSITIVE ? 1 : 0; }
+
+  const Field* m_field;
+  double m_slope, m_highest = 0;
+  std::array<Eigen::VectorXd, 2> m_needed, m_cap;       // by coefficient, of the outer threshold and of minus the inner one
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SHELL_THRESHOLDS_3_H

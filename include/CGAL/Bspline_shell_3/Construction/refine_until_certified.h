@@ -1,0 +1,615 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_UNTIL_CERTIFIED_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_UNTIL_CERTIFIED_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
+#include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/enum.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief what refinement aims at, and how far it may go.
+ */
+struct Refinement_parameters
+{
+  Energy_weights weights;
+  /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
+  double slope_fraction = 0.2;
+  /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
+  bool constant_thresholds = false;
+  std::size_t max_rounds = 24;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
+
+  Refinement_parameters()
+  {
+    weights.zeta = 100;
+    weights.surface = 100;
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
+ *
+ * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for, or facets have
+ * too small a slope, small changes mend it (`Slope_enforcement`); too many such cells are refined at once. Then thresholds are
+ * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
+ * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, the cells are refined. When
+ * nothing is found wanting, the certificate is asked.
+ *
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam Oracle a model of `SignedDistanceOracle_3`
+ */
+template <typename ConcurrencyTag, typename Oracle>
+class Certified_refinement
+{
+public:
+  typedef Hierarchical_bspline_field_3<> Field;
+  typedef Spline_threshold<Field> Threshold;
+  typedef Shell_certificate_3<Field, Threshold> Certificate;
+
+  /// \pre `input` and `oracle` outlive this object
+  Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Oracle& oracle, const Refinement_parameters& parameters)
+    : m_input(std::move(input)), m_oracle(oracle), m_parameters(parameters)
+  {
+    find_wanted_slopes();
+    find_seeds();
+  }
+
+  /// \param cells to begin with; they contain the mesh
+  /// \param thickness asked for: a function of points, user units
+  /// \param solver a model of `SPDSolver`
+  /// \param start is called with each `Shell_step` that begins; `false` stops
+  template <typename Thickness, typename Solver, typename Start>
+  Refinement_status operator()(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
+  {
+    constexpr int max_rounds_in_vain = 3;
+    constexpr double progress = 0.9;
+    double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
+    std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
+    int rounds_in_vain = 0;
+    Real_timer total;
+    total.start();
+    m_timer.start();
+    for(std::size_t round = 0; ; ++round) {
+      m_rounds.emplace_back();
+      m_timer.reset();
+      const std::optional<Refinement_status> failure = fit(std::move(cells), thickness, solver, start);
+      if(failure) return *failure;
+      Refinement_round& log = m_rounds.back();
+      if(m_is_thin) {
+        if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
+        choose_field_and_thresholds(thickness);
+        if(m_marked.empty() && certify()) return Refinement_status::CERTIFIED;
+        const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
+        rounds_in_vain = better ? 0 : rounds_in_vain + 1;
+        least_volume = (std::min)(least_volume, m_undecided_volume);
+        fewest_facets = (std::min)(fewest_facets, log.failing_facets);
+      }
+      std::sort(m_marked.begin(), m_marked.end());
+      m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
+      log.marked_cells = m_marked.size();
+      const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
+      if(!in_vain) cells = m_field->cells().refined(m_marked);
+      // before the memory and the time are taken
+      const bool over = round + 1 >= m_parameters.max_rounds
+                     || (!in_vain && exceeds_limits(cells.number_of_cells(), total.time()));
+      if(in_vain || over) {
+        if(!m_inner) {
+          constexpr int once = 1;
+          m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
+          Shell_thresholds_3<Field> thresholds(*m_field, thickness);
+          choose_thresholds(thresholds, once);
+        }
+        if(!m_certificate) certify();
+        return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
+      }
+    }
+  }
+
+  const std::vector<Refinement_round>& rounds() const { return m_rounds; }
+  const Field& field() const { return *m_field; }
+  /// of the last field; it refers to the field
+  const std::optional<Certificate>& certificate() const { return m_certificate; }
+  const Threshold& inner() const { return *m_inner; }
+  const Threshold& outer() const { return *m_outer; }
+  const Facet_ranges& ranges() const { return m_ranges; }
+
+  /// the largest difference of the thresholds on the mesh, and the share of the mesh's area where it is less than asked for: in
+  /// the leaves where it is by more than a hundredth. Of the last field.
+  template <typename Thickness>
+  std::pair<double, double> thickness_on_mesh(const Thickness& thickness) const
+  {
+    constexpr double narrower = 0.99;
+    const Clipped_mesh_3& clipped = *m_clipped;
+    double largest = 0, narrow_area = 0, area = 0;
+    for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
+      const Index c = clipped.pieces()[n].cell;
+      double in_cell = 0;
+      for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
+        in_cell += clipped.area(clipped.pieces()[next]);
+      const Level_range difference = Bspline_shells::difference(enclosed_value(m_outer->field().cell(c)),
+                                                                enclosed_value(m_inner->field().cell(c))).range();
+      largest = (std::max)(largest, difference.max);
+      area += in_cell;
+      if(difference.min < narrower * 2 * half_thickness(c, thickness)) narrow_area += in_cell;
+    }
+    return { largest, narrow_area / area };
+  }
+
+private:
+  typedef Field::Cell_index Index;
+  static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
+  static constexpr std::size_t least_violated_cells = 64;
+  static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
+  static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
+  enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
+
+  void lap(Step step)
+  {
+    m_rounds.back().seconds[step] += m_timer.time();
+    m_timer.reset();
+  }
+
+  void mark(Index c)
+  {
+    if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
+  }
+
+  // whether a round with so many cells would take too much memory or time, or more unknowns than can be numbered: each cell as
+  // much as in the last round
+  bool exceeds_limits(std::size_t cells, double seconds) const
+  {
+    const double more = double(cells) / double(m_field->number_of_cells());
+    for(double s : m_rounds.back().seconds) seconds += more * s;
+    if(!(seconds <= m_parameters.max_seconds)) return true;
+    const double points = more * double(m_field->number_of_points());
+    return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
+        || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
+  }
+
+  void find_wanted_slopes()
+  {
+    const auto& mesh = m_input->mesh();
+    std::vector<double> margin;
+    for(auto v : mesh.vertices()) margin.push_back(mesh.is_isolated(v) ? 1 : vertex_cone_margin(mesh, v));
+    for(auto f : mesh.faces()) {
+      double least = 1;
+      for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) least = (std::min)(least, margin[v]);
+      m_wanted.push_back(least < singular ? 0 : m_parameters.slope_fraction * least);
+    }
+    m_refinements.assign(m_wanted.size(), 0);
+  }
+
+  void find_seeds()
+  {
+    const Input_mesh_3::Triangle_mesh& mesh = m_input->mesh();
+    for(Input_mesh_3::Face_index f : mesh.faces()) {
+      if(m_input->component(f) != m_seeds.size()) continue;       // the first facet of the next component
+      const auto& p = mesh.point(mesh.target(mesh.halfedge(f)));
+      m_seeds.emplace_back(p.x(), p.y(), p.z());
+    }
+  }
+
+  // Fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
+  template <typename Thickness, typename Solver, typename Start>
+  std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
+  {
+    Refinement_round& log = m_rounds.back();
+    m_enforcement.reset();
+    m_certificate.reset();
+    m_inner.reset();
+    m_outer.reset();
+    m_marked.clear();
+    m_is_thin = false;
+    if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
+    sample(cells);
+    if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
+      return Refinement_status::DISTANCE_NOT_FINITE;
+    lap(DISTANCE);
+    m_field = std::make_unique<Field>(std::move(cells));
+    Field& field = *m_field;
+    log.cells = field.number_of_cells();
+    log.unknowns = field.number_of_coefficients();
+    log.levels = field.number_of_levels();
+    m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
+    lap(CELLS);
+
+    if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
+    const double width = field.cells().lattice().spacing();
+    const Fit_energy<Field> energy(field, m_samples, *m_clipped, m_input->unit() / width, m_parameters.weights);
+    energy.template assemble<ConcurrencyTag>(m_A, m_b);
+    lap(ASSEMBLY);
+    m_x = energy.template initial_guess<ConcurrencyTag>();
+    const Unknown_blocks blocks = overlapping_blocks(field);
+    Solver_status solved = solver.compute(m_A, blocks);
+    if(solved == Solver_status::SUCCESS) solved = solver.solve(m_b, m_x);
+    lap(SOLVER);
+    if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
+    field.template set_coefficients<ConcurrencyTag>(m_x * width);
+    if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
+    mark_thick_cells(thickness, m_clipped->cells().size() / thick_cells_to_refine);
+    if(!m_marked.empty()) return std::nullopt;
+
+    m_enforcement.emplace(field, m_A, m_b);
+    m_unexamined.assign(m_wanted.size(), 1);
+    m_enforcement->insert(slope_conditions(thickness));
+    m_is_thin = enforce_slopes();
+    lap(SLOPES);
+    if(m_is_thin) {
+      mark_thick_cells(thickness);
+      m_is_thin = log.thick_cells == 0;
+    }
+    return std::nullopt;
+  }
+
+  // Changes the field where facets have too small a slope, until all certainly cross the field upwards, or nothing helps; marks
+  // cells where it does not. Returns false, and only marks cells, if there are too many.
+  bool enforce_slopes()
+  {
+    constexpr int max_exchanges = 6;
+    Refinement_round& log = m_rounds.back();
+    const double width = m_field->cells().lattice().spacing();
+    const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
+    std::vector<Failure> failures;
+    for(int exchange = 0; ; ++exchange) {
+      const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
+      if(exchange == 0) log.sloping_cells = slopes.violated_before;
+      log.sloping_cells_left = slopes.violated_cells.size();
+      if(!slopes.enforced) {
+        std::vector<std::uint32_t> facets;
+        for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
+          if(m_refinements[slopes.violated_facets[n]] < max_refinements_of_a_facet) {
+            mark(slopes.violated_cells[n]);
+            facets.push_back(slopes.violated_facets[n]);
+          }
+        std::sort(facets.begin(), facets.end());
+        facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        for(std::uint32_t f : facets) ++m_refinements[f];
+        return false;
+      }
+      if(slopes.patches > 0) m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
+      else if(exchange > 0) break;
+      for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
+        if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
+      failures = failing_facets();
+      if(failures.empty() || exchange + 1 == max_exchanges) break;
+      std::vector<Slope_condition> conditions;
+      for(const Failure& f : failures) {
+        if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
+          conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle), m_wanted[f.triangle] });
+      }
+      m_enforcement->insert(conditions);
+    }
+    log.failing_facets = failures.size();
+    for(const Failure& f : failures)
+      if(f.cell != Field::npos && m_wanted[f.triangle] > 0 && m_refinements[f.triangle] < max_refinements_of_a_facet) {
+        ++m_refinements[f.triangle];
+        mark(f.cell);
+      }
+    return true;
+  }
+
+  // a triangle that does not certainly cross the field upwards, and a point where it does not
+  struct Failure { std::uint32_t triangle; Index cell; std::array<double, 3> point; };
+
+  // among those that were not examined since the field changed there
+  std::vector<Failure> failing_facets()
+  {
+    constexpr std::size_t chunk = 64;
+    const Field_predicates_3<Field> predicates(*m_field);
+    std::vector<std::uint32_t> triangles;
+    for(auto f : m_input->mesh().faces())
+      if(m_unexamined[f]) triangles.push_back(std::uint32_t(f));
+    std::vector<std::vector<Failure> > failures((triangles.size() + chunk - 1) / chunk);
+    internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto t = m_input->triangle(Input_mesh_3::Triangle_mesh::Face_index(triangles[n]));
+        const auto point = [&](int v) { return Field::Point_3(t[v].x(), t[v].y(), t[v].z()); };
+        Witness w;
+        if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
+          failures[begin / chunk].push_back({ triangles[n], m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2])), w.point });
+      }
+    });
+    std::vector<Failure> all;
+    for(const std::vector<Failure>& part : failures) all.insert(all.end(), part.begin(), part.end());
+    std::fill(m_unexamined.begin(), m_unexamined.end(), 0);
+    for(const Failure& f : all) m_unexamined[f.triangle] = 1;
+    return all;
+  }
+
+  // the samples of leaves that were there before are kept
+  void sample(const Cell_hierarchy_3& cells)
+  {
+    constexpr std::size_t n = Distance_samples::per_cell;
+    if(!m_field) {
+      m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
+      return;
+    }
+    const Cell_hierarchy_3& old_cells = m_field->cells();
+    std::vector<Index> fresh;
+    std::vector<double> samples(cells.number_of_cells() * n);
+    for(Index c = 0; c < cells.number_of_cells(); ++c) {
+      const Index old = cells.level(c) < old_cells.number_of_levels() ? old_cells.leaf(cells.level(c), cells.lattice_point(c)) : Field::npos;
+      if(old == Field::npos) fresh.push_back(c);
+      else std::copy_n(&m_samples[old * n], n, &samples[c * n]);
+    }
+    const std::vector<double> more = sample_signed_distance<ConcurrencyTag>(m_oracle, cells, fresh);
+    for(std::size_t m = 0; m < fresh.size(); ++m) std::copy_n(&more[m * n], n, &samples[fresh[m] * n]);
+    m_samples.swap(samples);
+  }
+
+  template <typename Thickness>
+  double half_thickness(Index c, const Thickness& thickness) const
+  {
+    const Bbox_3 b = m_field->cell(c).bbox();
+    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+  }
+
+  // marks cells where the field is too large on the mesh, if these are more than `few`
+  template <typename Thickness>
+  void mark_thick_cells(const Thickness& thickness, std::size_t few = 0)
+  {
+    m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
+    Refinement_round& log = m_rounds.back();
+    log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
+    log.thick_cells = 0;
+    // what is nearly too thick would be in the next round, after small changes
+    constexpr double nearly = 0.9;
+    std::vector<Index> nearly_thick;
+    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
+      const Level_range& r = m_ranges.cell[c];
+      if(!(r.min <= r.max)) continue;
+      const double size = (std::max)(-r.min, r.max), half = half_thickness(c, thickness);
+      if(size > half) ++log.thick_cells;
+      if(size > nearly * half) nearly_thick.push_back(c);
+    }
+    if(log.thick_cells > few)
+      for(Index c : nearly_thick) mark(c);
+    lap(BOUNDS);
+  }
+
+  // at the corners and in the middle of the clipped mesh's pieces
+  template <typename Thickness>
+  std::vector<Slope_condition> slope_conditions(const Thickness& thickness) const
+  {
+    constexpr double nearly = 0.95;
+    std::vector<Slope_condition> conditions;
+    Index last = Field::npos;
+    double largest = 0;
+    const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
+      conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet], largest });
+    };
+    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) {
+      if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
+      const Tricubic_cell_3 cell = m_field->cell(piece.cell);
+      if(piece.cell != last) {
+        last = piece.cell;
+        largest = nearly * half_thickness(last, thickness) / m_field->cells().lattice().spacing();
+      }
+      std::array<double, 3> middle = {};
+      for(std::uint32_t v = 0; v < piece.size; ++v) {
+        const std::array<double, 3>& p = m_clipped->point(piece.first + v);
+        add(cell, piece.cell, piece.facet, p);
+        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+      }
+      add(cell, piece.cell, piece.facet, middle);
+    }
+    return conditions;
+  }
+
+  // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
+  struct Obstacle { Index cell; std::array<double, 3> point; };
+
+  // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
+  // in common; if it still is not, cells are marked.
+  template <typename Thickness>
+  void choose_field_and_thresholds(const Thickness& thickness)
+  {
+    constexpr int max_exchanges = 3;
+    Shell_thresholds_3<Field> thresholds(*m_field, thickness);
+    std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
+    for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
+      std::vector<Slope_condition> conditions;
+      for(const Obstacle& o : obstacles)
+        if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
+      if(conditions.empty()) break;
+      m_enforcement->insert(conditions);
+      m_inner.reset();      // those of the field as it was
+      m_outer.reset();
+      lap(CERTIFICATE);
+      if(!enforce_slopes()) break;
+      lap(SLOPES);
+      mark_thick_cells(thickness);
+      if(!m_marked.empty()) break;
+      obstacles = choose_thresholds(thresholds);
+    }
+    m_rounds.back().undecided_cells = obstacles.size();
+    for(const Obstacle& o : obstacles) mark(o.cell);
+    lap(CERTIFICATE);
+  }
+
+  // of the facets near a box, if they have a direction in common
+  std::optional<Slope_condition> common_slope(const Obstacle& o) const
+  {
+    constexpr double least_margin = 0.01;
+    const typename Field::Cell cell = m_field->cell(o.cell);
+    const double distance = std::abs(m_oracle(typename Oracle::Point_3(o.point[0], o.point[1], o.point[2])));
+    for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
+      const Bbox_3 box(o.point[0] - reach, o.point[1] - reach, o.point[2] - reach, o.point[0] + reach, o.point[1] + reach, o.point[2] + reach);
+      std::vector<std::uint32_t> facets;
+      m_field->visit_cells(box, [&](Index c) {
+        const auto& pieces = m_clipped->pieces();
+        for(auto piece = std::lower_bound(pieces.begin(), pieces.end(), c, [](const auto& p, Index cell) { return p.cell < cell; });
+            piece != pieces.end() && piece->cell == c; ++piece) {
+          Bbox_3 b;
+          for(std::uint32_t v = 0; v < piece->size; ++v) {
+            const auto& p = m_clipped->point(piece->first + v);
+            b += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+          }
+          if(do_overlap(b, box)) facets.push_back(piece->facet);
+        }
+      });
+      std::sort(facets.begin(), facets.end());
+      facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+      if(facets.empty()) continue;
+      std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
+      for(std::uint32_t f : facets) normals.emplace_back(m_clipped->normal(f)[0], m_clipped->normal(f)[1], m_clipped->normal(f)[2]);
+      std::array<double, 3> axis = cone_axis(normals);
+      const double margin = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+      if(!(margin > least_margin)) continue;
+      for(double& x : axis) x /= margin;
+      return Slope_condition{ o.cell, facets.front(), cell.local_coordinates(o.point), axis, m_parameters.slope_fraction * margin };
+    }
+    return std::nullopt;
+  }
+
+  // Narrows thresholds where the shell may have a critical point, or reaches the end of the domain. Returns where the mesh needs
+  // them wider than that.
+  std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds, int max_passes = 8)
+  {
+    constexpr double margin = 0.98;       // of a cap that makes a difference
+    Refinement_round& log = m_rounds.back();
+    log.examined = true;
+    std::optional<Shell_cover_3<Field, Threshold> > last_cover;
+    std::unique_ptr<Threshold> last_inner, last_outer;
+    thresholds.set_mesh_ranges(m_ranges.cell);
+    if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
+    for(int pass = 0; ; ++pass) {
+      last_inner = std::move(m_inner);
+      last_outer = std::move(m_outer);
+      m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
+      m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
+      Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
+      if(last_cover)
+        cover.reuse(*last_cover, [&](Index c) { return has_changed(*last_inner, *m_inner, c) || has_changed(*last_outer, *m_outer, c); });
+      for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
+      // how near to the mesh's level the boxes come that are in the way, on either side
+      struct Nearest { double size; std::array<double, 3> point; };
+      std::map<std::pair<Index, int>, Nearest> nearest;
+      m_undecided_volume = 0;
+      std::vector<Obstacle> hopeless;
+      const auto note = [&](const Cover_box& box) {
+        const Level_range f = cover.function(box).range();
+        const Bbox_3 b = cover.bbox(box);
+        const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+        const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
+        if(side == 0) { hopeless.push_back({ box.cell, middle }); return; }
+        const double size = side > 0 ? f.min : -f.max;
+        const auto it = nearest.insert({ { box.cell, side }, { size, middle } }).first;
+        if(size < it->second.size) it->second = { size, middle };
+      };
+      if(cover.number_of_undecided_boxes() > 0)
+        for(const Cover_box& box : cover.boxes()) {
+          if(box.component == Cover_box::no_component || box.kind != Box_kind::UNDECIDED) continue;
+          m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
+          note(box);
+        }
+      for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
+      bool narrowed = false;
+      for(const auto& n : nearest) {
+        const Sign side = n.first.second > 0 ? POSITIVE : NEGATIVE;
+        const double needed = n.first.second * thresholds.needed(n.first.first, side), size = n.second.size;
+        if(m_parameters.constant_thresholds || !(needed < margin * size)) { hopeless.push_back({ n.first.first, n.second.point }); continue; }
+        thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
+        narrowed = true;
+      }
+      if(narrowed && pass + 1 < max_passes) {
+        last_cover.emplace(std::move(cover));
+        continue;
+      }
+      return hopeless;
+    }
+  }
+
+  static bool has_changed(const Threshold& before, const Threshold& now, Index c)
+  {
+    return !std::equal(before.field().cell(c).coefficients(), before.field().cell(c).coefficients() + 64, now.field().cell(c).coefficients());
+  }
+
+  // Asks the certificate, and marks cells that keep the claims from being proved.
+  bool certify()
+  {
+    m_certificate.emplace(*m_field, *m_inner, *m_outer);
+    m_certificate->template verify<ConcurrencyTag>(m_input);
+    for(const Certificate_witness& w : m_certificate->witnesses())
+      if(w.reason == Certificate_witness::TWO_SHEETS) {
+        const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
+        if(c != Field::npos) mark(c);
+      }
+    lap(CERTIFICATE);
+    return m_certificate->is_certified();
+  }
+
+  std::shared_ptr<const Input_mesh_3> m_input;
+  const Oracle& m_oracle;
+  Refinement_parameters m_parameters;
+  std::vector<double> m_wanted;                       // of each triangle: its slope, per user unit
+  std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
+  std::vector<Field::Point_3> m_seeds;                // a point of each component of the mesh
+  std::unique_ptr<Field> m_field;
+  std::vector<double> m_samples;
+  std::optional<Clipped_mesh_3> m_clipped;
+  Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x
+  Eigen::VectorXd m_b, m_x;                           // in units of the width of root cells
+  std::optional<Slope_enforcement<Field> > m_enforcement;
+  std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
+  Facet_ranges m_ranges;
+  std::unique_ptr<Threshold> m_inner, m_outer;
+  std::optional<Certificate> m_certificate;
+  std::vector<Index> m_marked;
+  bool m_is_thin = false;
+  double m_undecided_volume = std::numeric_limits<double>::infinity();
+  std::vector<Refinement_round> m_rounds;
+  Real_timer m_timer;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_UNTIL_CERTIFIED_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_EDIT_STATUS_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_STATUS_H
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Editing
+/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` means that it is as it was before.
+enum class Edit_status
+{
+  SUCCESS,               ///< the result is certified
+  NO_SHELL,              ///< there is no shell
+  INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh
+  NOT_FINITE,            ///< a coordinate is infinite or not a number
+  NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
+  OPEN_MESH,             ///< the mesh has a border
+  NOT_IN_SHELL,          ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
+  NOT_CERTIFIED          ///< all facets are in the shell, but the certificate of the result fails: the report says where
+};
+
+/// \ingroup PkgBsplineShell3Editing
+/// what is wrong and what can be done about it, in one sentence
+inline const char* message(Edit_status status)
+{
+  switch(status) {
+    case Edit_status::SUCCESS:
+      return "The mesh was edited, and the result is certified.";
+    case Edit_status::NO_SHELL:
+      return "There is no shell: its own status says why.";
+    case Edit_status::INVALID_PARAMETER:
+      return "The target length of edges must be a positive number everywhere, not so small that there are more facets than have numbers.";
+    case Edit_status::NOT_FINITE:
+      return "The mesh has vertices whose coordinates are infinite or not a number.";
+    case Edit_status::NOT_TRIANGULATED:
+      return "The mesh has no facets, or some that are no triangles: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
+    case Edit_status::OPEN_MESH:
+      return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
+    case Edit_status::NOT_IN_SHELL:
+      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh for which the shell is certified.";
+    case Edit_status::NOT_CERTIFIED:
+      return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "
+             "certified shell of this mesh.";
+  }
+  return "";
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_EDIT_STATUS_H

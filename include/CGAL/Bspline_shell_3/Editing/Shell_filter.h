@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_SHELL_FILTER_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_SHELL_FILTER_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+
+#include <CGAL/Surface_mesh_simplification/internal/Common.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell: a placement passes
+ * only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
+ *
+ * With `Shell_facet_oracle_3`, a mesh whose facets lie in the shell and face along the gradient, and whose fans all wind once, stays
+ * such a mesh:
+ * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbour moves: the two facets there
+ *   turn by less than a turn together, before and after, from the same vertex to the same vertex, and so by the same
+ *   angle. At the two vertices opposite to the edge, three facets become two: what the fan turns can only get less, by full turns, and a
+ *   fan of facets that all face the axis turns once at least.
+ * - *Components* need no test: every facet that changes has a vertex of the link, which stays where it is, and so lies in the component
+ *   of the shell that the vertex lies in.
+ *
+ * The last two claims of the certificate, one sheet and degree one, then stay as they are, too: `simplify_in_shell()` proves all
+ * of them again.
+ *
+ * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies serve one thread at a time. The oracle
+ * may serve several.
+ *
+ * \cgalModels `PlacementFilter`
+ *
+ * \tparam Oracle a model of `ShellContainmentOracle`
+ * \tparam BaseFilter a model of `PlacementFilter`, asked first
+ */
+template <typename Oracle, typename BaseFilter = Surface_mesh_simplification::internal::Dummy_filter>
+class Shell_filter
+{
+public:
+  /// \pre `oracle` outlives this object and its copies
+  explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
+    : m_oracle(&oracle), m_base_filter(base_filter), m_state(std::make_shared<State>())
+  {}
+
+  /// the placement, or none if it is rejected
+  template <typename Profile, typename OptionalPoint>
+  OptionalPoint operator()(const Profile& profile, OptionalPoint placement) const
+  {
+    placement = m_base_filter(profile, placement);
+    const Placement_verdict verdict = placement ? judge(profile, *placement) : Placement_verdict::BASE_FILTER;
+    ++m_state->statistics.by_verdict[std::size_t(verdict)];
+    return verdict == Placement_verdict::ACCEPTED ? placement : OptionalPoint();
+  }
+
+  /// of this filter and its copies
+  const Placement_statistics& statistics() const { return m_state->statistics; }
+
+private:
+  struct State
+  {
+    Placement_statistics statistics;
+    typename Oracle::Memory memory;
+  };
+
+  template <typename Profile, typename Point>
+  Placement_verdict judge(const Profile& profile, const Point& p) const
+  {
+    // the facets that stay, after the one or two at the edge, go around it: (v0, p, v2), from v2 to v0
+    const auto& triangles = profile.triangles();
+    const auto& vpm = profile.vertex_point_map();
+    const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());
+    std::vector<Point> link;
+    for(std::size_t n = first; n < triangles.size(); ++n) link.push_back(get(vpm, triangles[n].v2));
+    return (*m_oracle)(p, link, m_state->memory);
+  }
+
+  const Oracle* m_oracle;
+  BaseFilter m_base_filter;
+  std::shared_ptr<State> m_state;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_SHELL_FILTER_H

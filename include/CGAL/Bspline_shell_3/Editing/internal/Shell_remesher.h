@@ -1,0 +1,444 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_SHELL_REMESHER_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_SHELL_REMESHER_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+#include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Splits, collapses, flips and moves, each only if the oracle accepts all facets that change.
+//
+// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At the others, one or two facets are replaced by one or
+// two, between the same two edges: they turn by less than a whole turn before and after, and by the same angle but for whole
+// turns. (Collapses: see Shell_filter.)
+//
+// Edges are dealt with in an order that depends on lengths, and among equal ones on the order of the mesh, never on addresses.
+template <typename TriangleMesh, typename VertexPointMap, typename Oracle, typename Sizing, typename EdgeIsConstrainedMap,
+          typename VertexIsConstrainedMap>
+class Shell_remesher
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector;
+  // relative length, and a number that tells equal ones apart; 0 if the edge is not in the queue
+  typedef std::pair<double, std::size_t> Key;
+  typedef std::map<Key, halfedge_descriptor> Queue;
+
+public:
+  Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
+                 EdgeIsConstrainedMap edge_is_constrained, VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
+                 Remeshing_report& report)
+    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_edge_is_constrained(edge_is_constrained)
+    , m_vertex_is_constrained(vertex_is_constrained), m_protect_constraints(protect_constraints), m_report(report)
+    , m_key(get(dynamic_edge_property_t<Key>(), mesh))
+  {}
+
+  void split_long_edges()
+  {
+    Queue queue;
+    const auto add = [&](halfedge_descriptor h) {
+      const edge_descriptor e = edge(h, m_mesh);
+      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      const double length = relative_length(h);
+      if(length > longest) insert(queue, -length, h);
+    };
+    for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
+    while(!queue.empty()) {
+      const halfedge_descriptor h = queue.begin()->second;
+      queue.erase(queue.begin());
+      if(const vertex_descriptor v = split(h); v != Graph_traits::null_vertex())
+        for(halfedge_descriptor g : CGAL::halfedges_around_target(v, m_mesh)) add(g);
+    }
+  }
+
+  void collapse_short_edges()
+  {
+    Queue queue;
+    const auto add = [&](halfedge_descriptor h) {
+      const edge_descriptor e = edge(h, m_mesh);
+      remove(queue, e);
+      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      const double length = relative_length(h);
+      if(length < shortest) insert(queue, length, h);
+    };
+    for(edge_descriptor e : edges(m_mesh)) put(m_key, e, Key());
+    for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
+    while(!queue.empty()) {
+      halfedge_descriptor h = queue.begin()->second;
+      queue.erase(queue.begin());
+      put(m_key, edge(h, m_mesh), Key());
+      // with the edge, one of the two others of each of its facets vanishes
+      const std::array<edge_descriptor, 4> sides = {{ edge(next(h, m_mesh), m_mesh), edge(prev(h, m_mesh), m_mesh),
+                                                      edge(next(opposite(h, m_mesh), m_mesh), m_mesh),
+                                                      edge(prev(opposite(h, m_mesh), m_mesh), m_mesh) }};
+      Point p;
+      if(!find_place_to_collapse_to(h, p)) continue;
+      for(edge_descriptor e : sides) remove(queue, e);
+      const vertex_descriptor v = collapse(h, p);
+      for(halfedge_descriptor g : CGAL::halfedges_around_target(v, m_mesh)) add(g);
+    }
+  }
+
+  void flip_to_regular_valences()
+  {
+    const auto deviation = [&](vertex_descriptor v, int change) { return std::abs(int(degree(v, m_mesh)) + change - 6); };
+    for(edge_descriptor e : edges(m_mesh)) {
+      const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
+      const int before = deviation(q.a, 0) + deviation(q.b, 0) + deviation(q.c, 0) + deviation(q.d, 0);
+      const int after = deviation(q.a, -1) + deviation(q.b, -1) + deviation(q.c, 1) + deviation(q.d, 1);
+      if(after < before) flip(halfedge(e, m_mesh), q, (std::min)(quality_before(q), regular_quality));
+    }
+  }
+
+  // until no flip does, or the last passes change next to nothing
+  void flip_to_larger_angles()
+  {
+    constexpr int most_passes = 10;
+    for(int pass = 0; pass < most_passes; ++pass) {
+      std::size_t flipped = 0;
+      for(edge_descriptor e : edges(m_mesh)) {
+        const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
+        flipped += flip(halfedge(e, m_mesh), q, least_gain * quality_before(q));
+      }
+      if(flipped == 0) return;
+    }
+  }
+
+  // Moves vertices towards the centroids of their facets, within the tangent plane; along sharp edges only within these, and not at corners.
+  // Then `project` may change the place.
+  template <typename Projection>
+  void relax(const Projection& project)
+  {
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      if(halfedge(v, m_mesh) == Graph_traits::null_halfedge() || is_fixed(v)) continue;
+      const Point& p = get(m_vpm, v);
+      find_link(v);
+      const Vector move = tangential_move(p);
+      const double before = (std::min)(quality_of_star(p), good_quality);
+      for(double part : { 1., 0.5, 0.25 }) {
+        const Point q = project(p + part * move);
+        if(q == p || !(quality_of_star(q) >= before)) continue;
+        if(judge(q) != Placement_verdict::ACCEPTED) continue;
+        put(m_vpm, v, q);
+        ++m_report.moves;
+        break;
+      }
+    }
+  }
+
+private:
+  // the facets (a, b, c) and (b, a, d) at a halfedge from a to b
+  struct Quadrilateral
+  {
+    Quadrilateral(halfedge_descriptor h, const TriangleMesh& mesh)
+      : a(source(h, mesh)), b(target(h, mesh)), c(target(next(h, mesh), mesh)), d(target(next(opposite(h, mesh), mesh), mesh))
+    {}
+    vertex_descriptor a, b, c, d;
+  };
+
+  static constexpr double longest = 4. / 3, shortest = 4. / 5;      // edges, relative to the target length
+  static constexpr double least_shrinkage = 0.9;      // of edges, from that which is split to the new ones
+  static constexpr double regular_quality = 0.3;      // that a flip towards regular valences must leave, if it was better before
+  static constexpr double good_quality = 0.7;         // that a move must leave, if it was better before
+  static constexpr double least_gain = 1.01;          // of a flip
+  static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
+
+  // a reference, or a point, as the map has it
+  decltype(auto) point(vertex_descriptor v) const { return get(m_vpm, v); }
+
+  double relative_length(halfedge_descriptor h) const
+  {
+    const Point &p = point(source(h, m_mesh)), &q = point(target(h, m_mesh));
+    return std::sqrt(CGAL::squared_distance(p, q)) / m_sizing(CGAL::midpoint(p, q));
+  }
+
+  void insert(Queue& queue, double priority, halfedge_descriptor h)
+  {
+    const Key key(priority, ++m_serial);
+    queue.emplace(key, h);
+    put(m_key, edge(h, m_mesh), key);
+  }
+
+  void remove(Queue& queue, edge_descriptor e)
+  {
+    const Key key = get(m_key, e);
+    if(key.second == 0) return;
+    queue.erase(key);
+    put(m_key, e, Key());
+  }
+
+  static constexpr bool has_constrained_edges =
+    !std::is_same<EdgeIsConstrainedMap, Static_boolean_property_map<edge_descriptor, false> >::value;
+
+  std::size_t number_of_constrained_edges(vertex_descriptor v) const
+  {
+    std::size_t number = 0;
+    if constexpr(has_constrained_edges)
+      for(halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh))
+        if(get(m_edge_is_constrained, edge(h, m_mesh))) ++number;
+    return number;
+  }
+  bool is_fixed(vertex_descriptor v) const { return get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0; }
+  // whether constrained edges pass through it, so that it may vanish with one of them
+  bool is_passed(vertex_descriptor v) const
+  {
+    return !m_protect_constraints && !get(m_vertex_is_constrained, v) && number_of_constrained_edges(v) == 2;
+  }
+
+  // twice the inradius divided by the circumradius, with the sign of the facet's side
+  static double quality(const Point& p, const Point& q, const Point& r)
+  {
+    const double a = std::sqrt(CGAL::squared_distance(q, r)), b = std::sqrt(CGAL::squared_distance(r, p)),
+                 c = std::sqrt(CGAL::squared_distance(p, q));
+    const double denominator = (a + b + c) * a * b * c;
+    return denominator > 0 ? 4 * CGAL::cross_product(q - p, r - p).squared_length() / denominator : 0;
+  }
+
+  double quality_before(const Quadrilateral& q) const
+  {
+    return (std::min)(quality(point(q.a), point(q.b), point(q.c)), quality(point(q.b), point(q.a), point(q.d)));
+  }
+
+  // of the facets (p, m_link[n], m_link[n+1])
+  double quality_of_star(const Point& p) const
+  {
+    double least = 1;
+    for(std::size_t n = 0; n < m_link.size(); ++n) least = (std::min)(least, quality(p, m_link[n], m_link[(n + 1) % m_link.size()]));
+    return least;
+  }
+
+  // of the facets at the ends of an edge, but for its own two
+  double quality_around(halfedge_descriptor h) const
+  {
+    double least = 1;
+    for(halfedge_descriptor end : { h, opposite(h, m_mesh) })
+      for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g))
+        least = (std::min)(least, quality(point(target(g, m_mesh)), point(source(g, m_mesh)), point(source(turn(g), m_mesh))));
+    return least;
+  }
+
+  Placement_verdict count(Placement_verdict verdict)
+  {
+    ++m_report.placements.by_verdict[std::size_t(verdict)];
+    return verdict;
+  }
+  Placement_verdict judge(const Point& p)
+  {
+    typename Oracle::Memory none;
+    return count(m_oracle(p, m_link, none));
+  }
+
+  // the next halfedge to the same target, in the direction in which facets turn
+  halfedge_descriptor turn(halfedge_descriptor h) const { return prev(opposite(h, m_mesh), m_mesh); }
+
+  void find_link(vertex_descriptor v)
+  {
+    m_link.clear();
+    const halfedge_descriptor first = halfedge(v, m_mesh);
+    halfedge_descriptor h = first;
+    do {
+      m_link.push_back(point(source(h, m_mesh)));
+      h = turn(h);
+    } while(h != first);
+  }
+
+  // around an edge: what is left of the links of its ends
+  void find_link(halfedge_descriptor h)
+  {
+    m_link.clear();
+    for(halfedge_descriptor end : { h, opposite(h, m_mesh) })
+      for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g)) m_link.push_back(point(source(g, m_mesh)));
+  }
+
+  // Large facets may need more effort than the oracle makes for a whole star. Four facets around a vertex, less than half a turn each, wind
+  // once in any case.
+  bool may_split_at(const Point& p)
+  {
+    if(judge(p) == Placement_verdict::ACCEPTED) return true;
+    for(std::size_t n = 0; n < m_link.size(); ++n)
+      if(count(m_oracle(p, m_link[n], m_link[(n + 1) % m_link.size()])) != Placement_verdict::ACCEPTED) return false;
+    return true;
+  }
+
+  vertex_descriptor split(halfedge_descriptor h)
+  {
+    const Quadrilateral q(h, m_mesh);
+    const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
+    m_link = { point(q.b), point(q.c), point(q.a), point(q.d) };
+    Point p = CGAL::midpoint(point(q.a), point(q.b));
+    // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no shorter than
+    // they were, for ever.
+    const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
+    if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b))) return Graph_traits::null_vertex();
+    // the middle is rounded, and may be out of a thin shell by as much
+    if(!may_split_at(p)) {
+      const auto moved = m_oracle.moved_to_level(p, point(q.a), point(q.b));
+      if(is_constrained || !moved || !may_split_at(*moved)) return Graph_traits::null_vertex();
+      p = *moved;
+    }
+    const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
+    const vertex_descriptor v = target(half, m_mesh);
+    put(m_vpm, v, p);
+    // a map may have any value for edges that are new, unless it is told
+    set_constrained(edge(half, m_mesh), is_constrained);
+    set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
+    set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh), false);
+    ++m_report.splits;
+    return v;
+  }
+
+  void set_constrained(edge_descriptor e, bool value)
+  {
+    if constexpr(has_constrained_edges) put(m_edge_is_constrained, e, value);
+  }
+
+  // How sharp the mesh is at a vertex: the part of its facets' normals that their mean does not have.
+  double sharpness(vertex_descriptor v) const
+  {
+    Vector sum(0, 0, 0);
+    double facets = 0;
+    for(halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh)) {
+      const Vector n = unit_normal(point(source(h, m_mesh)), point(v), point(target(next(h, m_mesh), m_mesh)));
+      sum = sum + n;
+      facets += 1;
+    }
+    return 1 - std::sqrt(sum.squared_length()) / facets;
+  }
+
+  static Vector unit_normal(const Point& p, const Point& q, const Point& r)
+  {
+    const Vector n = CGAL::cross_product(q - p, r - p);
+    const double length = std::sqrt(n.squared_length());
+    return length > 0 ? n / length : n;
+  }
+
+  // Where the edge may be collapsed to: an end, the one where the mesh is sharper before the other, or the middle. The halfedge is turned so that its
+  // target is the vertex to keep.
+  bool find_place_to_collapse_to(halfedge_descriptor& h, Point& p)
+  {
+    if(!Euler::does_satisfy_link_condition(edge(h, m_mesh), m_mesh)) return false;
+    const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
+    const auto must_stay = [&](vertex_descriptor v) { return is_constrained ? !is_passed(v) : is_fixed(v); };
+    const bool is_source_fixed = must_stay(source(h, m_mesh)), is_target_fixed = must_stay(target(h, m_mesh));
+    if(is_source_fixed && is_target_fixed) return false;
+    if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh)))) h = opposite(h, m_mesh);
+    // of the two sides of a facet that become one, one at most is constrained
+    for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
+      if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh)) && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh))) return false;
+    // the vertex that is kept is the target, and it matters which one that is
+    if(halfedge(edge(h, m_mesh), m_mesh) != h) return false;
+    find_link(h);
+    const Point &a = point(source(h, m_mesh)), &b = point(target(h, m_mesh));
+    const std::array<Point, 3> places = {{ b, a, CGAL::midpoint(a, b) }};
+    const std::size_t number = is_source_fixed || is_target_fixed || is_constrained ? 1 : places.size();
+    const double before = (std::min)(quality_around(h), regular_quality);
+    for(std::size_t n = 0; n < number; ++n) {
+      const bool is_short = std::all_of(m_link.begin(), m_link.end(), [&](const Point& q) {
+        return std::sqrt(CGAL::squared_distance(places[n], q)) <= longest * m_sizing(CGAL::midpoint(places[n], q));
+      });
+      if(is_short && quality_of_star(places[n]) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) { p = places[n]; return true; }
+    }
+    return false;
+  }
+
+  vertex_descriptor collapse(halfedge_descriptor h, const Point& p)
+  {
+    set_constrained(edge(h, m_mesh), false);
+    const vertex_descriptor v = Euler::collapse_edge(edge(h, m_mesh), m_mesh, m_edge_is_constrained);
+    put(m_vpm, v, p);
+    ++m_report.collapses;
+    return v;
+  }
+
+  // if the facets get better than `least`
+  bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
+  {
+    if(get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
+       || halfedge(q.c, q.d, m_mesh).second)
+      return false;
+    const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
+    if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;
+    // edges that are sharp stay, and no facets get across them
+    if(unit_normal(a, b, c) * unit_normal(b, a, d) < least_cosine) return false;
+    for(const auto& facet : { std::array<Point, 3>{{ a, d, c }}, std::array<Point, 3>{{ d, b, c }} })
+      if(count(m_oracle(facet[0], facet[1], facet[2])) != Placement_verdict::ACCEPTED) return false;
+    Euler::flip_edge(h, m_mesh);
+    ++m_report.flips;
+    return true;
+  }
+
+  // for a vertex with the link that was found
+  Vector tangential_move(const Point& p) const
+  {
+    Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    double area = 0;
+    for(std::size_t n = 0; n < m_link.size(); ++n) {
+      const Vector u = m_link[n] - p, v = m_link[(n + 1) % m_link.size()] - p, normal = CGAL::cross_product(u, v);
+      const double a = std::sqrt(normal.squared_length());
+      if(!(a > 0)) continue;
+      const Eigen::Vector3d e(normal.x(), normal.y(), normal.z());
+      tensor += e * e.transpose() / a;
+      center += a / 3 * Eigen::Vector3d(u.x() + v.x(), u.y() + v.y(), u.z() + v.z());
+      area += a;
+    }
+    if(!(area > 0)) return NULL_VECTOR;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    eigen.computeDirect(tensor / area);
+    // directions in which no normal points: two on a smooth surface, one along an edge, none at a corner
+    Eigen::Vector3d move = Eigen::Vector3d::Zero();
+    for(int i = 0; i < 2; ++i)
+      if(eigen.eigenvalues()[i] < sharp) move += eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).dot(center / area);
+    return Vector(move[0], move[1], move[2]);
+  }
+
+  static constexpr double least_cosine = 0.9;         // between facets of which the edge may be flipped
+
+  TriangleMesh& m_mesh;
+  VertexPointMap m_vpm;
+  const Oracle& m_oracle;
+  const Sizing& m_sizing;
+  EdgeIsConstrainedMap m_edge_is_constrained;
+  VertexIsConstrainedMap m_vertex_is_constrained;
+  bool m_protect_constraints;
+  Remeshing_report& m_report;
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Key> >::type m_key;
+  std::size_t m_serial = 0;
+  std::vector<Point> m_link;
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_SHELL_REMESHER_H

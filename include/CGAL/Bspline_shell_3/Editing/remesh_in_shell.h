@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
+#include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Shell_remesher.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/before_edits.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief remeshes a mesh in a shell: edges get about the length asked for and facets become nearly equilateral, by operations after which
+ * every facet still lies in the shell and faces along the gradient. The result is certified anew, so that it has no self-intersections, and the
+ * integral curves map it one-to-one onto the mesh before.
+ *
+ * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that are longer than 4/3 of the
+ * target length, collapses those that are shorter than 4/5 of it, flips edges towards six edges at each vertex, and moves vertices within the tangent
+ * plane towards the centroid of their neighbours; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges are
+ * flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
+ * flipped. An operation that the shell forbids is left out, or done by a part.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
+ *         the result is the same
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
+ *         predicates and `FT` = `double`
+ * \tparam Sizing `double`, or a function from points to `double`
+ *
+ * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
+ *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
+ *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then; the elements of other meshes are new,
+ *        so that descriptors and maps that the caller has of them are invalid. With all other statuses it was not touched.
+ * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
+ *        there are less than 2^30 facets
+ * \param shell a shell. Whether it is certified for another mesh does not matter.
+ * \param np optional named parameters:
+ *   - `number_of_iterations(unsigned int)`: default 3
+ *   - `number_of_relaxation_steps(unsigned int)`: how often vertices are moved in each iteration; default 2
+ *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay where they are. They are
+ *     split, their halves being constrained, and collapsed along themselves where two of them meet.
+ *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
+ *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`
+ *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
+ *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *
+ * \cgalHeading{Cost} an operation costs the proofs for the facets at one vertex. The certificate costs what it costs for any mesh
+ * in the shell.
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag,
+          typename TriangleMesh, typename Sizing, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspline_shell_3<Field, Threshold>& shell,
+                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+
+  typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
+  static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
+  typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef Bspline_shell_3<Field, Threshold> Shell;
+  typedef Edit_status Status;
+
+  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  auto edge_is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                              Static_boolean_property_map<edge_descriptor, false>());
+  const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                                      Static_boolean_property_map<vertex_descriptor, false>());
+
+  Remeshing_report report;
+  const auto ended = [&](Status status) {
+    report.status = status;
+    return report;
+  };
+  report.facets_before = report.facets = faces(mesh).size();
+  const Status usable = internal::check_before_edits(mesh, vpm, shell);
+  if(usable != Status::SUCCESS) return ended(usable);
+
+  // An edge with a target length that is none is left alone, and there is no result: it might be split for ever.
+  bool is_sizing_valid = true;
+  const auto sizing = [&](const Point& p) -> double {
+    double length = 0;
+    if constexpr(std::is_arithmetic<Sizing>::value) (void)p, length = double(target_edge_length);
+    else length = target_edge_length(p);
+    if(length > 0 && std::isfinite(length)) return length;
+    is_sizing_valid = false;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  for(auto v : vertices(mesh)) sizing(get(vpm, v));
+  // Far more facets than memory holds come of a length in the wrong unit: as many as elements of a mesh have numbers.
+  constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
+  double expected = 0;
+  for(auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)), &r = get(vpm, target(next(h, mesh), mesh));
+    const double length = sizing(CGAL::centroid(p, q, r));
+    expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
+  }
+  if(!is_sizing_valid || !(expected < most_facets)) return ended(Status::INVALID_PARAMETER);
+
+  Real_timer timer;
+  timer.start();
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
+  const Oracle oracle(shell);
+  const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
+  report.check_seconds = timer.time();
+  if(!accepted) return ended(Status::NOT_IN_SHELL);
+
+  timer.reset();
+  const TriangleMesh before(mesh);
+  std::vector<Point> points;
+  for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
+  typedef Shell_projection_3<Shell, TriangleMesh> Projection;
+  const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
+  const auto project = [&](const Point& p) -> Point {
+    const auto image = projection(p);
+    return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
+  };
+  const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
+  const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
+  const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
+  const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
+
+  {
+    // Properties that it attached to the mesh must be gone before another mesh is assigned: their removal might hit those of the other one.
+    internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
+                             std::remove_cv_t<decltype(vertex_is_constrained)> >
+      remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
+    for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
+      remesher.flip_to_larger_angles();
+      remesher.split_long_edges();
+      remesher.collapse_short_edges();
+      remesher.flip_to_regular_valences();
+      for(unsigned int j = 0; j < relaxations; ++j)
+        if(do_project) remesher.relax(project);
+        else remesher.relax([](const Point& p) { return p; });
+    }
+    remesher.flip_to_larger_angles();
+  }
+  report.facets = faces(mesh).size();
+  report.remeshing_seconds = timer.time();
+  const auto undone = [&](Status status) {
+    internal::restore(before, points, mesh, vpm);
+    report.facets = report.facets_before;
+    return ended(status);
+  };
+  if(!is_sizing_valid) return undone(Status::INVALID_PARAMETER);
+
+  timer.reset();
+  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
+  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
+  report.certificate = certificate.report();
+  report.certificate_seconds = timer.time();
+  return certified ? ended(Status::SUCCESS) : undone(Status::NOT_CERTIFIED);
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H

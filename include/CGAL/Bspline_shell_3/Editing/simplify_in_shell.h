@@ -1,0 +1,408 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
+#include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
+#include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/before_edits.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief stops a simplification of a closed triangle mesh when it has no more facets than asked for.
+ *
+ * \cgalModels `StopPredicate`
+ */
+class Facet_count_stop_predicate
+{
+public:
+  explicit Facet_count_stop_predicate(std::size_t facets) : m_facets(facets) {}
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t edges) const { return 2 * edges <= 3 * m_facets; }
+
+private:
+  std::size_t m_facets;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief lets a simplification go on until the mesh is as coarse as the filter allows.
+ *
+ * \cgalModels `StopPredicate`
+ */
+struct Never_stop_predicate
+{
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t) const { return false; }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief a report, and where the vertices went.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ */
+template <typename TriangleMesh>
+struct Simplification_result : Simplification_report
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
+  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was collapsed; empty
+  /// without success
+  std::vector<vertex_descriptor> images;
+
+  explicit operator bool() const { return this->status == Edit_status::SUCCESS; }
+};
+
+namespace internal {
+
+// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge satisfies the link
+// condition, placement and filter once for this edge, before any other.
+struct Collapse_state
+{
+  bool is_waiting = false;            // the selected edge, for a placement
+  bool is_accepted = false;
+  bool has_stopped = false;
+  bool has_deferred = false;          // a place that was too expensive
+  double cost = 0;                    // of the selected edge
+  double largest_cost = 0;            // of the edges collapsed so far
+  double allowance = 1;               // how many times that another place than the policy's may cost
+  std::size_t initial_edges = 0;
+  std::size_t collapsed = 0, retried = 0;
+};
+
+// Several runs look like one, and the selected edge is marked after all others have been told.
+template <typename TriangleMesh, typename Visitor>
+class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
+{
+  typedef Collapse_visitor<TriangleMesh, Visitor> Base;
+public:
+  Selecting_visitor(Visitor& visitor, Collapse_state& state) : Base(visitor), m_state(&state) {}
+
+  void OnStarted(TriangleMesh&) {}
+  void OnFinished(TriangleMesh&) {}
+  template <typename Profile, typename OptionalCost>
+  void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
+  {
+    Base::OnSelected(profile, cost, m_state->initial_edges, current);
+    m_state->is_waiting = true;
+    m_state->cost = cost ? CGAL::to_double(*cost) : 0;
+  }
+  template <typename Profile, typename OptionalPoint>
+  void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
+  {
+    Base::OnCollapsing(profile, placement);
+    m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
+    ++m_state->collapsed;
+  }
+
+private:
+  Collapse_state* m_state;
+};
+
+// the caller's predicate, over several runs
+template <typename Stop>
+struct Continued_stop_predicate
+{
+  const Stop* stop;
+  Collapse_state* state;
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
+  {
+    state->has_stopped = (*stop)(cost, profile, state->initial_edges, edges);
+    return state->has_stopped;
+  }
+};
+
+// The caller's costs, which remember the mesh before from one run to the next.
+template <typename Cost>
+struct Continued_cost
+{
+  typedef Boolean_tag<Surface_mesh_simplification::internal::Oracles_require_updates<Cost>::value> Update_tag;
+
+  const Cost* cost;
+  const Collapse_state* state;
+
+  template <typename Profile, typename OptionalPoint>
+  auto operator()(const Profile& profile, const OptionalPoint& placement) const { return (*cost)(profile, placement); }
+  template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+  void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
+  {
+    if(state->collapsed == 0) cost->initialize(mesh, vpm, traits);
+  }
+  template <typename Profile, typename Vertex>
+  void update_after_collapse(const Profile& profile, const Vertex& v) const { cost->update_after_collapse(profile, v); }
+};
+
+// For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
+// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are.
+template <typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
+class Retrying_placement
+{
+public:
+  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
+                     const EdgeIsConstrainedMap& constrained, Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained), m_state(&state)
+  {}
+
+  template <typename Profile>
+  boost::optional<typename Profile::Point> operator()(const Profile& profile) const
+  {
+    typedef typename Profile::Point Point;
+    typedef boost::optional<Point> Optional;
+
+    const bool fixed_0 = has_constrained_edge(profile, profile.v0()), fixed_1 = has_constrained_edge(profile, profile.v1());
+    Optional placement;
+    if(fixed_0) placement = profile.p0();
+    else if(fixed_1) placement = profile.p1();
+    else placement = (*m_placement)(profile);
+    if(!m_state->is_waiting) return placement;
+    m_state->is_waiting = false;
+
+    m_state->is_accepted = bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || fixed_0 || fixed_1) return placement;
+    const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
+    std::vector<std::pair<double, Point> > others;
+    const auto add = [&](const Point& p) {
+      const auto cost = (*m_cost)(profile, Optional(p));
+      if(!cost) return;
+      if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
+      else m_state->has_deferred = true;
+    };
+    const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
+    for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
+    for(const Optional& from : { placement, Optional(middle) })
+      if(from)
+        if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+    std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& other : others)
+      if((*m_filter)(profile, Optional(other.second))) {
+        m_state->is_accepted = true;
+        m_state->cost = other.first;
+        ++m_state->retried;
+        return other.second;
+      }
+    return placement;
+  }
+
+private:
+  template <typename Profile>
+  bool has_constrained_edge(const Profile& profile, typename Profile::vertex_descriptor v) const
+  {
+    typedef typename Profile::Triangle_mesh Triangle_mesh;
+    if constexpr(!std::is_same<EdgeIsConstrainedMap, Surface_mesh_simplification::No_constrained_edge_map<Triangle_mesh> >::value)
+      for(auto h : CGAL::halfedges_around_target(v, profile.surface_mesh()))
+        if(get(m_constrained, edge(h, profile.surface_mesh()))) return true;
+    return false;
+  }
+
+  const Cost* m_cost;
+  const Placement* m_placement;
+  const Filter* m_filter;
+  const Oracle* m_oracle;
+  EdgeIsConstrainedMap m_constrained;
+  Collapse_state* m_state;
+};
+
+// Passes what the placement found acceptable.
+struct Accepted_filter
+{
+  const Collapse_state* state;
+
+  template <typename Profile, typename OptionalPoint>
+  OptionalPoint operator()(const Profile&, const OptionalPoint& placement) const
+  {
+    return state->is_accepted ? placement : OptionalPoint();
+  }
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief simplifies a mesh in a shell: by collapses of edges after which every facet still lies in the shell and faces along the
+ * gradient. The result is certified anew, so that it has no self-intersections, and the integral curves map it one-to-one onto the mesh
+ * before.
+ *
+ * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`. Where the place that the
+ * policy asks for is rejected, others are tried, in the order of their costs: the ends and the middle of the edge, and the policy's
+ * place and the middle, moved along the gradient to the level of the edge. An edge that is given up is considered again
+ * when its neighbourhood has changed. Edges of length zero are collapsed first, which changes no shape.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
+ *         the result is the same
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
+ *         predicates and `FT` = `double`
+ *
+ * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
+ *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then;
+ *        the elements of other meshes are new, so that descriptors and maps that the caller has of them are invalid. With all other
+ *        statuses it was not touched.
+ * \param shell a shell. Whether it is certified for another mesh does not matter.
+ * \param np optional named parameters:
+ *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
+ *     and so is the place to show progress, or to cancel: what has been done until then is certified and kept. By default, the mesh gets
+ *     as coarse as the shell allows.
+ *   - `get_cost(C)`, `get_placement(P)`: models of `GetCost` and `GetPlacement`, both or none; by default
+ *     `CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`. The other policies of \cgal will do.
+ *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With `std::cref()` it is not copied.
+ *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected edge, the calls are
+ *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
+ *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
+ *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
+ *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *
+ * \cgalHeading{Cost} a collapse costs the proofs for the facets at one vertex, and these a bound for each cell that they pass through,
+ * where the field is curved. The certificate costs what it costs for any mesh in the shell.
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag,
+          typename TriangleMesh, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Simplification_result<TriangleMesh>
+simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& shell,
+                  const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  namespace SMS = Surface_mesh_simplification;
+  namespace tags = parameter_tags;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  using CGAL::parameters::is_default_parameter;
+
+  typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
+  static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
+  typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+  typedef Edit_status Status;
+
+  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  const auto constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
+    get_parameter(np, internal_np::edge_is_constrained));
+  const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
+
+  Simplification_result<TriangleMesh> result;
+  const auto ended = [&](Status status) {
+    result.status = status;
+    return result;
+  };
+  result.facets_before = result.facets = faces(mesh).size();
+  const Status usable = internal::check_before_edits(mesh, vpm, shell);
+  if(usable != Status::SUCCESS) return ended(usable);
+
+  Real_timer timer;
+  timer.start();
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
+  const Oracle oracle(shell);
+  const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, result.offending_simplices);
+  result.check_seconds = timer.time();
+  if(!accepted) return ended(Status::NOT_IN_SHELL);
+
+  timer.reset();
+  const TriangleMesh before(mesh);
+  std::vector<Point> points;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  for(auto v : all) points.push_back(get(vpm, v));
+
+  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, SMS::internal::Dummy_visitor>::reference> Visitor;
+  SMS::internal::Dummy_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  SMS::internal::Dummy_filter default_filter;
+  const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
+  typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
+  typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
+  const Filter filter(oracle, std::cref(base_filter));
+
+  internal::Collapse_state state;
+  state.initial_edges = edges(mesh).size();
+  typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<Visitor> > History;
+  internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<Visitor> > history(visitor, state);
+  const auto collapse = [&](const auto& cost, const auto& placement) {
+    typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
+    typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
+    typedef std::remove_cv_t<decltype(stop)> Stop;
+    typedef std::remove_cv_t<decltype(constrained)> Constrained;
+    const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
+      retrying(cost, placement, filter, oracle, constrained, state);
+    static_cast<History&>(history).OnStarted(mesh);
+    // Places that cost more than what is due wait for a later run.
+    for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
+      state.allowance = allowance;
+      state.has_deferred = false;
+      SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
+                         CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
+                                          .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
+                                          .filter(internal::Accepted_filter{ &state }).visitor(history));
+      if(state.has_stopped || !state.has_deferred) break;
+    }
+    static_cast<History&>(history).OnFinished(mesh);
+  };
+  constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
+  constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
+  static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+  if constexpr(has_cost) {
+    collapse(get_parameter_reference(np, internal_np::get_cost_policy), get_parameter_reference(np, internal_np::get_placement_policy));
+  } else {
+    const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
+    collapse(policies.get_cost(), policies.get_placement());
+  }
+  result.facets = faces(mesh).size();
+  result.selected = history.history().selected;
+  result.collapsed = history.history().collapsed;
+  result.retried = state.retried;
+  result.placements = filter.statistics();
+  result.collapse_seconds = timer.time();
+
+  timer.reset();
+  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
+  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
+  result.certificate = certificate.report();
+  if(certified) {
+    for(auto v : all) result.images.push_back(history.history().image(v));
+  } else {
+    internal::restore(before, points, mesh, vpm);
+    result.facets = result.facets_before;
+  }
+  result.certificate_seconds = timer.time();
+  return ended(certified ? Status::SUCCESS : Status::NOT_CERTIFIED);
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIELD_THRESHOLDS_H
+#define CGAL_BSPLINE_SHELL_3_FIELD_THRESHOLDS_H
+
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a threshold that is the same everywhere, as in the paper.
+ *
+ * \cgalModels `ShellThreshold`
+ */
+class Constant_threshold
+{
+public:
+  static constexpr bool is_constant = true;
+
+  explicit Constant_threshold(double level = 0) : m_level(level) {}
+  double level() const { return m_level; }      ///< in units of the field
+
+  /// whether the threshold is tricubic on the leaf cells of a field: always
+  template <typename Field>
+  bool has_cells_of(const Field&) const { return true; }
+
+  template <typename Point_3>
+  double value(const Point_3&) const { return m_level; }
+  template <typename Point_3>
+  double value(const Point_3&, std::uint32_t /* cell */) const { return m_level; }
+
+  /// a function minus the threshold, on a leaf cell
+  Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
+  {
+    Enclosed_tricubic constant;
+    constant.coefficients.fill(m_level);
+    return Bspline_shells::difference(f, constant);
+  }
+
+private:
+  double m_level;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a threshold that varies in space: a field on the same leaf cells, shared by copies.
+ *
+ * \cgalModels `ShellThreshold`
+ *
+ * \tparam Field a model of `BsplineField_3`
+ */
+template <typename Field>
+class Spline_threshold
+{
+public:
+  static constexpr bool is_constant = false;
+
+  Spline_threshold() = default;       ///< none
+  /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of: `has_cells_of()`
+  explicit Spline_threshold(Field field) : m_field(std::make_shared<const Field>(std::move(field))) {}
+
+  const Field& field() const { return *m_field; }
+
+  /// whether the threshold has the leaf cells of a field, under the same numbers
+  template <typename OtherField>
+  bool has_cells_of(const OtherField& other) const
+  {
+    if(!m_field || m_field->number_of_cells() != other.number_of_cells()) return false;
+    for(std::size_t c = 0; c < other.number_of_cells(); ++c) {
+      const auto a = m_field->cell(typename Field::Cell_index(c)), b = other.cell(typename OtherField::Cell_index(c));
+      if(a.corner() != b.corner() || a.width() != b.width()) return false;
+    }
+    return true;
+  }
+
+  double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
+  template <typename Point_3>
+  double value(const Point_3& p, std::uint32_t cell) const { return m_field->cell(cell).value(p); }
+
+  Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
+  {
+    return Bspline_shells::difference(f, enclosed_value(m_field->cell(cell)));
+  }
+
+private:
+  std::shared_ptr<const Field> m_field;
+};
+
+/// \ingroup PkgBsplineShell3Certificate
+/// encloses a threshold on a leaf cell
+template <typename Threshold>
+Level_range threshold_range(const Threshold& threshold, std::uint32_t cell)
+{
+  Enclosed_tricubic zero;
+  zero.coefficients.fill(0);
+  const Level_range negative = threshold.difference(zero, cell).range();
+  return { -negative.max, -negative.min };
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIELD_THRESHOLDS_H

@@ -1,0 +1,558 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_FIT_ENERGY_H
+#define CGAL_BSPLINE_SHELL_3_FIT_FIT_ENERGY_H
+
+#include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/triangle_quadrature.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief the four terms of the paper's energy, and a fifth.
+ */
+enum class Energy_term
+{
+  DISTANCE,           ///< \f$E_{SDF}\f$ (Eq. 4.2): squared difference to the signed distance, summed over the samples
+  SURFACE,            ///< squared value on the facets; not in the paper
+  ANGLE,              ///< \f$E_{angle}\f$ (Eq. 4.3): squared difference of gradient and normal, on the facets
+  SINGULAR_HESSIAN,   ///< \f$E_{singularH}\f$ (Eq. 4.4): absolute determinant of the Hessian, in the shell
+  NORMAL              ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal part and one
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
+ * (Eq. 4.6, where \f$\beta = 0\f$).
+ */
+struct Energy_weights
+{
+  double mu = 0.1;                ///< the paper's \f$\mu\f$
+  double zeta = 1e5;              ///< the paper's \f$\zeta\f$
+  /// \f$\sigma\f$: 1 in the paper. By default the term is left out: it does not exclude critical points, takes most of the
+  /// time, and thickens the shell at corners.
+  double singular_hessian = 0;
+  /// \f$\beta\f$: the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It thins the shell.
+  double surface = 0;
+
+  /// whether all are finite and not negative
+  bool are_valid() const
+  {
+    for(double w : { mu, zeta, singular_hessian, surface })
+      if(!(std::isfinite(w) && w >= 0)) return false;
+    return true;
+  }
+
+  /// all four terms, as in the paper
+  static Energy_weights paper()
+  {
+    Energy_weights weights;
+    weights.singular_hessian = 1;
+    return weights;
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief the paper's energy of a field, as a function of its coefficients.
+ *
+ * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
+ * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
+ * per unit, the energy divided by the squared width is
+ * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
+ *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
+ * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
+ * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
+ *
+ * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ */
+template <typename Field>
+class Fit_energy
+{
+  typedef typename Field::Cell_index Cell_index;
+  typedef Eigen::Matrix<double, 64, 1> Local_vector;
+  typedef Eigen::Matrix<double, 64, 64> Local_matrix;
+  typedef std::array<double, 4> Weights;
+
+public:
+  typedef Eigen::VectorXd Vector;
+
+  /// how many unknowns there can be: a column of the lower triangle has at most 172 entries, which `int`s number
+  static constexpr std::size_t max_number_of_unknowns = std::size_t(std::numeric_limits<int>::max()) / 172;
+
+  /// \param field gives cells and functions; its coefficients are not looked at
+  /// \param samples the signed distance at the samples of all cells, user units (`sample_signed_distance()`)
+  /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
+  /// \param gamma number of cells per unit of length of the paper
+  /// \param weights of the terms
+  /// \pre field, samples and clipped mesh outlive this object; the field has all cells that the clipped mesh has pieces in,
+  /// and at most `max_number_of_unknowns` coefficients
+  Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
+             double gamma, const Energy_weights& weights)
+    : m_field(field), m_samples(samples), m_clipped(clipped)
+    , m_weights(weights), m_gamma(gamma), m_equations(field)
+  {
+    for(int s = 0; s < Distance_samples::per_cell; ++s)
+      for(int a = 0; a < 3; ++a) {
+        const double t = Distance_samples::position(s, a);
+        m_sample_basis[s][0][a] = Cubic_bspline<>::values(t);
+        m_sample_basis[s][1][a] = Cubic_bspline<>::first_derivatives(t);
+        m_sample_basis[s][2][a] = Cubic_bspline<>::second_derivatives(t);
+      }
+    group_points();
+  }
+
+  /// the weight of a term in cell units
+  double weight(Energy_term term) const
+  {
+    switch(term) {
+      case Energy_term::DISTANCE: return 1;
+      case Energy_term::SURFACE: return m_weights.surface;
+      case Energy_term::ANGLE: return m_weights.mu;
+      case Energy_term::NORMAL: return m_weights.mu * m_weights.zeta;
+      case Energy_term::SINGULAR_HESSIAN: return m_weights.mu * m_weights.singular_hessian * m_gamma * m_gamma;
+    }
+    return 0;
+  }
+
+  /// where \f$E_{singularH}\f$ is integrated: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
+  /// for the field `x` (both divided by the width of root cells). Until it is called, the term is zero.
+  void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
+  {
+    m_hessian_domain.assign(m_field.number_of_cells(), 0);
+    const Vector points = m_field.extend(x);
+    for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
+      const std::array<double, 64> local = gather(points, c);
+      for(int s = 0; s < Distance_samples::per_cell; ++s) {
+        const double f = sample_value(local, s) / scale(c);
+        if(f >= eps1 && f <= eps2) { m_hessian_domain[c] = 1; break; }
+      }
+    }
+  }
+
+  /// least and largest value of the field `x` at the quadrature points of the mesh, divided by the width of root cells
+  std::pair<double, double> range_on_mesh(const Vector& x) const
+  {
+    std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+    const Vector points = m_field.extend(x);
+    for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
+      if(m_first_point[c] == m_first_point[c+1]) continue;
+      const std::array<double, 64> local = gather(points, c);
+      for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
+        const std::array<double, 3>& t = m_points[p].t;
+        const double f = internal::contract(local.data(), Cubic_bspline<>::values(t[0]), Cubic_bspline<>::values(t[1]),
+                                            Cubic_bspline<>::values(t[2]));
+        range.first = (std::min)(range.first, f / scale(c));
+        range.second = (std::max)(range.second, f / scale(c));
+      }
+    }
+    return range;
+  }
+
+  /// a field near the signed distance: each coefficient is the mean of the samples under its function
+  template <typename ConcurrencyTag = Sequential_tag>
+  Vector initial_guess() const
+  {
+    Vector sum = Vector::Zero(Eigen::Index(m_field.number_of_points())), weight = sum;
+    Local_vector w = Local_vector::Zero();
+    for(int s = 0; s < Distance_samples::per_cell; ++s) w += sample_row(s);
+    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+      Local_vector s;
+      sample_right_hand_side(c, s);
+      scatter(s / (scale(c) * scale(c)), c, sum);
+      scatter(w / scale(c), c, weight);
+    });
+    return m_field.collect(sum).cwiseQuotient(m_field.collect(weight));
+  }
+
+  /// the weighted term at `x`
+  template <typename ConcurrencyTag = Sequential_tag>
+  double value(Energy_term term, const Vector& x) const
+  {
+    constexpr std::size_t chunk = 1024;
+    const std::size_t size = m_field.number_of_cells();
+    std::vector<double> sums((size + chunk - 1) / chunk, 0.);
+    const Vector points = m_field.extend(x);
+    internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
+      double& sum = sums[begin / chunk];
+      for(std::size_t c = begin; c < end; ++c)
+        visit_residuals(term, points, Cell_index(c), [&](double residual, double w, const auto&) {
+          sum += w * (term == Energy_term::SINGULAR_HESSIAN ? std::abs(residual) : residual * residual);
+        });
+    });
+    return weight(term) * std::accumulate(sums.begin(), sums.end(), 0.);
+  }
+
+  /// the sum of the weighted terms at `x`
+  template <typename ConcurrencyTag = Sequential_tag>
+  double value(const Vector& x) const
+  {
+    double sum = 0;
+    for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
+                             Energy_term::NORMAL })
+      if(weight(term) > 0) sum += value<ConcurrencyTag>(term, x);
+    return sum;
+  }
+
+  /// the derivatives of the weighted term with respect to the coefficients (of \f$|\det H|\f$: a subgradient)
+  Vector gradient(Energy_term term, const Vector& x) const
+  {
+    const Vector points = m_field.extend(x);
+    Vector g = Vector::Zero(points.size());
+    for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
+      Local_vector local = Local_vector::Zero();
+      visit_residuals(term, points, c, [&](double residual, double w, const auto& row) {
+        const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0 ? 1. : residual < 0 ? -1. : 0.)
+                                                                   : 2 * residual;
+        local += weight(term) * w * slope * row();
+      });
+      scatter(local, c, g);
+    }
+    return m_field.collect(g);
+  }
+
+  /// \name Normal Equations
+  /// @{
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  /// The quadratic terms are \f$x^T A x - 2 b^T x + const\f$: writes the lower triangle of \f$A\f$, and \f$b\f$.
+  template <typename ConcurrencyTag>
+  void assemble(Matrix& A, Vector& b) const
+  {
+    const Local_matrix mass = sample_matrix();
+    assemble_cells<ConcurrencyTag>(A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
+      local = mass;
+      sample_right_hand_side(c, rhs);
+      add_surface_terms(c, local, rhs);
+      return true;
+    });
+  }
+
+  /// Adds the Gauss-Newton matrix and right-hand side of \f$E_{singularH}\f$ linearized at `x`: of
+  /// \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$, whose value is the term's where \f$|\det H| \ge \eta\f$.
+  template <typename ConcurrencyTag>
+  void add_singular_hessian(const Vector& x, double eta, Matrix& A, Vector& b) const
+  {
+    Matrix more;
+    Vector more_rhs;
+    const Vector points = m_field.extend(x);
+    assemble_cells<ConcurrencyTag>(more, more_rhs, [&](Cell_index c, Local_matrix& matrix, Local_vector& rhs) {
+      if(!in_hessian_domain(c)) return false;
+      Eigen::Matrix<double, 64, Distance_samples::per_cell> rows;
+      rhs.setZero();
+      const std::array<double, 64> local = gather(points, c);
+      for(int s = 0; s < Distance_samples::per_cell; ++s) {
+        Local_vector row;
+        const double det = hessian_determinant(local, s, &row);
+        const double w = weight(Energy_term::SINGULAR_HESSIAN) / Distance_samples::per_cell / (std::max)(std::abs(det), eta);
+        // det(x + d) ~ det + row . d = row . (x + d) - 2 det, as the determinant is cubic
+        rows.col(s) = std::sqrt(w) * row;
+        rhs += w * 2 * det * row;
+      }
+      matrix.setZero();
+      matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows);
+      return true;
+    });
+    // of the same pattern
+    Eigen::Map<Vector>(A.valuePtr(), A.nonZeros()) += Eigen::Map<const Vector>(more.valuePtr(), more.nonZeros());
+    b += more_rhs;
+  }
+  /// @}
+
+private:
+  // the equations of matrices of cells: of local(c, matrix, rhs), where it returns true
+  template <typename ConcurrencyTag, typename Local>
+  void assemble_cells(Matrix& A, Vector& b, const Local& local) const
+  {
+    Matrix all;
+    Vector all_rhs;
+    m_equations.set_zero(all, all_rhs);
+    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+      Local_matrix matrix;
+      Local_vector rhs;
+      if(!local(c, matrix, rhs)) return;
+      const double s = scale(c);
+      m_equations.add(c, s * s * matrix, s * rhs, all, all_rhs);
+    });
+    internal::condense<ConcurrencyTag>(m_field, m_equations, all, all_rhs, A, b);
+  }
+
+  // root cells per cell: what turns coefficients into those of cell units
+  double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
+
+  // a quadrature point on a facet
+  struct Surface_point
+  {
+    std::array<double, 3> t;    // position in the cell
+    double weight;              // share of the area, cell units
+    std::uint32_t facet;
+  };
+
+  void group_points()
+  {
+    m_first_point.assign(m_field.number_of_cells() + 1, 0);
+    Cell_index filled = 0;      // cells below have their first point set
+    for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) {
+      for(; filled <= piece.cell; ++filled) m_first_point[filled] = m_points.size();
+      const double width = m_field.cells().width(piece.cell);
+      const std::array<double, 3> corner = m_field.cells().corner(piece.cell);
+      const auto local = [&](std::uint32_t v) {
+        const Clipped_mesh_3::Point& p = m_clipped.point(piece.first + v);
+        return std::array<double, 3>{ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width };
+      };
+      const auto add_triangle = [&](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
+        internal::for_each_quadrature_point(p, q, r, [&](const std::array<double, 3>& t, double w) {
+          m_points.push_back({ t, w, piece.facet });
+        });
+      };
+      if(piece.size == 3) {
+        add_triangle(local(0), local(1), local(2));
+        continue;
+      }
+      // from the middle: a mirrored or turned mesh gets the mirrored or turned points
+      std::array<double, 3> middle = {};
+      for(std::uint32_t v = 0; v < piece.size; ++v) {
+        const std::array<double, 3> p = local(v);
+        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+      }
+      for(std::uint32_t v = 0; v < piece.size; ++v) add_triangle(middle, local(v), local((v + 1) % piece.size));
+    }
+    for(; filled < m_first_point.size(); ++filled) m_first_point[filled] = m_points.size();
+  }
+
+  static Local_vector outer(const Weights& x, const Weights& y, const Weights& z)
+  {
+    Local_vector v;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j) {
+        const double yz = y[j] * z[k];
+        for(int i = 0; i < 4; ++i) v[16*k + 4*j + i] = yz * x[i];
+      }
+    return v;
+  }
+
+  // the derivatives of all 64 functions along a direction
+  static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis, const std::array<double, 3>& direction)
+  {
+    const auto& b = basis[0];
+    const auto& d = basis[1];
+    Local_vector row;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j) {
+        const double with_dx = direction[0] * b[1][j] * b[2][k];
+        const double with_b = direction[1] * d[1][j] * b[2][k] + direction[2] * b[1][j] * d[2][k];
+        for(int i = 0; i < 4; ++i) row[16*k + 4*j + i] = with_dx * d[0][i] + with_b * b[0][i];
+      }
+    return row;
+  }
+
+  Local_vector sample_row(int s) const
+  {
+    const std::array<Weights, 3>& b = m_sample_basis[s][0];
+    return outer(b[0], b[1], b[2]);
+  }
+
+  double sample_value(const std::array<double, 64>& local, int s) const
+  {
+    const std::array<Weights, 3>& b = m_sample_basis[s][0];
+    return internal::contract(local.data(), b[0], b[1], b[2]);
+  }
+
+  // the coefficients that act on a cell, in cell units, from those at all points
+  std::array<double, 64> gather(const Vector& points, Cell_index c) const
+  {
+    const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
+    const double s = scale(c);
+    std::array<double, 64> local;
+    for(int r = 0; r < 16; ++r)
+      for(int i = 0; i < 4; ++i) local[4*r + i] = s * points[rows[r] + i];
+    return local;
+  }
+
+  // the transposed
+  void scatter(const Local_vector& local, Cell_index c, Vector& points) const
+  {
+    const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
+    const double s = scale(c);
+    for(int r = 0; r < 16; ++r)
+      for(int i = 0; i < 4; ++i) points[rows[r] + i] += s * local[4*r + i];
+  }
+
+  bool in_hessian_domain(Cell_index c) const { return !m_hessian_domain.empty() && m_hessian_domain[c] != 0; }
+
+  double sample(Cell_index c, int s) const
+  {
+    return m_samples[std::size_t(c) * Distance_samples::per_cell + s] / m_field.cells().width(c);
+  }
+
+  // the determinant of the Hessian at a sample and, if asked for, its derivative by the 64 coefficients
+  double hessian_determinant(const std::array<double, 64>& local, int s, Local_vector* row) const
+  {
+    const internal::Basis_jet<double, 3>& basis = m_sample_basis[s];
+    const std::array<double, 6> h = internal::second_order_jet<double>(local.data(), basis).hessian;
+    const double xx = h[0], yy = h[1], zz = h[2], xy = h[3], xz = h[4], yz = h[5];
+    const double cxx = yy*zz - yz*yz, cyy = xx*zz - xz*xz, czz = xx*yy - xy*xy;
+    const double cxy = xz*yz - xy*zz, cxz = xy*yz - xz*yy, cyz = xy*xz - xx*yz;
+    if(row != nullptr)
+      *row = cxx * outer(basis[2][0], basis[0][1], basis[0][2]) + cyy * outer(basis[0][0], basis[2][1], basis[0][2])
+           + czz * outer(basis[0][0], basis[0][1], basis[2][2])
+           + 2*cxy * outer(basis[1][0], basis[1][1], basis[0][2]) + 2*cxz * outer(basis[1][0], basis[0][1], basis[1][2])
+           + 2*cyz * outer(basis[0][0], basis[1][1], basis[1][2]);
+    return xx*cxx + xy*cxy + xz*cxz;
+  }
+
+  // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the residual's derivative by the
+  // cell's 64 coefficients in cell units.
+  template <typename Visitor>
+  void visit_residuals(Energy_term term, const Vector& points, Cell_index c, const Visitor& visit) const
+  {
+    switch(term) {
+      case Energy_term::DISTANCE: {
+        const std::array<double, 64> local = gather(points, c);
+        for(int s = 0; s < Distance_samples::per_cell; ++s) {
+          const double f = sample_value(local, s);
+          visit(f - sample(c, s), 1., [&]() { return sample_row(s); });
+        }
+        return;
+      }
+      case Energy_term::SURFACE:
+      case Energy_term::ANGLE:
+      case Energy_term::NORMAL: {
+        if(m_first_point[c] == m_first_point[c+1]) return;
+        const std::array<double, 64> local = gather(points, c);
+        for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
+          const Surface_point& point = m_points[p];
+          internal::Basis_jet<double, 2> basis;
+          for(int a = 0; a < 3; ++a) {
+            basis[0][a] = Cubic_bspline<>::values(point.t[a]);
+            basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+          }
+          const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local.data(), basis);
+          if(term == Energy_term::SURFACE) {
+            visit(jet.value, point.weight, [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
+            continue;
+          }
+          const std::array<double, 3>& g = jet.gradient;
+          const std::array<double, 3>& n = m_clipped.normal(point.facet);
+          if(term == Energy_term::NORMAL)
+            visit(n[0]*g[0] + n[1]*g[1] + n[2]*g[2] - 1, point.weight, [&]() { return directional_row(basis, n); });
+          else
+            for(int a = 0; a < 3; ++a) {
+              std::array<double, 3> axis = {};
+              axis[a] = 1;
+              visit(g[a] - n[a], point.weight, [&]() { return directional_row(basis, axis); });
+            }
+        }
+        return;
+      }
+      case Energy_term::SINGULAR_HESSIAN: {
+        if(!in_hessian_domain(c)) return;
+        const std::array<double, 64> local = gather(points, c);
+        for(int s = 0; s < Distance_samples::per_cell; ++s)
+          visit(hessian_determinant(local, s, nullptr), 1. / Distance_samples::per_cell, [&]() {
+            Local_vector row;
+            hessian_determinant(local, s, &row);
+            return row;
+          });
+        return;
+      }
+    }
+  }
+
+  // the same for all cells
+  Local_matrix sample_matrix() const
+  {
+    Local_matrix m = Local_matrix::Zero();
+    for(int s = 0; s < Distance_samples::per_cell; ++s) {
+      const Local_vector row = sample_row(s);
+      m += row * row.transpose();
+    }
+    return m;
+  }
+
+  void sample_right_hand_side(Cell_index c, Local_vector& rhs) const
+  {
+    rhs.setZero();
+    for(int s = 0; s < Distance_samples::per_cell; ++s)
+      rhs += sample(c, s) * sample_row(s);
+  }
+
+  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, mu (1 + zeta) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
+  void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
+  {
+    constexpr int batch = 24;
+    Eigen::Matrix<double, 64, 4 * batch> rows;
+    int used = 0;
+    const auto flush = [&]() {
+      matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows.leftCols(used));
+      used = 0;
+    };
+    const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
+    const double surface = weight(Energy_term::SURFACE);
+    for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
+      const Surface_point& point = m_points[p];
+      internal::Basis_jet<double, 2> basis;
+      for(int a = 0; a < 3; ++a) {
+        basis[0][a] = Cubic_bspline<>::values(point.t[a]);
+        basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+      }
+      std::array<double, 3> frame[3] = { m_clipped.normal(point.facet) };
+      tangent_frame(frame);
+      const Local_vector along_normal = directional_row(basis, frame[0]);
+      rhs += point.weight * both * along_normal;
+      rows.col(used++) = std::sqrt(point.weight * both) * along_normal;
+      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[1]);
+      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[2]);
+      if(surface > 0) rows.col(used++) = std::sqrt(point.weight * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
+      if(used > 4 * (batch - 1)) flush();
+    }
+    if(used > 0) flush();
+  }
+
+  // completes frame[0], a unit vector, to an orthonormal frame
+  static void tangent_frame(std::array<double, 3>* frame)
+  {
+    const Eigen::Map<const Eigen::Vector3d> n(frame[0].data());
+    Eigen::Map<Eigen::Vector3d> u(frame[1].data()), v(frame[2].data());
+    u = n.unitOrthogonal();
+    v = n.cross(u);
+  }
+
+  const Field& m_field;
+  const std::vector<double>& m_samples;
+  const Clipped_mesh_3& m_clipped;
+  Energy_weights m_weights;
+  double m_gamma;
+  internal::Normal_equations<Field> m_equations;
+  std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
+  std::vector<Surface_point> m_points;        // by cell
+  std::vector<std::size_t> m_first_point;     // of each cell, and the end
+  std::vector<char> m_hessian_domain;         // by cell, or empty
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_FIT_ENERGY_H

@@ -1,0 +1,459 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
+#define CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
+
+#include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief the wish that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that it is
+ * near zero there.
+ */
+struct Slope_condition
+{
+  std::uint32_t cell;                   ///< leaf cell of the field
+  std::uint32_t facet;                  ///< whose normal the direction is, for reports
+  std::array<double, 3> position;       ///< in the cell, in [0, 1]^3
+  std::array<double, 3> direction;      ///< unit vector
+  double least;                         ///< \f$\delta\f$, per user unit
+  double largest = std::numeric_limits<double>::infinity();   ///< that \f$|f|\f$ may be there, in units of the width of root cells
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief how `enforce_slopes()` went.
+ */
+struct Slope_report
+{
+  std::size_t violated_before = 0;            ///< cells with a violated condition
+  std::size_t patches = 0;                    ///< systems that were solved
+  bool enforced = true;                       ///< `false` if there were too many
+  std::vector<std::uint32_t> violated_cells;  ///< at the end: cells with a condition that no small change of the field meets
+  std::vector<std::uint32_t> violated_facets; ///< of the worst condition in each of them
+  std::vector<std::uint32_t> changed_cells;   ///< where the field is another one, among those with conditions; ascending
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief changes the minimizer of a quadratic energy, where conditions on its slope or its size are violated, to the best
+ * one that meets them.
+ *
+ * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and its
+ * neighbours are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is minimized over
+ * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
+ * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
+ * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
+ * Patches are solved one after the other, worst first, in a few sweeps; a cell whose patch did not help is not tried again,
+ * unless conditions are added.
+ *
+ * \tparam Field `Hierarchical_bspline_field_3`
+ */
+template <typename Field>
+class Slope_enforcement
+{
+  typedef typename Field::Cell_index Index;
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::VectorXd Vector;
+  static constexpr Index npos = Field::npos;
+
+public:
+  /// \param field gives cells and functions; its coefficients are not looked at
+  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$
+  /// \param b right-hand side
+  /// \pre all of them outlive this object
+  Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
+  {
+    m_first.assign(field.number_of_cells() + 1, 0);
+    m_hopeless.assign(field.number_of_cells(), 0);
+    m_is_known.assign(field.number_of_cells(), 0);
+    m_least_slack.resize(field.number_of_cells());
+  }
+
+  /// adds conditions
+  void insert(const std::vector<Slope_condition>& conditions)
+  {
+    m_conditions.insert(m_conditions.end(), conditions.begin(), conditions.end());
+    std::stable_sort(m_conditions.begin(), m_conditions.end(),
+                     [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
+    m_points.resize(0);
+    m_first.assign(m_field.number_of_cells() + 1, 0);
+    for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
+    for(const Slope_condition& c : conditions) {
+      m_hopeless[c.cell] = 0;
+      m_is_known[c.cell] = 0;
+    }
+    for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
+  }
+
+  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); those that the last call left, if there
+  /// was one
+  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are they if
+  /// a sweep leaves most of many.
+  template <typename ConcurrencyTag = Sequential_tag>
+  Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
+  {
+    Slope_report report;
+    if(m_points.size() == 0) m_points = m_field.extend(x);
+    m_changed.assign(m_field.number_of_cells(), 0);
+    std::size_t violated_before = 0;        // the sweep
+    for(int sweep = 0; sweep < max_sweeps; ++sweep) {
+      find_slacks<ConcurrencyTag>();
+      std::vector<std::pair<double, Index> > violated;      // worst first
+      for(Index c = 0; c < m_field.number_of_cells(); ++c) {
+        if(m_least_slack[c] < 0) violated.emplace_back(m_least_slack[c], c);
+      }
+      if(sweep == 0) report.violated_before = violated.size();
+      if(violated.empty()) break;
+      const bool too_many = sweep == 0 ? violated.size() > most_violated
+                                       : violated.size() > few && double(violated.size()) > progress * double(violated_before);
+      violated_before = violated.size();
+      if(too_many) {
+        report.enforced = false;
+        break;
+      }
+      std::sort(violated.begin(), violated.end());
+      if(m_place.empty()) prepare(x);
+      for(const std::pair<double, Index>& v : violated) {
+        const double before = least_slack(v.second);
+        if(m_hopeless[v.second] || !(before < 0)) continue;
+        solve_patch(v.second, x);
+        ++report.patches;
+        m_hopeless[v.second] = least_slack(v.second) < helps * before;
+      }
+    }
+    find_slacks<ConcurrencyTag>();
+    for(Index c = 0; c < m_field.number_of_cells(); ++c) {
+      if(m_least_slack[c] < 0) {
+        report.violated_cells.push_back(c);
+        report.violated_facets.push_back(worst_facet(c));
+      }
+      if(m_changed[c]) report.changed_cells.push_back(c);
+    }
+    return report;
+  }
+
+private:
+  static constexpr int max_sweeps = 3;
+  static constexpr std::size_t few = 64;                // violated cells that are left, whatever the progress of a sweep
+  static constexpr double progress = 0.7;               // of a sweep: what remains of them at most
+  static constexpr std::size_t max_unknowns = 500;      // of a patch
+  static constexpr int max_exchanges = 8;
+  static constexpr std::size_t max_rows = 160, max_new_rows = 32;
+  static constexpr double helps = 0.5;                  // what remains of a violation, if a patch is of use
+  static constexpr double largest_multiplier = 1e2;     // the weights make one near ten
+  static constexpr double excess = 0.05;                // part by which a solution is to exceed what is wanted, as it is not exact
+  static constexpr int max_dual_sweeps = 100;
+  static constexpr double dual_tolerance = 1e-4;        // of slopes
+
+  double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
+
+  // A condition bounds three numbers from below: the slope, the value, and minus the value.
+  static constexpr int numbers = 3;
+  typedef std::array<double, numbers> Slacks;
+
+  // the derivative of such a number by the 64 coefficients of the cell, which are in root units
+  std::array<double, 64> local_row(const Slope_condition& condition, int number) const
+  {
+    std::array<std::array<double, 4>, 3> value, slope;
+    for(int a = 0; a < 3; ++a) {
+      value[a] = Cubic_bspline<>::values(condition.position[a]);
+      slope[a] = Cubic_bspline<>::first_derivatives(condition.position[a]);
+    }
+    const std::array<double, 3>& d = condition.direction;
+    const double s = scale(condition.cell);
+    std::array<double, 64> row;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j) {
+        const double of_value = (number == 1 ? 1 : -1) * value[1][j] * value[2][k];
+        const double with_slope = s * d[0] * value[1][j] * value[2][k];
+        const double with_value = s * (d[1] * slope[1][j] * value[2][k] + d[2] * value[1][j] * slope[2][k]);
+        for(int i = 0; i < 4; ++i)
+          row[16*k + 4*j + i] = number == 0 ? with_slope * slope[0][i] + with_value * value[0][i] : of_value * value[0][i];
+      }
+    return row;
+  }
+
+  // these numbers, for 64 coefficients of the condition's cell
+  Slacks evaluate(const Slope_condition& condition, const double* local) const
+  {
+    internal::Basis_jet<double, 2> basis;
+    for(int a = 0; a < 3; ++a) {
+      basis[0][a] = Cubic_bspline<>::values(condition.position[a]);
+      basis[1][a] = Cubic_bspline<>::first_derivatives(condition.position[a]);
+    }
+    const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local, basis);
+    const std::array<double, 3>&g = jet.gradient, &d = condition.direction;
+    return { scale(condition.cell) * (g[0]*d[0] + g[1]*d[1] + g[2]*d[2]), jet.value, -jet.value };
+  }
+
+  static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }
+
+  // by how much they exceed their bounds
+  Slacks slacks(const Slope_condition& condition) const
+  {
+    const std::array<Index, 16> rows = m_field.coefficient_rows(condition.cell);
+    std::array<double, 64> local;
+    for(int n = 0; n < 64; ++n) local[n] = m_points[rows[n / 4] + n % 4];
+    Slacks slacks = evaluate(condition, local.data());
+    for(int k = 0; k < numbers; ++k) slacks[k] -= bound(condition, k);
+    return slacks;
+  }
+
+  double least_slack(Index c) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n)
+      for(double s : slacks(m_conditions[n])) least = (std::min)(least, s);
+    return least;
+  }
+
+  // of the condition with the least slack
+  std::uint32_t worst_facet(Index c) const
+  {
+    const auto slack = [&](const Slope_condition& condition) {
+      const Slacks s = slacks(condition);
+      return *std::min_element(s.begin(), s.end());
+    };
+    std::size_t worst = m_first[c];
+    for(std::size_t n = m_first[c] + 1; n < m_first[c+1]; ++n)
+      if(slack(m_conditions[n]) < slack(m_conditions[worst])) worst = n;
+    return m_conditions[worst].facet;
+  }
+
+  template <typename ConcurrencyTag>
+  void find_slacks()
+  {
+    internal::for_each_chunk<ConcurrencyTag>(m_field.number_of_cells(), 1024, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c)
+        if(!m_is_known[c]) {
+          m_least_slack[c] = least_slack(Index(c));
+          m_is_known[c] = 1;
+        }
+    });
+  }
+
+  // the residual, which is kept up to date from now on, and the strictly lower triangle by rows
+  void prepare(const Vector& x)
+  {
+    m_residual = m_b - m_A.template selfadjointView<Eigen::Lower>() * x;
+    const std::size_t size = std::size_t(x.size());
+    m_row_begin.assign(size + 1, 0);
+    for(std::size_t c = 0; c < size; ++c)
+      for(int n = m_A.outerIndexPtr()[c] + 1; n < m_A.outerIndexPtr()[c+1]; ++n) ++m_row_begin[std::size_t(m_A.innerIndexPtr()[n]) + 1];
+    for(std::size_t c = 0; c < size; ++c) m_row_begin[c+1] += m_row_begin[c];
+    m_row_entries.resize(m_row_begin[size]);
+    std::vector<std::size_t> next(m_row_begin.begin(), m_row_begin.end() - 1);
+    for(std::size_t c = 0; c < size; ++c)
+      for(int n = m_A.outerIndexPtr()[c] + 1; n < m_A.outerIndexPtr()[c+1]; ++n)
+        m_row_entries[next[std::size_t(m_A.innerIndexPtr()[n])]++] = { int(c), n };
+    m_place.assign(size, -1);
+  }
+
+  void solve_patch(Index center, Vector& x)
+  {
+    // what is freed: all that acts on the cell and its neighbours, or, where these are many smaller ones, on the cell
+    const Bbox_3 b = m_field.cell(center).bbox();
+    const double margin = 0.5 * m_field.cells().width(center);
+    const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin, b.zmax() + margin);
+    std::vector<int> unknowns;
+    const auto free_coefficients = [&](Index c) {
+      m_field.visit_coefficients(c, [&](int, Index u, double) {
+        if(m_place[u] >= 0) return;
+        m_place[u] = 0;
+        unknowns.push_back(int(u));
+      });
+    };
+    m_field.visit_cells(core, free_coefficients);
+    if(unknowns.size() > max_unknowns) {
+      for(int u : unknowns) m_place[u] = -1;
+      unknowns.clear();
+      free_coefficients(center);
+    }
+    std::sort(unknowns.begin(), unknowns.end());
+    const Eigen::Index size = Eigen::Index(unknowns.size());
+    Bbox_3 reach = core;
+    for(Eigen::Index n = 0; n < size; ++n) {
+      m_place[unknowns[n]] = int(n);
+      reach += m_field.support(Index(unknowns[n]));
+    }
+    // the cells with conditions that they may touch
+    std::vector<Patch_cell> cells;
+    m_field.visit_cells(reach, [&](Index c) {
+      if(m_first[c] == m_first[c+1]) return;
+      Patch_cell cell;
+      cell.cell = c;
+      m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
+        if(m_place[u] >= 0) cell.entries.push_back({ n, m_place[u], weight });
+      });
+      if(!cell.entries.empty()) cells.push_back(std::move(cell));
+    });
+
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
+    Vector r(size);
+    for(Eigen::Index n = 0; n < size; ++n) {
+      r[n] = m_residual[unknowns[n]];
+      for(Matrix::InnerIterator it(m_A, unknowns[n]); it; ++it)
+        if(m_place[it.row()] >= 0) H(m_place[it.row()], n) = it.value();
+    }
+    for(int u : unknowns) m_place[u] = -1;
+    const Eigen::LLT<Eigen::MatrixXd> factor(H);
+    if(factor.info() != Eigen::Success) return;
+    const Vector step = minimize(cells, factor, r);
+    for(Eigen::Index n = 0; n < size; ++n) add(unknowns[n], step[n], x);
+    // points are shared by cells: read all before any is written
+    std::vector<std::pair<Index, double> > moved;
+    for(const Patch_cell& cell : cells) {
+      m_changed[cell.cell] = 1;
+      m_is_known[cell.cell] = 0;
+      const std::array<Index, 16> rows = m_field.coefficient_rows(cell.cell);
+      const std::array<double, 64> change = cell.change(step);
+      for(int n = 0; n < 64; ++n) {
+        const Index point = rows[n / 4] + n % 4;
+        if(change[n] != 0) moved.emplace_back(point, m_points[point] + change[n]);
+      }
+    }
+    for(const std::pair<Index, double>& m : moved) m_points[m.first] = m.second;
+  }
+
+  // a cell that unknowns of a patch act on, and how they do
+  struct Patch_cell
+  {
+    struct Entry { int n, place; double weight; };
+
+    Index cell;
+    std::vector<Entry> entries;
+
+    // of its 64 coefficients
+    std::array<double, 64> change(const Vector& step) const
+    {
+      std::array<double, 64> local = {};
+      for(const Entry& e : entries) local[e.n] += e.weight * step[e.place];
+      return local;
+    }
+  };
+
+  // the step of the unknowns
+  Vector minimize(const std::vector<Patch_cell>& cells, const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& r)
+  {
+    const Eigen::Index size = r.size();
+    const Vector free = factor.matrixL().solve(r);
+    Vector step = factor.matrixU().solve(free);
+    std::vector<Slacks> before;                   // by condition of the cells
+    for(const Patch_cell& cell : cells)
+      for(std::size_t n = m_first[cell.cell]; n < m_first[cell.cell + 1]; ++n) before.push_back(slacks(m_conditions[n]));
+    std::vector<std::array<char, numbers> > used(before.size(), std::array<char, numbers>{});
+    struct Violation
+    {
+      double slack;
+      std::size_t cell, condition, place;         // among the cells, all conditions, those of the cells
+      int number;
+      bool operator<(const Violation& o) const { return std::tie(slack, place, number) < std::tie(o.slack, o.place, o.number); }
+    };
+    std::vector<Violation> violated;
+    Eigen::MatrixXd W(size, 0);                   // L^-1 G^T, for the conditions G in the program
+    Vector wanted(0), multipliers(0);             // of G x, beyond what x has
+    for(int exchange = 0; exchange < max_exchanges; ++exchange) {
+      violated.clear();
+      std::size_t place = 0;
+      for(std::size_t c = 0; c < cells.size(); ++c) {
+        const std::array<double, 64> change = cells[c].change(step);
+        for(std::size_t n = m_first[cells[c].cell]; n < m_first[cells[c].cell + 1]; ++n, ++place) {
+          const Slacks changes = evaluate(m_conditions[n], change.data());
+          for(int k = 0; k < numbers; ++k)
+            if(!used[place][k] && before[place][k] + changes[k] < 0)
+              violated.push_back({ before[place][k] + changes[k], c, n, place, k });
+        }
+      }
+      const std::size_t more = (std::min)({ violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
+      if(more == 0) break;
+      std::partial_sort(violated.begin(), violated.begin() + std::ptrdiff_t(more), violated.end());
+      const Eigen::Index old = W.cols();
+      W.conservativeResize(Eigen::NoChange, old + Eigen::Index(more));
+      wanted.conservativeResize(old + Eigen::Index(more));
+      multipliers.conservativeResize(old + Eigen::Index(more));
+      for(std::size_t m = 0; m < more; ++m) {
+        const Violation& v = violated[m];
+        used[v.place][v.number] = 1;
+        Vector g = Vector::Zero(size);
+        const std::array<double, 64> local = local_row(m_conditions[v.condition], v.number);
+        for(const typename Patch_cell::Entry& e : cells[v.cell].entries) g[e.place] += e.weight * local[e.n];
+        W.col(old + Eigen::Index(m)) = factor.matrixL().solve(g);
+        wanted[old + Eigen::Index(m)] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - before[v.place][v.number];
+        multipliers[old + Eigen::Index(m)] = 0;
+      }
+      // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other
+      const Eigen::MatrixXd K = W.transpose() * W;
+      Vector gap = wanted - W.transpose() * free - K * multipliers;
+      for(int sweep = 0; sweep < max_dual_sweeps; ++sweep) {
+        double largest = 0;
+        for(Eigen::Index m = 0; m < K.cols(); ++m) {
+          if(!(K(m, m) > 0)) continue;
+          const double next = (std::min)(largest_multiplier, (std::max)(0., multipliers[m] + gap[m] / K(m, m)));
+          const double delta = next - multipliers[m];
+          if(delta == 0) continue;
+          gap -= delta * K.col(m);
+          multipliers[m] = next;
+          largest = (std::max)(largest, std::abs(delta) * K(m, m));
+        }
+        if(largest < dual_tolerance) break;
+      }
+      step = factor.matrixU().solve(free + W * multipliers);
+    }
+    return step;
+  }
+
+  // adds to a coefficient, and to the residual what it means
+  void add(int u, double delta, Vector& x)
+  {
+    x[u] += delta;
+    for(Matrix::InnerIterator it(m_A, u); it; ++it) m_residual[it.row()] -= it.value() * delta;
+    for(std::size_t n = m_row_begin[u]; n < m_row_begin[u+1]; ++n)
+      m_residual[m_row_entries[n].first] -= m_A.valuePtr()[m_row_entries[n].second] * delta;
+  }
+
+  const Field& m_field;
+  const Matrix& m_A;
+  const Vector& m_b;
+  std::vector<Slope_condition> m_conditions;                // by cell
+  std::vector<std::size_t> m_first;                         // condition of each cell
+  Vector m_points, m_residual;
+  std::vector<std::size_t> m_row_begin;
+  std::vector<std::pair<int, int> > m_row_entries;          // column, and place among the values
+  std::vector<char> m_hopeless, m_changed, m_is_known;      // of a cell: the last one, whether its least slack is
+  std::vector<double> m_least_slack;
+  std::vector<int> m_place;                                 // of a coefficient in the patch, or -1
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_FIT_FIELD_H
+#define CGAL_BSPLINE_SHELL_3_FIT_FIT_FIELD_H
+
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
+#include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
+#include <CGAL/Bspline_shell_3/Support/Solver_status.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief minimizes the paper's energy over the coefficients of a field.
+ *
+ * The quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
+ * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each
+ * has one solve from the last solution and a line search on the energy itself. They end when the energy falls by less
+ * than one percent, or after ten.
+ *
+ * \tparam Solver a model of `SPDSolver`
+ * \param energy the energy of `field`
+ * \param solver is given one linear system for each step
+ * \param x where an iterative solver starts, in cell units (`Fit_energy::initial_guess()`)
+ * \param[out] field gets the coefficients of the solution, unless the solver fails
+ * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in
+ * the number of unknowns.
+ */
+template <typename ConcurrencyTag, typename Field, typename Solver>
+Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
+                     Eigen::VectorXd x)
+{
+  typedef typename Fit_energy<Field>::Vector Vector;
+  typedef typename Fit_energy<Field>::Matrix Matrix;
+  constexpr std::size_t max_steps = 10;
+  constexpr double least_decrease = 1e-2;
+  constexpr double eta = 1e-3;       // determinants below are as good as zero: curvatures of a tenth per cell
+
+  Fit_report report;
+  Real_timer timer;
+  timer.start();
+  Matrix A;
+  Vector b;
+  energy.template assemble<ConcurrencyTag>(A, b);
+  report.seconds_assembly = timer.time();
+  timer.reset();
+
+  const Unknown_blocks blocks = overlapping_blocks(field);
+  const auto solve = [&](const Matrix& matrix, const Vector& rhs, Vector& solution) {
+    ++report.linear_solves;
+    report.status = solver.compute(matrix, blocks);
+    if(report.status == Solver_status::SUCCESS) report.status = solver.solve(rhs, solution);
+    if(report.status == Solver_status::SUCCESS && !solution.allFinite()) report.status = Solver_status::NOT_FINITE;
+    report.iterations += solver.iterations();
+    report.residual = solver.residual();
+    return report.status == Solver_status::SUCCESS;
+  };
+  const bool solved = solve(A, b, x);
+  report.seconds_solver = timer.time();
+  if(!solved) return report;
+
+  if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
+    // The paper integrates over the shell, which moves with the field. A domain that moves with every step makes the
+    // steps oscillate: it stays the shell of the first solution.
+    const std::pair<double, double> range = energy.range_on_mesh(x);
+    energy.set_singular_hessian_domain(x, range.first, range.second);
+    for(std::size_t step = 0; step < max_steps; ++step) {
+      const double before = energy.template value<ConcurrencyTag>(x);
+      Matrix step_matrix = A;
+      Vector step_rhs = b;
+      energy.template add_singular_hessian<ConcurrencyTag>(x, eta, step_matrix, step_rhs);
+      Vector target = x;
+      const bool step_solved = solve(step_matrix, step_rhs, target);
+      report.seconds_solver = timer.time();
+      if(!step_solved) return report;
+      // the full step minimizes the model; the energy itself may want a shorter one
+      double length = 1, after = energy.template value<ConcurrencyTag>(target);
+      while(after > before && length > 1e-3) {
+        length /= 2;
+        after = energy.template value<ConcurrencyTag>(Vector(x + length * (target - x)));
+      }
+      if(after < before) x += length * (target - x);
+      if(!(before - after > least_decrease * before)) break;
+    }
+  }
+  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
+                           Energy_term::NORMAL })
+    report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
+  field.template set_coefficients<ConcurrencyTag>(x * field.cells().lattice().spacing());
+  return report;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_FIT_FIELD_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
+#define CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <boost/range/irange.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Distance
+ *
+ * \brief where the signed distance is sampled: two points per cell and axis, which together form a uniform lattice of
+ * half the cells' spacing.
+ */
+struct Distance_samples
+{
+  static constexpr int per_cell = 8;
+  /// position of a sample in its cell; sample `s` is at 1/4 or 3/4 of axis `a` as bit `a` of `s` is 0 or 1
+  static double position(int s, int axis) { return (s >> axis) & 1 ? 0.75 : 0.25; }
+  template <typename Point_3, typename Cells>
+  static Point_3 point(const Cells& cells, std::uint32_t c, int s)
+  {
+    const std::array<double, 3> corner = cells.corner(c);
+    const double width = cells.width(c);
+    return Point_3(corner[0] + position(s, 0) * width, corner[1] + position(s, 1) * width, corner[2] + position(s, 2) * width);
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Distance
+ *
+ * \brief the signed distance at the samples of some cells, in user units: `Distance_samples::per_cell` values a cell.
+ *
+ * The distance to a mesh (`Mesh_signed_distance_3`) is found faster than that of other oracles: the closest facet of one
+ * sample is where the search for the next one starts.
+ *
+ * \tparam Oracle a model of `SignedDistanceOracle_3`
+ * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
+ * \tparam CellRange a random access range of cell numbers
+ */
+template <typename ConcurrencyTag, typename Oracle, typename Cells, typename CellRange>
+std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& cells, const CellRange& of_cells)
+{
+  constexpr std::size_t n = Distance_samples::per_cell;
+  std::vector<double> samples(of_cells.size() * n);
+  internal::for_each_chunk<ConcurrencyTag>(of_cells.size(), 64, [&](std::size_t begin, std::size_t end) {
+    const auto sample = [&](const auto& distance) {
+      for(std::size_t c = begin; c < end; ++c)
+        for(std::size_t s = 0; s < n; ++s)
+          samples[c * n + s] = distance(Distance_samples::point<typename Oracle::Point_3>(cells, of_cells[c], int(s)));
+    };
+    if constexpr(std::is_same<Oracle, Mesh_signed_distance_3>::value) {
+      Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+      sample([&](const Mesh_signed_distance_3::Point_3& p) { return oracle.signed_distance(p, hint); });
+    } else
+      sample(oracle);
+  });
+  return samples;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Distance
+ *
+ * \brief the same for all cells.
+ */
+template <typename ConcurrencyTag, typename Oracle, typename Cells>
+std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& cells)
+{
+  return sample_signed_distance<ConcurrencyTag>(oracle, cells, boost::irange(std::uint32_t(0), std::uint32_t(cells.number_of_cells())));
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H

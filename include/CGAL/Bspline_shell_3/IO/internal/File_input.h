@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_IO_INTERNAL_FILE_INPUT_H
+#define CGAL_BSPLINE_SHELL_3_IO_INTERNAL_FILE_INPUT_H
+
+#include <CGAL/Bspline_shell_3/IO/checksum.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// The words of a line, which single blanks separate. Once one is not as expected, all that follow fail, too.
+class Words
+{
+public:
+  explicit Words(std::string_view line) : m_rest(line) {}
+
+  Words& word(std::string_view expected)
+  {
+    begin_word();
+    if(m_rest.substr(0, expected.size()) == expected) m_rest.remove_prefix(expected.size());
+    else m_ok = false;
+    return *this;
+  }
+
+  // numbers that are infinite, not a number or out of range are not as expected
+  template <typename T>
+  Words& number(T& x)
+  {
+    begin_word();
+    const std::from_chars_result result = std::from_chars(m_rest.data(), m_rest.data() + m_rest.size(), x);
+    m_ok = m_ok && result.ec == std::errc();
+    if constexpr(std::is_floating_point<T>::value) m_ok = m_ok && std::isfinite(x);
+    if(m_ok) m_rest.remove_prefix(std::size_t(result.ptr - m_rest.data()));
+    return *this;
+  }
+
+  bool are_as_expected() const { return m_ok; }                       // so far
+  bool are_complete() const { return m_ok && m_rest.empty(); }        // and there are no more
+
+private:
+  void begin_word()
+  {
+    if(!m_first) {
+      m_ok = m_ok && !m_rest.empty() && m_rest.front() == ' ';
+      if(m_ok) m_rest.remove_prefix(1);
+    }
+    m_first = false;
+  }
+
+  std::string_view m_rest;
+  bool m_first = true, m_ok = true;
+};
+
+// Reads lines or bytes of a stream through a buffer, past all locales, and keeps the checksum of what was read. Takes
+// little memory, whatever the file claims to hold, and throws nothing.
+class File_input
+{
+public:
+  // a stream of its own: the caller's may be set to throw
+  explicit File_input(std::istream& in) : m_in(in.rdbuf()), m_buffer(capacity) {}
+  File_input(const File_input&) = delete;
+  File_input& operator=(const File_input&) = delete;
+
+  // whether the file goes on with `text`, which is not taken
+  bool starts_with(std::string_view text)
+  {
+    require(text.size());
+    return available().substr(0, text.size()) == text;
+  }
+
+  // the next line without its end; empty, and `is_bad()`, if there is none or it is longer than any should be
+  std::string_view line()
+  {
+    std::size_t length = available().find('\n');
+    if(length == std::string_view::npos) {
+      require(capacity);
+      length = available().find('\n');
+    }
+    if(length == std::string_view::npos) {
+      m_bad = true;
+      return std::string_view();
+    }
+    const std::string_view line = available().substr(0, length);
+    m_checksum.add(line.data(), length + 1);
+    m_begin += length + 1;
+    return line;
+  }
+
+  // zero, and `is_bad()`, if the file ends before
+  template <typename T>
+  T binary()
+  {
+    require(sizeof(T));
+    if(available().size() < sizeof(T)) {
+      m_bad = true;
+      return T();
+    }
+    const T x = from_little_endian<T>(available().data());
+    m_checksum.add(available().data(), sizeof(T));
+    m_begin += sizeof(T);
+    return x;
+  }
+
+  bool is_bad() const { return m_bad; }
+  std::uint64_t checksum() const { return m_checksum.value(); }       // of all that was read
+  bool is_at_end()
+  {
+    require(1);
+    return available().empty();
+  }
+
+private:
+  static constexpr std::size_t capacity = 1 << 16;      // also the length of the longest line
+
+  std::string_view available() const { return std::string_view(&m_buffer[0] + m_begin, m_end - m_begin); }
+
+  // makes that many characters available, unless the file ends before
+  void require(std::size_t size)
+  {
+    if(m_end - m_begin >= size) return;
+    std::memmove(&m_buffer[0], &m_buffer[0] + m_begin, m_end - m_begin);
+    m_end -= m_begin;
+    m_begin = 0;
+    m_in.read(&m_buffer[0] + m_end, std::streamsize(capacity - m_end));
+    m_end += std::size_t(m_in.gcount());
+  }
+
+  std::istream m_in;
+  std::vector<char> m_buffer;
+  std::size_t m_begin = 0, m_end = 0;
+  bool m_bad = false;
+  Checksum m_checksum;
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_IO_INTERNAL_FILE_INPUT_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_IO_INTERNAL_SHELL_FILE_H
+#define CGAL_BSPLINE_SHELL_3_IO_INTERNAL_SHELL_FILE_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "cubic_bspline_shell";
+constexpr int shell_file_version = 2;
+constexpr int largest_file_level = 30;      // of cells; no hierarchy has so many
+
+// Which type of shell a file holds.
+struct Shell_kind
+{
+  bool is_hierarchical = false;             // cells of several levels
+  bool has_spline_thresholds = false;
+
+  template <typename Shell>
+  static constexpr Shell_kind of()
+  {
+    typedef std::decay_t<decltype(std::declval<const typename Shell::Field&>().cells())> Cells;
+    return { std::is_same<Cells, Cell_hierarchy_3>::value, !Shell::Threshold::is_constant };
+  }
+
+  std::string_view field_name() const { return is_hierarchical ? "hierarchical" : "uniform"; }
+  std::uint64_t number() const { return (is_hierarchical ? 1 : 0) + (has_spline_thresholds ? 2 : 0); }
+  bool operator==(const Shell_kind& o) const { return number() == o.number(); }
+};
+
+// the coefficients of the field and, unless they are constant, of the inner and the outer threshold
+template <typename Shell>
+std::vector<const Eigen::VectorXd*> coefficients_of_splines(const Shell& shell)
+{
+  std::vector<const Eigen::VectorXd*> splines = { &shell.field().coefficients() };
+  if constexpr(!Shell::Threshold::is_constant) {
+    splines.push_back(&shell.inner_threshold().field().coefficients());
+    splines.push_back(&shell.outer_threshold().field().coefficients());
+  }
+  return splines;
+}
+
+// the levels of constant thresholds; of others, zero and the thickness
+template <typename Shell>
+Level_range levels(const Shell& shell)
+{
+  if constexpr(Shell::Threshold::is_constant) return { shell.inner_level(), shell.outer_level() };
+  else return { 0, shell.thickness() };
+}
+
+// calls visit(level, p) for the lattice points of all free coefficients of a field, in their order
+template <typename Field, typename Visitor>
+void visit_functions(const Field& field, const Visitor& visit)
+{
+  for(int l = field.number_of_levels() - 1; l >= 0; --l)
+    for(typename Field::Cell_index n = 0; n < field.points(l).size(); ++n)
+      if(field.coefficient_of_point(field.first_point(l) + n) != Field::npos) visit(l, field.points(l).point(n));
+}
+
+// averages of such numbers do not overflow on the way
+inline bool is_coefficient(double x) { return std::abs(x) <= (std::numeric_limits<double>::max)() / 64; }
+
+inline bool is_range(const Level_range& r) { return std::isfinite(r.min) && std::isfinite(r.max) && r.min <= r.max; }
+
+// Whether there is a shell, and one that a file can hold.
+template <typename Shell>
+bool is_shell(const Shell& shell)
+{
+  if(!shell) return false;
+  const auto& field = shell.field();
+  if(field.number_of_cells() == 0 || shell.shell_cells().size() != field.number_of_cells() || !field.has_exact_cells()) return false;
+  for(typename Shell::Field::Cell_index c = 0; c < field.number_of_cells(); ++c)
+    for(int i : field.cells().lattice_point(c))
+      if(std::abs(i) > Lattice_key::max_coordinate) return false;
+  for(const Eigen::VectorXd* x : coefficients_of_splines(shell))
+    if(std::size_t(x->size()) != field.number_of_coefficients() || !std::all_of(x->data(), x->data() + x->size(), is_coefficient))
+      return false;
+  const double unit = shell.report().unit;
+  return is_range(levels(shell)) && std::isfinite(unit) && unit >= 0
+      && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_IO_INTERNAL_SHELL_FILE_H

@@ -1,0 +1,377 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_MESH_CLIP_MESH_TO_CELLS_H
+#define CGAL_BSPLINE_SHELL_3_MESH_CLIP_MESH_TO_CELLS_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+typedef std::array<double, 3> Clip_point;
+
+// Cuts convex polygons by planes across axes; scratch memory is reused.
+class Polygon_cutter
+{
+public:
+  typedef std::vector<Clip_point> Polygon;
+
+  explicit Polygon_cutter(const Lattice_3& lattice) : m_lattice(lattice) {}
+
+  // calls visit(p, polygon) for the parts of a triangle in the cells, with lattice points p, that it enters; `normal` says
+  // which cell is behind it if it lies in a plane between two
+  template <typename Visitor>
+  void cut(const std::array<Clip_point, 3>& triangle, const Clip_point& normal, const Visitor& visit)
+  {
+    for(int a = 0; a < 3; ++a) m_behind[a] = normal[a] > 0 ? 1 : 0;
+    m_polygon[0].assign(triangle.begin(), triangle.end());
+    slice(0, visit);
+  }
+
+  // the halves of a polygon below and above a plane; one is empty if the polygon does not enter its side
+  void halve(const Polygon& polygon, int axis, double c, std::array<Polygon, 2>& halves) const
+  {
+    double lowest, highest;
+    extent(polygon, axis, lowest, highest);
+    halves[0].clear();
+    halves[1].clear();
+    if(highest < c || (highest == c && lowest < c)) halves[0] = polygon;
+    else if(lowest > c || (lowest == c && highest > c)) halves[1] = polygon;
+    else if(lowest == highest) halves[1 - m_behind[axis]] = polygon;
+    else {
+      keep(polygon, axis, c, false, false, halves[0]);
+      keep(polygon, axis, c, true, false, halves[1]);
+    }
+    for(Polygon& half : halves)
+      if(half.size() < 3) half.clear();
+  }
+
+private:
+  static void extent(const Polygon& polygon, int axis, double& lowest, double& highest)
+  {
+    lowest = highest = polygon[0][axis];
+    for(const Clip_point& p : polygon) {
+      lowest = (std::min)(lowest, p[axis]);
+      highest = (std::max)(highest, p[axis]);
+    }
+  }
+
+  // cuts m_polygon[axis] into slabs across the axis, and these further
+  template <typename Visitor>
+  void slice(int axis, const Visitor& visit)
+  {
+    if(axis == 3) { visit(m_cell, m_polygon[3]); return; }
+    double lowest, highest;
+    extent(m_polygon[axis], axis, lowest, highest);
+    int first = m_lattice.interval(axis, lowest);
+    int last = m_lattice.interval(axis, highest);
+    if(last > first) {
+      // a polygon that merely touches a plane from below does not enter the slab above
+      if(m_lattice.coordinate(axis, last) == highest) --last;
+    } else if(lowest == highest && m_lattice.coordinate(axis, first) == lowest) {
+      first = last = first - m_behind[axis];
+    }
+    for(int i = first; i <= last; ++i) {
+      m_cell[axis] = i;
+      if(first == last) {
+        m_polygon[axis + 1] = m_polygon[axis];
+      } else {
+        m_half.clear();
+        keep(m_polygon[axis], axis, m_lattice.coordinate(axis, i), true, i == first, m_half);
+        m_polygon[axis + 1].clear();
+        keep(m_half, axis, m_lattice.coordinate(axis, i + 1), false, i == last, m_polygon[axis + 1]);
+      }
+      if(m_polygon[axis + 1].size() >= 3) slice(axis + 1, visit);
+    }
+  }
+
+  // the part of a convex polygon where the coordinate is at least (or at most) c
+  static void keep(const Polygon& in, int axis, double c, bool above, bool all, Polygon& out)
+  {
+    if(all) { out = in; return; }
+    for(std::size_t n = 0; n < in.size(); ++n) {
+      const Clip_point& p = in[n];
+      const Clip_point& q = in[n + 1 == in.size() ? 0 : n + 1];
+      const double dp = above ? p[axis] - c : c - p[axis], dq = above ? q[axis] - c : c - q[axis];
+      if(dp >= 0) out.push_back(p);
+      if((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) out.push_back(crossing(p, q, axis, c));
+    }
+  }
+
+  // the same point whichever way the edge is walked, between its ends in every coordinate
+  static Clip_point crossing(Clip_point p, Clip_point q, int axis, double c)
+  {
+    if(q < p) std::swap(p, q);
+    const double t = (c - p[axis]) / (q[axis] - p[axis]);
+    Clip_point r;
+    for(int a = 0; a < 3; ++a) {
+      const double x = p[a] + t * (q[a] - p[a]);
+      r[a] = (std::min)((std::max)(x, (std::min)(p[a], q[a])), (std::max)(p[a], q[a]));
+    }
+    r[axis] = c;
+    return r;
+  }
+
+  const Lattice_3& m_lattice;
+  std::array<Polygon, 4> m_polygon;
+  Polygon m_half;
+  Lattice_3::Point m_cell;
+  std::array<int, 3> m_behind = {};     // per axis, 1 if the cell behind a facet is the one of smaller coordinates
+};
+
+// The part of a polygon in a cell of a level, cut further down to the leaves: calls visit(leaf, polygon).
+class Leaf_cutter
+{
+public:
+  explicit Leaf_cutter(const Polygon_cutter& cutter) : m_cutter(cutter) {}
+
+  template <typename Visitor>
+  void cut(const Cell_complex_3& cells, int, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon, const Visitor& visit)
+  {
+    visit(cells.cell(p), polygon);
+  }
+
+  template <typename Visitor>
+  void cut(const Cell_hierarchy_3& cells, int level, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon,
+           const Visitor& visit)
+  {
+    const Cell_hierarchy_3::Index c = cells.leaf(level, p);
+    if(c != Cell_hierarchy_3::npos) { visit(c, polygon); return; }
+    while(m_halves.size() <= std::size_t(level)) m_halves.emplace_back();
+    std::array<std::array<Polygon_cutter::Polygon, 2>, 3>& halves = m_halves[std::size_t(level)];
+    const auto middle = [&](int a) { return cells.coordinate(level + 1, a, 2 * p[a] + 1); };
+    m_cutter.halve(polygon, 0, middle(0), halves[0]);
+    for(int i = 0; i < 2; ++i) {
+      if(halves[0][i].empty()) continue;
+      m_cutter.halve(halves[0][i], 1, middle(1), halves[1]);
+      for(int j = 0; j < 2; ++j) {
+        if(halves[1][j].empty()) continue;
+        m_cutter.halve(halves[1][j], 2, middle(2), halves[2]);
+        for(int k = 0; k < 2; ++k)
+          if(!halves[2][k].empty()) cut(cells, level + 1, { 2*p[0] + i, 2*p[1] + j, 2*p[2] + k }, halves[2][k], visit);
+      }
+    }
+  }
+
+private:
+  const Polygon_cutter& m_cutter;
+  std::deque<std::array<std::array<Polygon_cutter::Polygon, 2>, 3> > m_halves;    // by level; references stay valid
+};
+
+template <typename InputMesh>
+std::vector<std::array<Clip_point, 3> > triangles_to_clip(const InputMesh& input)
+{
+  std::vector<std::array<Clip_point, 3> > triangles;
+  triangles.reserve(input.mesh().number_of_faces());
+  for(auto f : input.mesh().faces()) {
+    const auto t = input.triangle(f);
+    triangles.push_back({ Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() },
+                          Clip_point{ t[2].x(), t[2].y(), t[2].z() } });
+  }
+  return triangles;
+}
+
+// of length one; zero for a facet too flat for doubles
+inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
+{
+  // scaled first: the squares of a tiny facet's lengths would underflow
+  typedef Simple_cartesian<double>::Vector_3 Vector_3;
+  Vector_3 u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]), w(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
+  double scale = 0;
+  for(int a = 0; a < 3; ++a) scale = (std::max)({ scale, std::abs(u[a]), std::abs(w[a]) });
+  Vector_3 n = CGAL::cross_product(u / scale, w / scale);
+  const double scale_n = (std::max)({ std::abs(n[0]), std::abs(n[1]), std::abs(n[2]) });
+  if(scale_n > 0) {
+    n = n / scale_n;
+    n = n / std::sqrt(n.squared_length());
+  }
+  return { n[0], n[1], n[2] };
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief the mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and part
+ * of one facet.
+ *
+ * It serves quadrature and the search for extrema, where rounding of the cuts does no harm (a cut point lies within
+ * a few units in the last place of the facet and exactly on the planes between cells). Both facets at an edge are cut at the
+ * same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane between two cells belong to the cell behind them.
+ */
+class Clipped_mesh_3
+{
+public:
+  typedef std::array<double, 3> Point;
+
+  struct Piece
+  {
+    std::uint32_t cell;           ///< number of the leaf cell; pieces ascend by it
+    std::uint32_t facet;          ///< number of the triangle it is a part of
+    std::uint32_t size;           ///< number of its vertices
+    std::size_t first;            ///< its vertices are `point(first)` ... `point(first + size - 1)`
+  };
+
+  std::size_t number_of_pieces() const { return m_pieces.size(); }
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+  const Point& point(std::size_t n) const { return m_points[n]; }
+  /// unit normal of a triangle of the mesh
+  const Point& normal(std::uint32_t facet) const { return m_normals[facet]; }
+  std::size_t number_of_facets() const { return m_normals.size(); }
+
+  /// the cells that have pieces, ascending, each once
+  std::vector<std::uint32_t> cells() const
+  {
+    std::vector<std::uint32_t> cells;
+    for(const Piece& p : m_pieces)
+      if(cells.empty() || cells.back() != p.cell) cells.push_back(p.cell);
+    return cells;
+  }
+
+  double area(const Piece& piece) const
+  {
+    const Point& n = m_normals[piece.facet];
+    double sum = 0;
+    const Point& o = m_points[piece.first];
+    for(std::uint32_t v = 1; v + 1 < piece.size; ++v) {
+      const Point& a = m_points[piece.first + v];
+      const Point& b = m_points[piece.first + v + 1];
+      const double u[3] = { a[0] - o[0], a[1] - o[1], a[2] - o[2] }, w[3] = { b[0] - o[0], b[1] - o[1], b[2] - o[2] };
+      sum += n[0] * (u[1]*w[2] - u[2]*w[1]) + n[1] * (u[2]*w[0] - u[0]*w[2]) + n[2] * (u[0]*w[1] - u[1]*w[0]);
+    }
+    return sum / 2;
+  }
+
+  /// about how many pieces `clip_mesh_to_cells()` makes at that spacing, without making them
+  template <typename InputMesh>
+  static double estimated_number_of_pieces(const InputMesh& input, double spacing)
+  {
+    double pieces = 0;
+    for(auto f : input.mesh().faces()) {
+      const auto t = input.triangle(f);
+      const auto n = CGAL::cross_product((t[1] - t[0]) / spacing, (t[2] - t[0]) / spacing);
+      // a plane of unit normal n crosses |n|_1 cells per unit of area; a curve of length s at most 1 + sqrt(3) s
+      double l1 = 0, perimeter = 0;
+      for(int a = 0; a < 3; ++a) {
+        l1 += std::abs(n[a]);
+        perimeter += std::sqrt((t[(a+1) % 3] - t[a]).squared_length());
+      }
+      pieces += 1 + l1 / 2 + perimeter / spacing;
+    }
+    return pieces;
+  }
+
+private:
+  template <typename ConcurrencyTag, typename InputMesh, typename Cells>
+  friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
+
+  std::vector<Piece> m_pieces;
+  std::vector<Point> m_points;
+  std::vector<Point> m_normals;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief the lattice keys of the cells that the mesh enters, ascending.
+ *
+ * \pre the coordinates of `input` divided by the lattice's spacing are at most `Lattice_key::max_coordinate`
+ */
+template <typename ConcurrencyTag, typename InputMesh>
+std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const Lattice_3& lattice)
+{
+  const auto triangles = internal::triangles_to_clip(input);
+  constexpr std::size_t chunk = 512;
+  std::vector<std::vector<std::uint64_t> > found((triangles.size() + chunk - 1) / chunk);
+  internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    internal::Polygon_cutter cutter(lattice);
+    for(std::size_t n = begin; n < end; ++n)
+      cutter.cut(triangles[n], internal::unit_normal(triangles[n]), [&](const Lattice_3::Point& p, const auto&) {
+        found[begin / chunk].push_back(Lattice_key::encode(p[0], p[1], p[2]));
+      });
+    sort_unique(found[begin / chunk]);
+  });
+  std::vector<std::uint64_t> keys;
+  for(const auto& f : found) keys.insert(keys.end(), f.begin(), f.end());
+  sort_unique(keys);
+  return keys;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * cuts every triangle of `input` by the leaf cells. Linear in the number of pieces; they are sorted by cell, then by facet,
+ * and do not depend on the number of threads.
+ *
+ * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
+ * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
+ */
+template <typename ConcurrencyTag, typename InputMesh, typename Cells>
+Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
+{
+  typedef Clipped_mesh_3::Point Point;
+  const auto triangles = internal::triangles_to_clip(input);
+  Clipped_mesh_3 clipped;
+  clipped.m_normals.reserve(triangles.size());
+  for(const auto& t : triangles) clipped.m_normals.push_back(internal::unit_normal(t));
+
+  constexpr std::size_t chunk = 512;
+  std::vector<std::vector<Clipped_mesh_3::Piece> > pieces((triangles.size() + chunk - 1) / chunk);
+  std::vector<std::vector<Point> > points(pieces.size());
+  internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    internal::Polygon_cutter cutter(cells.lattice());
+    internal::Leaf_cutter leaf_cutter(cutter);
+    std::vector<Clipped_mesh_3::Piece>& chunk_pieces = pieces[begin / chunk];
+    std::vector<Point>& chunk_points = points[begin / chunk];
+    for(std::size_t n = begin; n < end; ++n)
+      cutter.cut(triangles[n], clipped.m_normals[n], [&](const Lattice_3::Point& p, const std::vector<Point>& in_cell) {
+        leaf_cutter.cut(cells, 0, p, in_cell, [&](std::uint32_t leaf, const std::vector<Point>& polygon) {
+          chunk_pieces.push_back({ leaf, std::uint32_t(n), std::uint32_t(polygon.size()), chunk_points.size() });
+          chunk_points.insert(chunk_points.end(), polygon.begin(), polygon.end());
+        });
+      });
+  });
+
+  std::size_t number_of_pieces = 0, number_of_points = 0;
+  for(const auto& p : pieces) number_of_pieces += p.size();
+  for(const auto& p : points) number_of_points += p.size();
+  clipped.m_pieces.reserve(number_of_pieces);
+  clipped.m_points.reserve(number_of_points);
+  for(std::size_t c = 0; c < pieces.size(); ++c) {
+    for(Clipped_mesh_3::Piece& p : pieces[c]) {
+      p.first += clipped.m_points.size();
+      clipped.m_pieces.push_back(p);
+    }
+    clipped.m_points.insert(clipped.m_points.end(), points[c].begin(), points[c].end());
+    std::vector<Clipped_mesh_3::Piece>().swap(pieces[c]);
+    std::vector<Point>().swap(points[c]);
+  }
+  std::stable_sort(clipped.m_pieces.begin(), clipped.m_pieces.end(),
+                   [](const Clipped_mesh_3::Piece& a, const Clipped_mesh_3::Piece& b) { return a.cell < b.cell; });
+  return clipped;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_MESH_CLIP_MESH_TO_CELLS_H

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_SHELL_MAP_3_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_SHELL_MAP_3_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief the map between two meshes in a shell, along the integral curves of its field.
+ *
+ * If both meshes have a certificate of the certified shell (`Shell_certificate_3`) the map is one-to-one. The map asks for no
+ * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and a component of it holds
+ * no part of one of the meshes, if they are closed: no vertex, and no crossing with the paths through the component.
+ * It keeps what both directions need, a tree of boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from several threads at once. The shell and the
+ * meshes must outlive them, unchanged.
+ *
+ * \tparam Shell_ a `CGAL::Bspline_shell_3`
+ * \tparam SourceMesh_ a model of `FaceListGraph`
+ * \tparam TargetMesh_ a model of `FaceListGraph`
+ */
+template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_>
+class Shell_map_3
+{
+public:
+  typedef Shell_ Shell;
+  typedef SourceMesh_ Source_mesh;
+  typedef TargetMesh_ Target_mesh;
+  typedef Shell_projection_3<Shell, Source_mesh> Projection_to_source;
+  typedef Shell_projection_3<Shell, Target_mesh> Projection_to_target;
+  typedef typename Projection_to_source::Image Source_image;
+  typedef typename Projection_to_target::Image Target_image;
+  typedef typename Projection_to_source::Location Source_location;      ///< facet and barycentric coordinates
+  typedef typename Projection_to_target::Location Target_location;
+  typedef typename Projection_to_target::Coordinates Coordinates;
+
+  /// prepares the map. Both meshes must have triangles only: if not, all images have the status `INVALID_MESH`.
+  /// \param shell a shell
+  /// \param source a mesh in it
+  /// \param target another one
+  /// \param np_source
+  ///   - `vertex_point_map(VPM)`: of the source
+  ///   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box
+  ///     of the mesh that the shell was built for
+  /// \param np_target
+  ///   - `vertex_point_map(VPM)`: of the target
+  template <typename T1 = bool, typename Tag1 = internal_np::all_default_t, typename Base1 = internal_np::No_property,
+            typename T2 = bool, typename Tag2 = internal_np::all_default_t, typename Base2 = internal_np::No_property>
+  Shell_map_3(const Shell& shell, const Source_mesh& source, const Target_mesh& target,
+              const CGAL::Named_function_parameters<T1, Tag1, Base1>& np_source = CGAL::parameters::default_values(),
+              const CGAL::Named_function_parameters<T2, Tag2, Base2>& np_target = CGAL::parameters::default_values())
+    : Shell_map_3(prepare<Projection_to_source>(shell, source, np_source, tolerance(np_source)),
+                  prepare<Projection_to_target>(shell, target, np_target, tolerance(np_source)))
+  {}
+
+  /// the map between the targets of two projections in the same shell
+  Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
+    : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
+  {
+    if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
+    else if(misses_component(m_to_source.target()) || misses_component(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
+  }
+
+  /// whether points are mapped: `SUCCESS`, or the status that all images have
+  Flow_status status() const { return m_status; }
+
+  const Shell& shell() const { return m_to_target.shell(); }
+  const Source_mesh& source() const { return m_to_source.target().mesh(); }
+  const Target_mesh& target() const { return m_to_target.target().mesh(); }
+  const Projection_to_source& to_source() const { return m_to_source; }      ///< for points anywhere in the shell
+  const Projection_to_target& to_target() const { return m_to_target; }      ///< for points anywhere in the shell
+
+  /// the same curves, the other way
+  Shell_map_3<Shell, Target_mesh, Source_mesh> inverse() const { return { m_to_target, m_to_source }; }
+
+  /// the point, in coordinates, of a location on the source
+  Coordinates point(const Source_location& location) const
+  {
+    return m_to_source.target().point(m_to_source.target().facet_of(location.first), location.second);
+  }
+
+  /// the image on the target of a location on the source
+  Target_image operator()(const Source_location& location) const
+  {
+    if(m_status != Flow_status::SUCCESS) return refused();
+    return m_to_target(point(location));
+  }
+
+  /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal of the facet of
+  /// the image, or `Flow_differential::onto_level_set()`.
+  /// \pre `image` is the image of `location`
+  Flow_differential differential(const Source_location& location, const Target_image& image) const
+  {
+    return m_to_target.differential(point(location), image);
+  }
+
+  /// the images of many locations, as `Shell_projection_3::project()`.
+  /// \tparam LocationRange a random access range of `Source_location`
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename LocationRange, typename Visitor = Default_flow_visitor>
+  std::vector<Target_image> project(const LocationRange& locations, Visitor&& visitor = Visitor()) const
+  {
+    std::vector<Target_image> images(std::size_t(std::end(locations) - std::begin(locations)));
+    if(m_status != Flow_status::SUCCESS) {
+      std::fill(images.begin(), images.end(), refused());
+      return images;
+    }
+    internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
+      return point(*(std::begin(locations) + std::ptrdiff_t(n)));
+    }, visitor, [&](std::size_t n, const auto& p) { images[n] = m_to_target(p); });
+    return images;
+  }
+
+private:
+  Target_image refused() const
+  {
+    Target_image image;
+    image.status = m_status;
+    return image;
+  }
+
+  // Whether a component of the shell holds no part of a mesh. For an open mesh the count depends on the path.
+  template <typename Target>
+  bool misses_component(const Target& target) const
+  {
+    const std::vector<Crossing_path> paths = shell().component_paths();
+    if(paths.empty() || !target.is_closed()) return false;
+    std::size_t number;
+    const std::vector<typename Target::Index> component = target.components(number);
+    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+    const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
+    const Component_match match = match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
+      const typename Target::Index f = typename Target::Index(n);
+      return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
+    }, [&](std::size_t n) { return std::size_t(component[n]); });
+    std::vector<char> is_missed(match.crossings.size(), 0);
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
+    for(std::size_t k : match.component_of_shell)
+      if(k != Component_match::none) is_missed[k] = 0;
+    const auto is_any_missed = [&] { return std::find(is_missed.begin(), is_missed.end(), 1) != is_missed.end(); };
+    if(!is_any_missed() || !shell().proved_cover()) return false;
+    Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
+    cover.adopt(*shell().proved_cover());
+    for(const Coordinates& v : target.vertices_of_mesh()) {
+      const std::uint32_t k = cover.component(typename Shell::Point_3(v[0], v[1], v[2]));
+      if(k < is_missed.size()) is_missed[k] = 0;
+    }
+    return is_any_missed();
+  }
+
+  template <typename NamedParameters>
+  static double tolerance(const NamedParameters& np)
+  {
+    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::tolerance), 0.);
+  }
+
+  template <typename Projection, typename TriangleMesh, typename NamedParameters>
+  static Projection prepare(const Shell& shell, const TriangleMesh& mesh, const NamedParameters& np, double tolerance)
+  {
+    auto vpm = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
+                                                  get_const_property_map(CGAL::vertex_point, mesh));
+    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm), tolerance);
+  }
+
+  Projection_to_source m_to_source;
+  Projection_to_target m_to_target;
+  Flow_status m_status = Flow_status::SUCCESS;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_SHELL_MAP_3_H

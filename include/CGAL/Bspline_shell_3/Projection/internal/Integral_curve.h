@@ -1,0 +1,310 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_INTEGRAL_CURVE_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_INTEGRAL_CURVE_H
+
+#include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
+
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// dx/ds = grad f / |grad f|^2, so that s is the value of f
+struct Flow_velocity
+{
+  typedef std::array<double, 3> State;
+
+  Tricubic_cell_3 cell;
+
+  void operator()(const State& x, State& dx, double /* s */) const
+  {
+    const auto g = cell.first_order_jet(x).gradient;
+    const double scale = 1 / (g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
+    for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
+  }
+};
+
+// The same, and the derivatives of x by the start, as three columns, times `unit`: so that one tolerance suits all of the state.
+// With g = grad f and H its Hessian, the velocity has the derivative (I - 2 g g^T / |g|^2) H / |g|^2.
+struct Flow_velocity_with_differential
+{
+  typedef std::array<double, 12> State;
+
+  Tricubic_cell_3 cell;
+
+  void operator()(const State& x, State& dx, double /* s */) const
+  {
+    const auto jet = cell.second_order_jet(x);
+    const auto& g = jet.gradient;
+    const auto& h = jet.hessian;
+    const double scale = 1 / (g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
+    for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
+    for(int j = 3; j < 12; j += 3) {
+      const double u[3] = { h[0]*x[j] + h[3]*x[j+1] + h[4]*x[j+2],
+                            h[3]*x[j] + h[1]*x[j+1] + h[5]*x[j+2],
+                            h[4]*x[j] + h[5]*x[j+1] + h[2]*x[j+2] };
+      const double along = 2 * scale * (g[0]*u[0] + g[1]*u[1] + g[2]*u[2]);
+      for(int a = 0; a < 3; ++a) dx[j + a] = scale * (u[a] - along * g[a]);
+    }
+  }
+};
+
+// Steps along an integral curve of a shell's field.
+//
+// A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest where the
+// curve leaves the cell: what is integrated is analytic, and the order of the method is kept, whereas the third derivatives of
+// the field jump between cells. A curve may be beyond a face by `slack` of the cell's width before it changes to the
+// neighbour: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the third ones, and a curve along a face does not go to
+// and fro.
+template <typename Shell, typename Velocity>
+class Integral_curve
+{
+  typedef typename Shell::Field Field;
+  typedef typename Field::Cell_index Cell_index;
+  typedef typename Shell::Point_3 Point_3;
+public:
+  typedef typename Velocity::State State;
+
+  // `tolerance`, in user units: of a step, and of what is in the shell
+  Integral_curve(const Shell& shell, double tolerance)
+    : m_shell(&shell), m_tolerance(tolerance), m_velocity{ shell.field().cell(0) }
+    , m_stepper(Error_checker(tolerance / steps_per_curve, 0.))
+  {}
+
+  // begins a curve. State and value are valid after success only.
+  Flow_status start(const State& x)
+  {
+    for(int a = 0; a < 3; ++a)
+      if(!std::isfinite(x[a])) return Flow_status::NOT_FINITE;
+    m_next_cell = m_shell->field().locate(Point_3(x[0], x[1], x[2]));
+    if(!is_shell_cell(m_next_cell)) return Flow_status::STARTS_OUTSIDE;
+    enter_next_cell();
+    m_end = x;
+    m_end_s = m_velocity.cell.value(x);
+    m_velocity(m_end, m_end_dx, m_end_s);
+    if(!is_gradient_certain())
+      return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
+    begin_step();
+    m_step_size = std::numeric_limits<double>::infinity();
+    m_steps = 0;
+    m_has_left = false;
+    return is_within_thresholds(m_end, m_end_s) ? Flow_status::SUCCESS : Flow_status::STARTS_OUTSIDE;
+  }
+
+  double tolerance() const { return m_tolerance; }
+  const State& state() const { return m_end; }
+  const State& derivative() const { return m_end_dx; }
+  double value() const { return m_end_s; }          // of f
+  // how long the curve is where f grows by 1
+  double speed() const { return std::sqrt(m_end_dx[0]*m_end_dx[0] + m_end_dx[1]*m_end_dx[1] + m_end_dx[2]*m_end_dx[2]); }
+  // the outer or the inner threshold minus the value
+  double room(bool outwards) const { return threshold(outwards, m_end) - m_end_s; }
+
+  // One step towards `goal`, a value of f. It may end before, where the cell does or where the error grows. If it leaves the
+  // shell, what there is of the step may still be looked at.
+  Flow_status step(double goal)
+  {
+    do {
+      if(m_has_left) return Flow_status::LEAVES_SHELL;
+      const Flow_status status = step_in_cell(goal);
+      m_has_left = status == Flow_status::LEAVES_SHELL;
+      if(status != Flow_status::SUCCESS) return status;
+    } while(m_end_s == m_begin_s && m_end_s != goal);       // at the face that it left the cell through
+    return Flow_status::SUCCESS;
+  }
+
+  // The curve during the last step
+  // @{
+  double begin() const { return m_begin_s; }
+  // between `begin()` and `value()`: less exact than at the ends
+  State at(double s) const
+  {
+    if(m_end_s == m_begin_s) return m_begin;
+    State x;
+    m_stepper.stepper().calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, m_end_s);
+    return x;
+  }
+  // makes the step end at `s`, which is in it
+  void cut(double s)
+  {
+    m_next_cell = Field::npos;
+    m_has_left = false;
+    m_end_s = s;
+    if(s == m_begin_s) { m_end = m_begin; m_end_dx = m_begin_dx; }
+    else m_stepper.stepper().do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, s - m_begin_s);
+  }
+  // whether a point of it is between the thresholds, or nearer to them than the tolerance
+  bool is_within_thresholds(const State& x, double s) const
+  {
+    const double tolerance = m_tolerance / speed();
+    return s <= threshold(true, x) + tolerance && s >= threshold(false, x) - tolerance;
+  }
+  // how far f at a point of it is from `s`, which it is where the curve is exact
+  double drift(const State& x, double s) const { return std::abs(m_velocity.cell.value(x) - s); }
+  // @}
+
+private:
+  typedef boost::numeric::odeint::runge_kutta_dopri5<State> Runge_kutta;
+  typedef boost::numeric::odeint::default_error_checker<double, typename Runge_kutta::algebra_type, typename Runge_kutta::operations_type>
+    Error_checker;
+  typedef boost::numeric::odeint::controlled_runge_kutta<Runge_kutta, Error_checker> Stepper;
+
+  static constexpr double slack = 1e-6;             // of a cell's width
+  static constexpr double steps_per_curve = 10;     // that share the tolerance
+  static constexpr int max_steps = 2000;
+  static constexpr double smallest_step = 1e-12;    // of a cell's width
+  static constexpr double smallest_gradient = 1e-4; // relative to the range of f on a cell: where steps get that small, it is to blame
+
+  static bool is_finite(const State& x)
+  {
+    double sum = 0;
+    for(double d : x) sum += d;
+    return std::isfinite(sum);
+  }
+
+  // finite, and the gradient larger by far than what rounding may have made of zero
+  bool is_gradient_certain() const
+  {
+    constexpr double safety = 100;
+    return is_finite(m_end_dx) && speed() * safety * m_velocity.cell.error_radius() < m_velocity.cell.width();
+  }
+  // Curves that turn by a right angle or more in one step have jumped over a critical point, or have not been seen well.
+  bool goes_on() const { return m_begin_dx[0]*m_end_dx[0] + m_begin_dx[1]*m_end_dx[1] + m_begin_dx[2]*m_end_dx[2] > 0; }
+
+  bool is_shell_cell(Cell_index c) const { return c != Field::npos && m_shell->shell_cells()[c]; }
+
+  double threshold(bool outer, const State& x) const
+  {
+    return outer ? m_shell->outer_threshold().value(x, m_cell) : m_shell->inner_threshold().value(x, m_cell);
+  }
+
+  void enter_next_cell()
+  {
+    m_cell = m_next_cell;
+    m_velocity.cell = m_shell->field().cell(m_cell);
+    m_next_cell = Field::npos;
+  }
+
+  void begin_step()
+  {
+    m_begin = m_end;
+    m_begin_dx = m_end_dx;
+    m_begin_s = m_end_s;
+  }
+
+  Flow_status step_in_cell(double goal)
+  {
+    if(++m_steps > max_steps) return Flow_status::TOO_MANY_STEPS;
+    if(m_next_cell != Field::npos) enter_next_cell();
+    begin_step();
+    const double longest = m_velocity.cell.width() / speed();
+    double ds = goal - m_begin_s;
+    for(double limit : { m_step_size, longest })
+      if(std::abs(ds) > limit) ds = std::copysign(limit, ds);
+    for(;;) {
+      // steps that are lost in rounding are never enough
+      if(m_begin_s + ds == m_begin_s && goal != m_begin_s) {
+        cut(m_begin_s);
+        return Flow_status::GRADIENT_VANISHES;
+      }
+      double s = m_begin_s, next = ds;
+      const bool accepted = m_stepper.try_step(m_velocity, m_begin, m_begin_dx, s, m_end, m_end_dx, next) == boost::numeric::odeint::success;
+      if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
+        m_step_size = (std::max)(std::abs(next), std::abs(ds));
+        break;
+      }
+      ds = accepted ? ds / 8 : next;
+      if(!(std::abs(ds) > smallest_step * longest)) {
+        cut(m_begin_s);
+        const auto range = m_velocity.cell.coefficient_range();
+        return m_velocity.cell.width() < smallest_gradient * (range.second - range.first) * speed() ? Flow_status::GRADIENT_VANISHES
+                                                                                                    : Flow_status::TOO_MANY_STEPS;
+      }
+    }
+    m_end_s = ds == goal - m_begin_s ? goal : m_begin_s + ds;
+    return stop_at_end_of_cell();
+  }
+
+  Flow_status stop_at_end_of_cell()
+  {
+    const std::array<double, 3>& corner = m_velocity.cell.corner();
+    const double width = m_velocity.cell.width();
+    int axis = -1;
+    bool upwards = false;
+    double exit = m_end_s;
+    for(int a = 0; a < 3; ++a) {
+      const double t = (m_end[a] - corner[a]) / width;
+      if(t >= -slack && t <= 1 + slack) continue;
+      const double s = crossing(a, t < 0 ? corner[a] : corner[a] + width, slack / 2 * width);
+      if(axis == -1 || std::abs(s - m_begin_s) < std::abs(exit - m_begin_s)) {
+        axis = a;
+        upwards = t > 0;
+        exit = s;
+      }
+    }
+    if(axis != -1) {
+      cut(exit);
+      // Over the face, not over an edge of it: what is on edges belongs to cells that the curve may not come to, or come back from.
+      // Where the cell over the face is none of the shell's, the one that the point is in may be.
+      const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
+      std::array<double, 3> beyond;
+      for(int a = 0; a < 3; ++a)
+        beyond[a] = (std::min)((std::max)(x[a], corner[a] + slack * width), corner[a] + (1 - slack) * width);
+      for(const std::array<double, 3>& p : { beyond, x }) {
+        beyond = p;
+        beyond[axis] = upwards ? corner[axis] + (1 + slack) * width : corner[axis] - slack * width;
+        m_next_cell = m_shell->field().locate(Point_3(beyond[0], beyond[1], beyond[2]));
+        if(is_shell_cell(m_next_cell)) break;
+      }
+      if(!is_shell_cell(m_next_cell)) return Flow_status::LEAVES_SHELL;
+    }
+    const bool outwards = m_end_s > m_begin_s;
+    const double beyond = outwards ? -room(true) : room(false);
+    return beyond * speed() <= m_tolerance ? Flow_status::SUCCESS : Flow_status::LEAVES_SHELL;
+  }
+
+  // where a coordinate passes a plane during the step, to a precision of it: regula falsi, the Illinois variant
+  double crossing(int axis, double plane, double precision) const
+  {
+    double s0 = m_begin_s, s1 = m_end_s, d0 = m_begin[axis] - plane, d1 = m_end[axis] - plane;
+    if((d0 < 0) == (d1 < 0)) return m_begin_s;      // it began beyond, by the slack at most
+    for(int i = 0; i < 60; ++i) {
+      const double s = s1 - d1 * (s1 - s0) / (d1 - d0), d = at(s)[axis] - plane;
+      if(std::abs(d) <= precision) return s;
+      if((d < 0) == (d1 < 0)) { s1 = s; d1 = d; d0 /= 2; }
+      else { s0 = s1; d0 = d1; s1 = s; d1 = d; }
+    }
+    return s1;
+  }
+
+  const Shell* m_shell;
+  double m_tolerance;
+  Velocity m_velocity;
+  Stepper m_stepper;
+  Cell_index m_cell = Field::npos;                  // of the last step
+  Cell_index m_next_cell = Field::npos;             // if it left that one
+  State m_begin, m_begin_dx, m_end, m_end_dx;
+  double m_begin_s = 0, m_end_s = 0;
+  double m_step_size = 0;
+  int m_steps = 0;
+  bool m_has_left = false;                          // the shell
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_INTEGRAL_CURVE_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECT_POINTS_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECT_POINTS_H
+
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief moves points of a shell onto a mesh, along the integral curves of the shell's field.
+ *
+ * For more than one call with the same mesh, `Shell_projection_3` or `Shell_map_3` keep what this function prepares: a tree of boxes.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Shell a `CGAL::Bspline_shell_3`
+ * \tparam PointRange a random access range of points
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ * \param shell a shell
+ * \param points the points
+ * \param target a mesh of triangles
+ * \param np optional named parameters
+ *   - `vertex_point_map(VPM)`: of the target
+ *   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box of
+ *     the mesh that the shell was built for
+ *   - `visitor(V)`: a model of `FlowVisitor`
+ * \return for each point its `Projected_point`
+ * \cgalHeading{Cost} some microseconds a point and core
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Shell, typename PointRange, typename TriangleMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::vector<Projected_point<TriangleMesh, typename Shell::Point_3> >
+project_points(const Shell& shell, const PointRange& points, const TriangleMesh& target,
+               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, target));
+  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
+  Default_flow_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const Shell_projection_3<Shell, TriangleMesh> projection(
+    shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm),
+    choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.));
+  return projection.template project<ConcurrencyTag>(points, visitor);
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECT_POINTS_H

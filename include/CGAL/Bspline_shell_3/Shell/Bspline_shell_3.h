@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
+
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
+#include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
+ * thresholds between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
+ *
+ * Shells are made by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called from several
+ * threads at once.
+ *
+ * \tparam Field_ a model of `BsplineField_3`
+ * \tparam Threshold_ a model of `ShellThreshold`
+ */
+template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>, typename Threshold_ = Bspline_shells::Constant_threshold>
+class Bspline_shell_3
+{
+public:
+  typedef Field_ Field;
+  typedef Threshold_ Threshold;
+  typedef typename Field::Geom_traits Geom_traits;
+  typedef typename Field::FT FT;
+  typedef typename Field::Point_3 Point_3;
+  typedef Bspline_shells::Shell_status Shell_status;
+  typedef Bspline_shells::Shell_report Shell_report;
+  typedef Bspline_shells::Level_range Level_range;
+
+  /// no shell, for a reason
+  explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
+
+  Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells, std::vector<Level_range> facets,
+                  Shell_report report)
+    : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells))
+    , m_facets(std::move(facets)), m_report(std::move(report))
+  {
+    if(m_report.status == Shell_status::SUCCESS && !(m_inner.has_cells_of(m_field) && m_outer.has_cells_of(m_field)))
+      m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
+  }
+
+  /// between two levels, for constant thresholds
+  Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
+                  Shell_report report)
+    : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells), std::move(facets),
+                      std::move(report))
+  {}
+
+  /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
+  explicit operator bool() const { return status() == Shell_status::SUCCESS; }
+  Shell_status status() const { return m_report.status; }
+  const Shell_report& report() const { return m_report; }
+
+  const Field& field() const { return m_field; }
+  const Threshold& inner_threshold() const { return m_inner; }       ///< \f$\epsilon_1\f$
+  const Threshold& outer_threshold() const { return m_outer; }       ///< \f$\epsilon_2\f$
+  /// a constant threshold's level, user units
+  FT inner_level() const { return m_inner.level(); }
+  FT outer_level() const { return m_outer.level(); }
+  /// the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper), user units
+  FT thickness() const
+  {
+    if constexpr(Threshold::is_constant) return outer_level() - inner_level();
+    else return m_report.thickness;
+  }
+  /// the thickness as a fraction of the longest side of the mesh's box
+  FT relative_thickness() const { return thickness() / m_report.unit; }
+  /// whether all claims about the mesh were proved when the shell was built; `Bspline_shells::Shell_certificate_3` examines any
+  /// mesh at any time
+  bool is_certified() const
+  {
+    const auto& verdicts = m_report.certificate.verdicts;
+    return status() == Shell_status::SUCCESS && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
+  }
+  /// the outcome in one sentence: why there is no shell, or whether it is certified
+  const char* message() const
+  {
+    if(!*this || m_report.refinement == Bspline_shells::Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
+    if(is_certified()) return Bspline_shells::message(m_report.refinement);
+    return m_report.refinement == Bspline_shells::Refinement_status::LIMIT_REACHED
+         ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has the places."
+         : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The report has the places.";
+  }
+  /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
+  const std::vector<char>& shell_cells() const { return m_cells; }
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
+  const std::vector<Level_range>& facet_ranges() const { return m_facets; }
+
+  /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in
+  /// (`Bspline_shells::match_components()`). None if the shell is not certified.
+  std::vector<Bspline_shells::Crossing_path> component_paths() const
+  {
+    std::vector<Bspline_shells::Crossing_path> paths;
+    if(!is_certified()) return paths;
+    paths = m_report.certificate.paths;
+    const auto& spare = m_report.certificate.spare_paths;
+    paths.insert(paths.end(), spare.begin(), spare.end());
+    return paths;
+  }
+
+  /// the boxes of the cover by which it was proved, when the shell was built, that it has no critical point: what the certificates of other
+  /// meshes in the shell need not find out again. Empty if that was not proved, and for shells that were read from a file.
+  const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
+  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of
+  /// `report()`, or the least gradient in that is zero, and found out when it is needed
+  void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
+  {
+    CGAL_precondition(m_report.certificate.verdict(Bspline_shells::Claim::GRADIENT) == Bspline_shells::Verdict::PROVED);
+    m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
+  }
+
+  /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
+  /// answer is that of `double` arithmetic.
+  Bounded_side bounded_side(const Point_3& p) const
+  {
+    const typename Field::Cell_index c = m_field.locate(p);
+    if(c == Field::npos || !m_cells[c]) return ON_UNBOUNDED_SIDE;
+    const FT f = m_field.cell(c).value(p);
+    const FT inner = m_inner.value(p), outer = m_outer.value(p);
+    if(f < inner || f > outer) return ON_UNBOUNDED_SIDE;
+    return f == inner || f == outer ? ON_BOUNDARY : ON_BOUNDED_SIDE;
+  }
+
+private:
+  Field m_field;
+  Threshold m_inner, m_outer;
+  std::vector<char> m_cells;
+  std::vector<Level_range> m_facets;
+  Shell_report m_report;
+  std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;       // shared by copies
+};
+
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H

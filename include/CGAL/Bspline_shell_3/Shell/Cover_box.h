@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_COVER_BOX_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_COVER_BOX_H
+
+#include <array>
+#include <cstdint>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief what is known of a box.
+ */
+enum class Box_kind : std::uint8_t
+{
+  EXCLUDED,     ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
+  MONOTONE,     ///< the field increases along a fixed direction on all of the closed box: no critical point
+  UNDECIDED     ///< neither was shown
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief a closed dyadic part of a leaf cell.
+ */
+struct Cover_box
+{
+  static constexpr std::uint32_t no_component = std::uint32_t(-1);
+
+  std::uint32_t cell;                     ///< leaf cell of the field
+  std::uint16_t position[3];              ///< of the least corner, in units of the cell's width / 2^depth
+  std::uint8_t depth;                     ///< number of halvings
+  Box_kind kind;
+  std::uint32_t component = no_component; ///< of the cover, or none: not part of it
+  std::array<double, 3> direction = {};   ///< of a monotone box; its largest component is one in size
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_COVER_BOX_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SPLINE_BERNSTEIN_BOUNDS_H
+#define CGAL_BSPLINE_SHELL_3_SPLINE_BERNSTEIN_BOUNDS_H
+
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief 64 Bernstein coefficients over a cell, each known to within a radius: all that a bound needs to know of a field,
+ * of its difference to a threshold, or of its derivative along a direction.
+ *
+ * Every bound in this header is rigorous for every function within the radius. It is computed in `double`s, and what
+ * rounding can do is added by an error analysis. Single operations are taken to err by at most `eps`
+ * = \f$2^{-52}\f$ relatively, which holds in every rounding mode, or by the least normal number, of which every radius gets
+ * more than enough. An infinite radius stands for a function of which nothing is known.
+ */
+struct Enclosed_tricubic
+{
+  std::array<double, 64> coefficients;
+  double radius = 0;
+
+  /// the range of the coefficients with their radius, which encloses the function on the cell
+  Level_range range() const
+  {
+    const auto mm = std::minmax_element(coefficients.begin(), coefficients.end());
+    return { *mm.first - radius, *mm.second + radius };
+  }
+};
+
+namespace internal {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double underflow = 1024 * (std::numeric_limits<double>::min)();
+
+// What rounding can do to a coefficient of a form of degree nine.
+//
+// With |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a, the absolute weights of a polar form
+// sum to at most S = (s_x s_y s_z)^3 (one, in the cell). Roundings on the way of one term:
+//   weights: two differences, two products, two sums, the multiplicity, for each of three axes   21
+//   contractions: a product and three sums each                                                   12
+//   sums over the permutations of arguments: of up to ten terms, then of up to seven              15
+//   the division                                                                                   1
+// are 49, each eps of at most S times the largest coefficient. Corners displaced by `shift` cell units change the polynomial's polar
+// form, which is of degree three per axis, by at most 9 S (max - min) shift.
+struct Form_error
+{
+  double amplification = 1;      // S
+  double shift = 0;
+
+  // for corners in the cell
+  explicit Form_error(double shift) : Form_error(std::array<std::array<double, 3>, 0>(), shift) {}
+
+  template <std::size_t n>
+  Form_error(const std::array<std::array<double, 3>, n>& corners, double shift) : shift(shift)
+  {
+    for(int a = 0; a < 3; ++a) {
+      double s = 1;
+      for(const auto& t : corners) s = (std::max)(s, std::abs(t[a]) + std::abs(1 - t[a]));
+      s *= 1 + 4 * rounding + 2 * shift;
+      amplification *= s * s * s;
+    }
+  }
+
+  double operator()(const Enclosed_tricubic& f) const
+  {
+    const auto mm = std::minmax_element(f.coefficients.begin(), f.coefficients.end());
+    const double largest = (std::max)(std::abs(*mm.first), std::abs(*mm.second));
+    // the factor covers the roundings of this very expression
+    return (1 + 16 * rounding) * amplification *
+           (f.radius + 52 * rounding * largest + 9 * (*mm.second - *mm.first) * shift + underflow);
+  }
+};
+
+template <typename Coefficients>
+Level_range hull(const Coefficients& b, double error)
+{
+  const auto mm = std::minmax_element(b.begin(), b.end());
+  return { *mm.first - error, *mm.second + error };
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief encloses a function on a triangle; corners are in local coordinates of the cell, in it or near it, and each may be
+ * off by `shift` per axis. Outside of the cell, the function is its polynomial, continued.
+ */
+inline Level_range enclose_on_triangle(const Enclosed_tricubic& f,
+                                       const std::array<std::array<double, 3>, 3>& corners, double shift)
+{
+  return internal::hull(triangle_bernstein_form<double>(f.coefficients.data(), corners[0], corners[1], corners[2]),
+                        internal::Form_error(corners, shift)(f));
+}
+
+/// \ingroup PkgBsplineShell3Bounds
+/// the same on a segment
+inline Level_range enclose_on_segment(const Enclosed_tricubic& f,
+                                      const std::array<std::array<double, 3>, 2>& corners, double shift)
+{
+  return internal::hull(segment_bernstein_form<double>(f.coefficients.data(), corners[0], corners[1]),
+                        internal::Form_error(corners, shift)(f));
+}
+
+/// \ingroup PkgBsplineShell3Bounds
+/// the same at a point
+inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array<double, 3>& t, double shift)
+{
+  return enclose_on_segment(f, { t, t }, shift);
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief the function on a dyadic part of the cell, as coefficients over the part: an eighth, by halving along each axis.
+ *
+ * \param octant bit `a` chooses the upper half along axis `a`
+ */
+inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octant)
+{
+  Enclosed_tricubic r = f;
+  double largest = 0;
+  for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
+  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
+    for(int n = 0; n < 64; ++n) {
+      if((n / stride) % 4 != 0) continue;
+      double* b = &r.coefficients[n];
+      const double b0 = b[0], b1 = b[stride], b2 = b[2*stride], b3 = b[3*stride];
+      const double m01 = (b0 + b1) / 2, m12 = (b1 + b2) / 2, m23 = (b2 + b3) / 2;
+      const double l = (m01 + m12) / 2, u = (m12 + m23) / 2, middle = (l + u) / 2;
+      if((octant >> axis) & 1) { b[0] = middle; b[stride] = u; b[2*stride] = m23; b[3*stride] = b3; }
+      else { b[0] = b0; b[stride] = m01; b[2*stride] = l; b[3*stride] = middle; }
+    }
+  // averages: three additions per axis, halving is exact
+  r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest + internal::underflow);
+  return r;
+}
+
+/// \ingroup PkgBsplineShell3Bounds
+/// the field on a cell
+template <typename Cell>
+Enclosed_tricubic enclosed_value(const Cell& cell)
+{
+  Enclosed_tricubic f;
+  std::copy(cell.coefficients(), cell.coefficients() + 64, f.coefficients.begin());
+  f.radius = cell.error_radius();
+  return f;
+}
+
+/// \ingroup PkgBsplineShell3Bounds
+/// the difference of two functions on the same cell
+inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
+{
+  Enclosed_tricubic d;
+  double largest = 0;
+  for(int n = 0; n < 64; ++n) {
+    d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
+    largest = (std::max)(largest, std::abs(d.coefficients[n]));
+  }
+  d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest + internal::underflow);
+  return d;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Bounds
+ *
+ * \brief the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
+ *
+ * \param direction three numbers, each known to within `direction_radius`
+ */
+inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const std::array<double, 3>& direction,
+                                             double direction_radius = 0)
+{
+  Enclosed_tricubic g;
+  g.coefficients.fill(0);
+  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
+    const double d = direction[axis];
+    double steepest = 0;
+    for(int n = 0; n < 64; ++n) {
+      if((n / stride) % 4 != 0) continue;
+      const double* b = &f.coefficients[n];
+      const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+      // the derivative 3 s0, 3 s1, 3 s2 of degree two, raised to degree three
+      g.coefficients[n] += d * (3*s0);
+      g.coefficients[n + stride] += d * (s0 + 2*s1);
+      g.coefficients[n + 2*stride] += d * (2*s1 + s2);
+      g.coefficients[n + 3*stride] += d * (3*s2);
+      steepest = (std::max)({ steepest, std::abs(s0), std::abs(s1), std::abs(s2) });
+    }
+    // each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
+    // over the axes two: together at most six of three times the steepest
+    g.radius += std::abs(d) * (6 * f.radius + 18 * internal::rounding * steepest)
+              + direction_radius * (6 * f.radius + 3 * (1 + 4 * internal::rounding) * steepest);
+  }
+  g.radius = (1 + 16 * internal::rounding) * (g.radius + internal::underflow);
+  return g;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SPLINE_BERNSTEIN_BOUNDS_H

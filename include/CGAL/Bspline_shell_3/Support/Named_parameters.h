@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_NAMED_PARAMETERS_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/version_macros.h>
+
+#include <type_traits>
+
+#if CGAL_VERSION_NR >= 1050600000
+#  error "The named parameters of this package are written for CGAL 5.5."
+#endif
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace parameter_tags {
+
+enum resolution_t { resolution };
+enum relative_thickness_t { relative_thickness };
+enum thickness_t { thickness };
+enum sizing_t { sizing };
+enum constant_thresholds_t { constant_thresholds };
+enum time_limit_t { time_limit };
+enum number_of_rings_t { number_of_rings };
+enum dense_grid_t { dense_grid };
+enum energy_weights_t { energy_weights };
+enum spd_solver_t { spd_solver };
+enum signed_distance_oracle_t { signed_distance_oracle };
+enum memory_limit_t { memory_limit };
+enum allow_self_intersections_t { allow_self_intersections };
+enum allow_singular_vertices_t { allow_singular_vertices };
+enum allow_open_shell_t { allow_open_shell };
+enum skip_open_components_t { skip_open_components };
+enum tolerance_t { tolerance };
+enum interpolation_t { interpolation };
+enum mapping_t { mapping };
+enum symmetry_t { symmetry };
+enum samples_per_facet_t { samples_per_facet };
+enum default_value_t { default_value };
+enum stop_t { stop };
+
+} // namespace parameter_tags
+
+// A pack of named parameters to which this package's and CGAL's can be added in any order. Functions take packs as
+// CGAL::Named_function_parameters, the base class.
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
+
+  explicit Named_parameters(const T& v) : Pack(v) {}
+  template <typename B>
+  Named_parameters(const T& v, const B& base) : Pack(v, base) {}
+
+#define CGAL_BSPLINE_SHELLS_ADD_PARAMETER(TAG, NAME)                                              \
+  template <typename K>                                                                           \
+  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                           \
+  { return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this)); }
+
+#define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                       \
+  ADD(parameter_tags::resolution_t, resolution)                                                   \
+  ADD(parameter_tags::relative_thickness_t, relative_thickness)                                   \
+  ADD(parameter_tags::thickness_t, thickness)                                                     \
+  ADD(parameter_tags::sizing_t, sizing)                                                           \
+  ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                 \
+  ADD(parameter_tags::time_limit_t, time_limit)                                                   \
+  ADD(parameter_tags::number_of_rings_t, number_of_rings)                                         \
+  ADD(parameter_tags::dense_grid_t, dense_grid)                                                   \
+  ADD(parameter_tags::energy_weights_t, energy_weights)                                           \
+  ADD(parameter_tags::spd_solver_t, spd_solver)                                                   \
+  ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                           \
+  ADD(parameter_tags::memory_limit_t, memory_limit)                                               \
+  ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
+  ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
+  ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
+  ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
+  ADD(parameter_tags::tolerance_t, tolerance)                                                     \
+  ADD(parameter_tags::interpolation_t, interpolation)                                             \
+  ADD(parameter_tags::mapping_t, mapping)                                                         \
+  ADD(parameter_tags::symmetry_t, symmetry)                                                       \
+  ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
+  ADD(parameter_tags::default_value_t, default_value)                                             \
+  ADD(parameter_tags::stop_t, stop)                                                               \
+  ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
+  ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
+  ADD(internal_np::visitor_t, visitor)                                                            \
+  ADD(internal_np::filter_t, filter)                                                              \
+  ADD(internal_np::get_cost_policy_t, get_cost)                                                   \
+  ADD(internal_np::get_placement_policy_t, get_placement)                                         \
+  ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                \
+  ADD(internal_np::vertex_is_constrained_t, vertex_is_constrained_map)                            \
+  ADD(internal_np::protect_constraints_t, protect_constraints)                                    \
+  ADD(internal_np::do_project_t, do_project)                                                      \
+  ADD(internal_np::number_of_iterations_t, number_of_iterations)                                  \
+  ADD(internal_np::number_of_relaxation_steps_t, number_of_relaxation_steps)                      \
+  ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
+
+  CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
+#undef CGAL_BSPLINE_SHELLS_ADD_PARAMETER
+};
+
+namespace internal {
+
+// how an object that is changed by its use, as a solver, is held: a copy of what was passed by value, as a pack is
+// constant, and a reference to what was passed with `std::ref`
+template <typename Reference>
+using Argument = std::conditional_t<std::is_const<std::remove_reference_t<Reference> >::value,
+                                    std::remove_cv_t<std::remove_reference_t<Reference> >, Reference>;
+
+} // namespace internal
+
+/// \ingroup PkgBsplineShell3Ref
+/// the functions that begin a sequence of named parameters, such as
+/// `parameters::resolution(60).vertex_point_map(vpm)`. They are described with the functions that read them.
+namespace parameters {
+
+#define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                           \
+  template <typename K>                                                                           \
+  Named_parameters<K, TAG> NAME(const K& k) { return Named_parameters<K, TAG>(k); }
+
+CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS)
+#undef CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS
+#undef CGAL_BSPLINE_SHELLS_PARAMETERS
+
+} // namespace parameters
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_NAMED_PARAMETERS_H

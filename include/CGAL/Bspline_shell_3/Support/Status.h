@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief what became of a request. Every value but `SUCCESS` means that there is no shell.
+ */
+enum class Shell_status
+{
+  SUCCESS,
+  NOT_BUILT,                   ///< nothing was asked for yet
+  INVALID_PARAMETER,           ///< a named parameter has a value that it must not have
+  UNREADABLE_FILE,             ///< no mesh could be read from the file
+  TRIANGLE_STRIPS,             ///< the file holds its facets as triangle strips
+  EMPTY_MESH,                  ///< the mesh has no facet
+  NOT_FINITE,                  ///< a coordinate is infinite or not a number
+  COORDINATES_OUT_OF_RANGE,    ///< coordinates beyond 1e60, or a box smaller than 1e-60: products would over- or underflow
+  NON_MANIFOLD,                ///< an edge has more than two facets, or the facets at a vertex do not form one fan
+  NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbours agree
+  OPEN_MESH,                   ///< an edge has only one facet
+  DEGENERATE_FACET,            ///< a facet has no area, or cannot be triangulated without such a facet
+  SELF_INTERSECTION,           ///< two facets meet elsewhere than in common vertices and edges
+  INCONSISTENT_ORIENTATION,    ///< the components of the mesh do not bound one volume, or the mesh bounds none
+  SINGULAR_VERTEX,             ///< the facets at a vertex face no common direction
+  GRID_TOO_FINE,               ///< the cells are too small for the mesh's coordinates
+  TOO_MANY_CELLS,              ///< more cells or unknowns than can be numbered
+  MEMORY_LIMIT_EXCEEDED,       ///< the cells would need more memory than allowed
+  DISTANCE_NOT_FINITE,         ///< the signed-distance oracle returned a value that is infinite or not a number
+  SOLVER_FAILED,               ///< the linear solver did not reach its tolerance
+  SHELL_LEAVES_BAND,           ///< a bounding surface runs into the end of the cells
+  MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh
+  UNSOUND_ARITHMETIC,          ///< nothing can be proved in this build (`Arithmetic_status`)
+  THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
+  CANCELED                     ///< the visitor asked to stop
+};
+
+/// \ingroup PkgBsplineShell3Ref
+/// what is wrong and what can be done about it, in one sentence
+inline const char* message(Shell_status status)
+{
+  switch(status) {
+    case Shell_status::SUCCESS:
+      return "There is a shell.";
+    case Shell_status::NOT_BUILT:
+      return "There is no shell yet.";
+    case Shell_status::INVALID_PARAMETER:
+      return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings not negative.";
+    case Shell_status::UNREADABLE_FILE:
+      return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
+    case Shell_status::TRIANGLE_STRIPS:
+      return "The file holds its facets as triangle strips (tristrips), which are not read: save it with a list of facets.";
+    case Shell_status::EMPTY_MESH:
+      return "The mesh has no facet.";
+    case Shell_status::NOT_FINITE:
+      return "The mesh has vertices whose coordinates are infinite or not a number: repair or remove them.";
+    case Shell_status::COORDINATES_OUT_OF_RANGE:
+      return "Coordinates are larger than 1e60, or the mesh is smaller than 1e-60: choose another unit of length.";
+    case Shell_status::NON_MANIFOLD:
+      return "The mesh is not manifold at the listed facets or vertices: split them, or wrap the mesh (CGAL::alpha_wrap_3).";
+    case Shell_status::NOT_ORIENTABLE:
+      return "The mesh is one-sided: it has no orientation that neighbouring facets share.";
+    case Shell_status::OPEN_MESH:
+      return "The mesh is open at the listed facets: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
+    case Shell_status::DEGENERATE_FACET:
+      return "The listed facets have no area: remove them (CGAL::Polygon_mesh_processing::remove_degenerate_faces).";
+    case Shell_status::SELF_INTERSECTION:
+      return "The mesh intersects itself at the listed facets: repair it, or ask for a shell all the same (allow_self_intersections), which then maps nothing one-to-one.";
+    case Shell_status::INCONSISTENT_ORIENTATION:
+      return "The mesh does not bound one volume: turn the components that contain the listed facets inside out.";
+    case Shell_status::SINGULAR_VERTEX:
+      return "The facets at the listed vertices face no common direction, so that no field can pass all of them the same way: move or split the vertices, or ask for a shell all the same (allow_singular_vertices).";
+    case Shell_status::GRID_TOO_FINE:
+      return "The cells are too small for coordinates of that size: lower the resolution, or move the mesh towards the origin.";
+    case Shell_status::TOO_MANY_CELLS:
+      return "The grid has more cells than can be numbered: lower the resolution or the number of rings.";
+    case Shell_status::MEMORY_LIMIT_EXCEEDED:
+      return "The cells would need more memory than allowed: lower the resolution or raise the limit.";
+    case Shell_status::DISTANCE_NOT_FINITE:
+      return "The signed-distance oracle returned a value that is infinite or not a number.";
+    case Shell_status::SOLVER_FAILED:
+      return "The linear solver did not reach its tolerance: loosen the tolerance, use a direct solver, or raise the resolution.";
+    case Shell_status::SHELL_LEAVES_BAND:
+      return "A bounding surface runs into the end of the cells: raise the resolution, or the number of rings of cells around the mesh.";
+    case Shell_status::MESH_NOT_CONTAINED:
+      return "No shell was found that contains the mesh: raise the limits of time and memory, or the resolution.";
+    case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
+      return "A threshold and the field have different cells: define both on the same cells.";
+    case Shell_status::UNSOUND_ARITHMETIC:
+      return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target CGAL::CGAL does.";
+    case Shell_status::CANCELED:
+      return "The visitor asked to stop.";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Ref
+ *
+ * \brief the places that are to blame for a status: positions in the ranges `vertices(mesh)` and `faces(mesh)`
+ * (for a file: of its vertices and faces).
+ */
+struct Offending_simplices
+{
+  std::vector<std::size_t> facets;
+  std::vector<std::size_t> vertices;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H

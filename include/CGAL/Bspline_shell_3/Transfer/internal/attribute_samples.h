@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_TRANSFER_INTERNAL_ATTRIBUTE_SAMPLES_H
+#define CGAL_BSPLINE_SHELL_3_TRANSFER_INTERNAL_ATTRIBUTE_SAMPLES_H
+
+#include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_point.h>
+#include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// notes a status; tells whether there is a value to put
+inline bool record(Transfer_report& report, std::size_t position, Flow_status status)
+{
+  if(status == Flow_status::SUCCESS) ++report.transferred;
+  else report.failures.emplace_back(position, status);
+  return status == Flow_status::SUCCESS;
+}
+
+// what has no value from the source gets the caller's, if there is one
+template <typename NamedParameters, typename ValueMap, typename Simplex>
+void put_default_value(const NamedParameters& np, ValueMap values, const Simplex& simplex)
+{
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::default_value_t>::value)
+    put(values, simplex, CGAL::parameters::get_parameter_reference(np, parameter_tags::default_value));
+}
+
+// what a map that is refused leaves of the facets of its target; `put(f)` does what is left to do for a facet
+template <typename Map, typename Put>
+void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
+{
+  const auto& target = map.to_target().target();
+  for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
+    record(report, n, map.status());
+    put(target.face_of(n));
+  }
+}
+
+// vertices of a facet in the order of its barycentric coordinates
+template <typename TriangleMesh>
+std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>
+corners(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f)
+{
+  const auto h = halfedge(f, mesh);
+  return { source(h, mesh), target(h, mesh), target(next(h, mesh), mesh) };
+}
+
+template <typename TriangleMesh, typename VertexValueMap>
+std::array<typename boost::property_traits<VertexValueMap>::value_type, 3>
+corner_values(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f, VertexValueMap values)
+{
+  const auto v = corners(mesh, f);
+  return {{ get(values, v[0]), get(values, v[1]), get(values, v[2]) }};
+}
+
+// position in vertices(mesh) of each corner: 3 times the number of the facet, and that of the corner
+template <typename Target>
+std::vector<std::size_t> positions_of_corners(const Target& target)
+{
+  const auto& mesh = target.mesh();
+  auto position = get(dynamic_vertex_property_t<std::size_t>(), mesh);
+  std::size_t n = 0;
+  for(auto v : vertices(mesh)) put(position, v, n++);
+  std::vector<std::size_t> result;
+  for(auto f : faces(mesh))
+    for(auto v : corners(mesh, f)) result.push_back(get(position, v));
+  return result;
+}
+
+// the differential of the map from the source at the image of a point of the target
+template <typename Map, typename Point>
+Flow_differential differential_from_image(const Map& map, const typename Map::Source_image& image, const Point& p)
+{
+  const auto& shell = map.shell();
+  const typename Map::Shell::Point_3 q(p[0], p[1], p[2]);
+  const auto level = shell.field().value(q);
+  return Gradient_flow_3<typename Map::Shell>(shell, map.to_source().tolerance()).differential(image.point, *level);
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_TRANSFER_INTERNAL_ATTRIBUTE_SAMPLES_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_FACE_LABELS_H
+#define CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_FACE_LABELS_H
+
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
+#include <CGAL/Bspline_shell_3/Transfer/internal/attribute_samples.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief gives each facet of the target the label that most of it has on the source: materials, parts, boundary conditions.
+ *
+ * A facet is sampled at the centroids of equal triangles that it is cut into; the label that most of them have is taken, and among equals
+ * that of the facet's centroid, or else the one that comes first.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Map a `Shell_map_3`
+ * \tparam SourceLabelMap a model of `ReadablePropertyMap` from faces of the source to labels that can be compared for equality
+ * \tparam TargetLabelMap a model of `WritablePropertyMap` from faces of the target
+ * \param map the map from the source to the target
+ * \param source_labels the labels
+ * \param target_labels what gets them
+ * \param np optional named parameters
+ *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square; by default 4. With 1, the label is that at the centroid.
+ *   - `default_value(x)`: what facets without a label get; by default they keep what they have
+ *   - `visitor(V)`: a model of `FlowVisitor`
+ * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid did not
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap, typename TargetLabelMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_labels, TargetLabelMap target_labels,
+                                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  typedef typename boost::property_traits<SourceLabelMap>::value_type Label;
+  typedef typename Map::Projection_to_target::Target::Index Index;
+  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
+  Default_flow_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
+
+  // the centroid first, and the others once
+  const int parts = (std::max)(1, int(std::ceil(std::sqrt(double(wanted)))));
+  std::vector<std::array<double, 3> > samples{ { 1/3., 1/3., 1/3. } };
+  bool has_centroid = false;        // among the centroids of the parts
+  for(int i = 0; i < parts; ++i)
+    for(int j = 0; i + j < parts; ++j)
+      for(int turned = 0; turned < (i + j + 1 < parts ? 2 : 1); ++turned) {
+        const int a = 3*i + 1 + turned, b = 3*j + 1 + turned;
+        if(a == parts && b == parts) has_centroid = true;
+        else samples.push_back({ 1 - double(a + b) / (3*parts), double(a) / (3*parts), double(b) / (3*parts) });
+      }
+
+  const auto& target = map.to_target().target();
+  Transfer_report report;
+  if(map.status() != Flow_status::SUCCESS) {
+    internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_labels, f); });
+    return report;
+  }
+  struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; };
+  std::vector<Sample> found(target.number_of_facets() * samples.size());
+  internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
+    return target.point(Index(n / samples.size()), samples[n % samples.size()]);
+  }, visitor, [&](std::size_t n, const auto& p) {
+    const auto image = map.to_source()(p);
+    found[n].facet = image.location.first;
+    found[n].status = image.status;
+  });
+
+  std::vector<std::pair<Label, std::size_t> > votes;
+  for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
+    votes.clear();
+    for(std::size_t i = 0; i < samples.size(); ++i) {
+      const Sample& sample = found[n * samples.size() + i];
+      if(sample.status != Flow_status::SUCCESS) continue;
+      const Label label = get(source_labels, sample.facet);
+      auto vote = std::find_if(votes.begin(), votes.end(), [&](const auto& v) { return v.first == label; });
+      if(vote == votes.end()) vote = votes.insert(vote, { label, 0 });
+      if(i > 0 || has_centroid || samples.size() == 1) ++vote->second;
+    }
+    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& v, const auto& w) { return v.second < w.second; });
+    if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status))
+      put(target_labels, target.face_of(Index(n)), most->first);
+    else internal::put_default_value(np, target_labels, target.face_of(Index(n)));
+  }
+  return report;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_FACE_LABELS_H

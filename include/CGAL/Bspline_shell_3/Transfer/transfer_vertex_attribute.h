@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_VERTEX_ATTRIBUTE_H
+#define CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_VERTEX_ATTRIBUTE_H
+
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Transfer/Barycentric_interpolation.h>
+#include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
+#include <CGAL/Bspline_shell_3/Transfer/internal/attribute_samples.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colours, vectors,
+ * displacements, and whatever else can be interpolated.
+ *
+ * The value at a location of the source is interpolated from the three corners of its facet, and, if there is a `mapping()`,
+ * handed to that together with the differential of the map. Values are sampled, which does not keep integrals; where the source has
+ * far more vertices than the target, `average_vertex_attribute()` loses less. The maps are read and written from the calling thread.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Map a `Shell_map_3`
+ * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
+ * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be triangles
+ * \param map the map from the source to the target; its inverse transfers the other way
+ * \param source_values the attribute
+ * \param target_values what gets its values
+ * \param np optional named parameters
+ *   - `interpolation(F)`: a model of `AttributeInterpolation`; by default `Barycentric_interpolation`
+ *   - `mapping(F)`: `F()(value, differential)` with the `Flow_differential` from the source to the target; by default values arrive as they are
+ *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
+ *   - `visitor(V)`: a model of `FlowVisitor`
+ * \return which vertices have no value from the source, and why
+ * \cgalHeading{Cost} some microseconds a vertex and core; with `mapping()` about twice as much
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_values, TargetValueMap target_values,
+                                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  typedef typename boost::property_traits<SourceValueMap>::value_type Value;
+  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
+  Default_flow_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
+  constexpr bool has_mapping = !CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, parameter_tags::mapping_t>::value;
+
+  const auto& points = map.to_target().target().vertices_of_mesh();
+  std::vector<Flow_differential> differentials(has_mapping ? points.size() : 0);
+  std::vector<typename Map::Source_image> images(points.size());
+  internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+                                           [&](std::size_t n, const auto& p) {
+    if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
+    else images[n] = map.to_source()(p);        // the target's facets do not matter
+    if constexpr(has_mapping)
+      if(images[n]) {
+        differentials[n] = internal::differential_from_image(map, images[n], p);
+        images[n].status = differentials[n].status;
+      }
+  });
+
+  Transfer_report report;
+  std::size_t n = 0;
+  for(auto v : vertices(map.target())) {
+    if(internal::record(report, n, images[n].status)) {
+      const Value value = interpolate(internal::corner_values(map.source(), images[n].location.first, source_values), images[n].location.second);
+      if constexpr(has_mapping) put(target_values, v, get_parameter_reference(np, parameter_tags::mapping)(value, differentials[n]));
+      else put(target_values, v, value);
+    }
+    else internal::put_default_value(np, target_values, v);
+    ++n;
+  }
+  return report;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Flow
+ *
+ * \brief moves the values at the vertices of the source to the target, and gives each vertex of the target the average of those that arrive
+ * on its facets.
+ *
+ * Each value is shared out to the three corners of the facet where it arrives, by its barycentric coordinates and the area of the source
+ * around its vertex. Vertices of the target that nothing arrives at get the value that `transfer_vertex_attribute()` gives them.
+ *
+ * \tparam Map a `Shell_map_3`
+ * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source, to values with `T + T` and `double * T`
+ * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target
+ * \param map the map from the source to the target
+ * \param source_values the attribute
+ * \param target_values what gets its values
+ * \param np optional named parameters
+ *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
+ *   - `visitor(V)`: a model of `FlowVisitor`
+ * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices of the source without
+ *         an image are left out, and named too.
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_values, TargetValueMap target_values,
+                                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  typedef typename boost::property_traits<SourceValueMap>::value_type Value;
+  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
+  Default_flow_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  const auto& source = map.to_source().target();
+  const auto& target = map.to_target().target();
+  Transfer_report report;
+  if(map.status() != Flow_status::SUCCESS) {
+    std::size_t n = 0;
+    for(auto v : vertices(map.target())) {
+      internal::record(report, n++, map.status());
+      internal::put_default_value(np, target_values, v);
+    }
+    return report;
+  }
+  const auto& points = source.vertices_of_mesh();
+  std::vector<typename Map::Target_image> images(points.size());
+  const bool complete = internal::for_each_point<ConcurrencyTag>(
+    points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+    [&](std::size_t n, const auto& p) { images[n] = map.to_target()(p); });
+
+  // a third of the facets' areas
+  const std::vector<std::size_t> position = internal::positions_of_corners(source);
+  std::vector<double> area(points.size(), 0);
+  for(std::size_t c = 0; c < position.size(); ++c) {
+    const auto& n = source.normal(typename std::decay_t<decltype(source)>::Index(c / 3));
+    area[position[c]] += std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]) / 6;
+  }
+  const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
+  // numbers are summed up as doubles: integers would lose what is behind the point each time
+  typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
+  std::vector<std::optional<Sum> > sum(target.vertices_of_mesh().size());
+  std::vector<double> weight(sum.size(), 0);
+  std::size_t n = 0;
+  for(auto v : vertices(map.source())) {
+    const auto& image = images[n];
+    if(image) {
+      for(std::size_t i = 0; i < 3; ++i) {
+        const double w = area[n] * image.location.second[i];
+        if(!(w > 0)) continue;
+        const std::size_t t = target_position[3 * std::size_t(target.facet_of(image.location.first)) + i];
+        const Sum share = w * get(source_values, v);
+        sum[t] = sum[t] ? Sum(*sum[t] + share) : share;
+        weight[t] += w;
+      }
+    }
+    else report.left_out.emplace_back(n, image.status);
+    ++n;
+  }
+  std::vector<typename Map::Source_image> pulled(sum.size());
+  std::vector<std::size_t> missed;
+  for(std::size_t t = 0; t < sum.size(); ++t)
+    if(!sum[t]) missed.push_back(t);
+  if(complete)
+    internal::for_each_point<ConcurrencyTag>(
+      missed.size(), [&](std::size_t i) { return target.vertices_of_mesh()[missed[i]]; }, visitor,
+      [&](std::size_t i, const auto& p) { pulled[missed[i]] = map.to_source()(p); });
+  n = 0;
+  for(auto v : vertices(map.target())) {
+    if(internal::record(report, n, !complete ? Flow_status::CANCELED : sum[n] ? Flow_status::SUCCESS : pulled[n].status)) {
+      if(sum[n]) {
+        if constexpr(std::is_integral<Value>::value) put(target_values, v, Value(std::lround(*sum[n] / weight[n])));
+        else put(target_values, v, Value(1 / weight[n] * *sum[n]));
+      }
+      else put(target_values, v, Barycentric_interpolation()(
+             internal::corner_values(map.source(), pulled[n].location.first, source_values), pulled[n].location.second));
+    }
+    else internal::put_default_value(np, target_values, v);
+    ++n;
+  }
+  return report;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_TRANSFER_TRANSFER_VERTEX_ATTRIBUTE_H

@@ -1,0 +1,517 @@
+// Rigorous questions about fields: known answers, exact oracles, planted faults.
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include "exact_spline.h"
+#include "test_meshes.h"
+
+#include <CGAL/Random.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Field_predicates_3<Field> Predicates;
+typedef std::array<Point_3, 3> Triangle;
+typedef BS::Verdict Verdict;
+
+// all cells of a cube of side 8, of width one, about a center
+Field cube_field(const Point_3& center = CGAL::ORIGIN, double scale = 1)
+{
+  const double h = 4 * scale;
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(center.x() - h, center.y() - h, center.z() - h,
+                                           center.x() + h, center.y() + h, center.z() + h), scale);
+  std::vector<std::uint64_t> keys;
+  for(int k = -4; k < 4; ++k)
+    for(int j = -4; j < 4; ++j)
+      for(int i = -4; i < 4; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  return Field(BS::Cell_complex_3(lattice, keys));
+}
+
+// sets the coefficients from a function of the lattice point, relative to the center
+template <typename Function>
+void set(Field& field, const Function& f, double scale = 1)
+{
+  Eigen::VectorXd x(field.number_of_coefficients());
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const BS::Lattice_3::Point& p = field.functions().point(BS::Cell_complex_3::Index(n));
+    x[Eigen::Index(n)] = scale * f(double(p[0]), double(p[1]), double(p[2]));
+  }
+  field.set_coefficients(x);
+}
+
+// the spline whose coefficients are a linear function is that function
+Field linear_field(double a, double b, double c)
+{
+  Field field = cube_field();
+  set(field, [=](double x, double y, double z) { return a*x + b*y + c*z; });
+  return field;
+}
+
+Field random_field(unsigned seed)
+{
+  Field field = cube_field();
+  CGAL::Random random(seed);
+  set(field, [&](double, double, double) { return random.get_double(-1, 1); });
+  return field;
+}
+
+Point_3 random_point(CGAL::Random& random, double reach)
+{
+  return Point_3(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
+}
+
+const double inf = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+TEST_CASE("Predicates: the comparison with a level is exact")
+{
+  const Field field = random_field(1);
+  const Predicates predicates(field);
+  CGAL::Random random(2);
+  for(int n = 0; n < 50; ++n) {
+    const Point_3 p = random_point(random, 3.9);
+    const Rational value = exact_value(field, exact(p));
+    // levels on both sides, as near as doubles are
+    const double near = CGAL::to_double(value);
+    for(double level : { near - 1, std::nextafter(near, -inf), near, std::nextafter(near, inf), near + 1 })
+      CHECK(predicates.compare(p, level) == CGAL::compare(value, Rational(level)));
+  }
+  CHECK_FALSE(predicates.compare(Point_3(5, 0, 0), 0));
+  const Field plane = linear_field(1, 0, 0);
+  CHECK(Predicates(plane).compare(Point_3(0.5, 1, 2), 0.5) == CGAL::EQUAL);
+}
+
+TEST_CASE("Predicates: a linear field is bounded as tightly as rounding allows")
+{
+  const Field field = linear_field(1, 2, -1);
+  const Predicates predicates(field);
+  const Triangle t = { Point_3(0.1, 0.2, 0.3), Point_3(3.1, -1.2, 0.4), Point_3(-2, 3, 1.7) };
+  double least = inf, most = -inf;
+  for(const Point_3& p : t) {
+    const double f = p.x() + 2 * p.y() - p.z();
+    least = (std::min)(least, f);
+    most = (std::max)(most, f);
+  }
+  CHECK(predicates.values_within(t, { least - 1e-11, most + 1e-11 }) == Verdict::PROVED);
+  BS::Witness witness;
+  CHECK(predicates.values_within(t, { least + 1e-11, most + 1 }, &witness) == Verdict::REFUTED);
+  CHECK(witness.value.max < least + 1e-11);
+  CHECK(predicates.values_within(t, { least - 1, most - 1e-11 }, &witness) == Verdict::REFUTED);
+  CHECK(witness.value.min > most - 1e-11);
+}
+
+TEST_CASE("Predicates: a peak inside a facet is seen, where the edges are lower")
+{
+  // f = -(x^2 + y^2): coefficients -(i^2 + j^2) + 2/3
+  Field field = cube_field();
+  set(field, [](double x, double y, double) { return -(x*x + y*y) + 2. / 3; });
+  const Predicates predicates(field);
+  const Triangle t = { Point_3(-1, -1, .1), Point_3(1.5, -1, .1), Point_3(0, 2, .1) };
+  double edges = -inf;
+  for(int e = 0; e < 3; ++e)
+    for(int n = 0; n <= 100; ++n) {
+      const Point_3 p = t[e] + n / 100. * (t[(e+1) % 3] - t[e]);
+      edges = (std::max)(edges, -(p.x()*p.x() + p.y()*p.y()));
+    }
+  REQUIRE(edges < -0.3);
+  BS::Witness witness;
+  CHECK(predicates.values_within(t, { -10, edges }, &witness) == Verdict::REFUTED);
+  CHECK(witness.value.min > edges);
+  CHECK(predicates.values_within(t, { -10, -1e-9 }) == Verdict::REFUTED);
+  CHECK(predicates.values_within(t, { -10, 1e-9 }) == Verdict::PROVED);
+}
+
+TEST_CASE("Predicates: answers agree with exact values at random points of random triangles")
+{
+  int proved = 0, refuted = 0;
+  for(unsigned seed = 10; seed < 16; ++seed) {
+    const Field field = random_field(seed);
+    const Predicates predicates(field);
+    CGAL::Random random(seed);
+    for(int n = 0; n < 12; ++n) {
+      Triangle t = { random_point(random, 3.9), random_point(random, 3.9), random_point(random, 3.9) };
+      if(n % 3 == 1) t[2] = t[0] + 0.3 * (t[2] - t[0]) / 8;                    // small and needle-like
+      if(n % 3 == 2) for(Point_3& p : t) p = Point_3(p.x(), p.y(), 1);         // in a lattice plane
+      // exact values on a barycentric lattice
+      Rational least(1000), most(-1000);
+      for(int i = 0; i <= 6; ++i)
+        for(int j = 0; i + j <= 6; ++j) {
+          std::array<Rational, 3> p;
+          for(int a = 0; a < 3; ++a)
+            p[a] = (Rational(i) * t[0][a] + Rational(j) * t[1][a] + Rational(6 - i - j) * t[2][a]) / 6;
+          const Rational f = exact_value(field, p);
+          least = (std::min)(least, f);
+          most = (std::max)(most, f);
+        }
+      const double middle = CGAL::to_double((least + most) / 2), half = CGAL::to_double((most - least) / 2);
+      for(double factor : { 0.5, 0.9, 1.05, 1.5, 3. }) {
+        const BS::Level_range levels = { middle - factor * half, middle + factor * half };
+        BS::Witness witness;
+        const Verdict verdict = predicates.values_within(t, levels, &witness);
+        const bool holds_at_samples = least >= Rational(levels.min) && most <= Rational(levels.max);
+        if(verdict == Verdict::PROVED) { ++proved; CHECK(holds_at_samples); }
+        if(!holds_at_samples) CHECK(verdict == Verdict::REFUTED);
+        if(verdict == Verdict::REFUTED) {
+          ++refuted;
+          std::array<Rational, 3> p;
+          for(int a = 0; a < 3; ++a) {
+            p[a] = 0;
+            for(int v = 0; v < 3; ++v) p[a] += Rational(witness.barycentric[v]) * t[v][a];
+          }
+          const Rational f = exact_value(field, p);
+          CHECK((f < Rational(levels.min) || f > Rational(levels.max)));
+          CHECK((f >= Rational(witness.value.min) && f <= Rational(witness.value.max)));
+        }
+      }
+    }
+  }
+  CHECK(proved > 50);
+  CHECK(refuted > 100);
+}
+
+TEST_CASE("Predicates: a facet faces the gradient or not, to a hair's breadth")
+{
+  const Field field = linear_field(0, 0, 1);
+  const Predicates predicates(field);
+  const Point_3 p(0, 0, 0), q(2, 0, 0);
+  CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 2, 0) }) == Verdict::PROVED);
+  CHECK(predicates.crosses_upwards({ q, p, Point_3(0, 2, 0) }) == Verdict::REFUTED);
+  // nearly along the gradient, from either side
+  CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 1e-9, 2) }) == Verdict::PROVED);
+  CHECK(predicates.crosses_upwards({ p, q, Point_3(0, -1e-9, 2) }) == Verdict::REFUTED);
+  // exactly along it: strictness fails, and no bound can say so but one that is exact
+  CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 0, 2) }) != Verdict::PROVED);
+}
+
+TEST_CASE("Predicates: a needle of width 1e-12 keeps its own normal")
+{
+  const Field field = linear_field(0, 0, 1);
+  const Predicates predicates(field);
+  const Point_3 p(-1.1, 0.3, 0.7), q(2.3, 1.1, 0.9);
+  const Point_3 up = CGAL::midpoint(p, q) + Vector_3(-0.8e-12, 3.4e-12, 0);
+  // whatever rounding has made of the third vertex: the sign of the exact normal's z decides
+  const auto up_part = [&](const Point_3& r) -> Rational {
+    return (Rational(q.x()) - Rational(p.x())) * (Rational(r.y()) - Rational(p.y()))
+         - (Rational(q.y()) - Rational(p.y())) * (Rational(r.x()) - Rational(p.x()));
+  };
+  REQUIRE(up_part(up) > 0);
+  CHECK(predicates.crosses_upwards({ p, q, up }) == Verdict::PROVED);
+  CHECK(predicates.crosses_upwards({ q, p, up }) == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: facets in cell faces and through lattice corners are ordinary")
+{
+  Field field = cube_field();
+  set(field, [](double x, double y, double z) { return z + 0.05 * std::sin(x) * std::sin(y); });
+  const Predicates predicates(field);
+  const Triangle flat = { Point_3(-3, -3, 1), Point_3(3, -3, 1), Point_3(0, 3, 1) };
+  CHECK(predicates.crosses_upwards(flat) == Verdict::PROVED);
+  CHECK(predicates.values_within(flat, { 0.9, 1.1 }) == Verdict::PROVED);
+  CHECK(predicates.values_within(flat, { 1, 1.1 }) == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: what lies outside the domain is not within any levels")
+{
+  const Field field = linear_field(1, 0, 0);
+  const Predicates predicates(field);
+  BS::Witness witness;
+  CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(9, 0, 0), Point_3(0, 1, 0) }, { -100, 100 }, &witness)
+        == Verdict::REFUTED);
+  CHECK(witness.outside);
+  CHECK(predicates.values_within(Triangle{ Point_3(20, 0, 0), Point_3(21, 0, 0), Point_3(20, 1, 0) }, { -100, 100 })
+        == Verdict::REFUTED);
+  CHECK(predicates.values_within(Triangle{ Point_3(4, 0, 0), Point_3(4, 1, 0), Point_3(4, 0, 1) }, { 3, 5 })
+        != Verdict::REFUTED);      // on the boundary, which belongs to the domain
+  // in no time, whatever the size
+  for(double far : { 1e9, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
+    CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(far, 0, 0), Point_3(0, far, 0) }, { -100, 100 })
+          == Verdict::REFUTED);
+    CHECK(predicates.increases({ Point_3(0, 0, 0), Point_3(far, 0, 0) }) != Verdict::PROVED);
+  }
+  const Field nowhere;
+  CHECK(Predicates(nowhere).values_within(Triangle{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) }, { -100, 100 })
+        == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: a long needle costs its length, not its length squared")
+{
+  const Field field = linear_field(0, 0, 1);
+  const Predicates predicates(field);
+  BS::Predicate_statistics statistics;
+  const Triangle needle = { Point_3(-3.9, -3.7, 1), Point_3(3.9, 3.8, 1.5), Point_3(3.9, 3.8 + 1e-9, 1.5) };
+  CHECK(predicates.values_within(needle, { 0.9, 1.6 }, nullptr, &statistics) == Verdict::PROVED);
+  CHECK(statistics.by_cell + statistics.by_form < 200); 
+}
+
+TEST_CASE("Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
+{
+  // two layers of cells; waves that are higher on the cells than on the facet between them
+  constexpr int half = 80;
+  std::vector<std::uint64_t> keys;
+  for(int k = -1; k < 1; ++k)
+    for(int j = -half; j < half; ++j)
+      for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-half, -half, -half, half, half, half), 1), keys));
+  set(field, [](double x, double y, double z) { return (z == 0 ? -0.25 : 1) * (int(x + y) % 2 ? 1 : -1); });
+  // between +-(1 - 4/4 + 1)/6 times +-1/3 along x and y
+  const double highest = 1. / 54;
+  const Predicates predicates(field);
+  const Triangle t = { Point_3(-79.3, -79.2, 0), Point_3(79.4, -79.1, 0), Point_3(-78.3, 79.3, 0) };
+  BS::Predicate_statistics statistics;
+  CHECK(predicates.values_within(t, { -1.2 * highest, 1.2 * highest }, nullptr, &statistics) == Verdict::PROVED);
+  CHECK(statistics.subdivisions > 20000);
+  CHECK(predicates.values_within(t, { -0.99 * highest, 1.2 * highest }) == Verdict::REFUTED);
+}
+
+TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a level that is none")
+{
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for(double bad : { not_a_number, inf, -inf }) {
+    Field field = linear_field(0, 0, 1);
+    Eigen::VectorXd x = field.coefficients();
+    x[field.functions().index(0, 0, 0)] = bad;
+    field.set_coefficients(x);
+    const Predicates predicates(field);
+    const Triangle t = { Point_3(0.1, 0.2, 0.3), Point_3(1, 0.2, 0.3), Point_3(0.1, 1, 0.4) };
+    CHECK_FALSE(predicates.compare(t[0], 0));
+    CHECK_FALSE(predicates.is_beyond(t[0], BS::Constant_threshold(-100), CGAL::POSITIVE));
+    CHECK(predicates.values_within(t, { -100, 100 }) == Verdict::UNDECIDED);
+    CHECK(predicates.values_within(t, { 99, 100 }) == Verdict::UNDECIDED);
+    double slope = 0;
+    CHECK(predicates.crosses_upwards(t, nullptr, nullptr, &slope) == Verdict::UNDECIDED);
+    CHECK(slope == 0);
+    CHECK(predicates.increases({ t[0], t[1] }) == Verdict::UNDECIDED);
+    // elsewhere as ever
+    const Triangle away = { Point_3(2.1, 0.2, 0.3), Point_3(3, 0.2, 0.3), Point_3(2.1, 1, 0.4) };
+    CHECK(predicates.values_within(away, { 0, 1 }) == Verdict::PROVED);
+    CHECK(predicates.crosses_upwards(away) == Verdict::PROVED);
+    CHECK(predicates.compare(away[0], 0) == CGAL::LARGER);
+    CHECK_FALSE(predicates.compare(away[0], not_a_number));
+    CHECK(predicates.values_within(away, { 0, not_a_number }) == Verdict::UNDECIDED);
+  }
+}
+
+TEST_CASE("Predicates: a slope that is too large for a number is bounded by one")
+{
+  constexpr double largest = std::numeric_limits<double>::max(), scale = 1e-20;
+  Field field = cube_field(CGAL::ORIGIN, scale);
+  set(field, [](double, double, double z) { return 1e300 * z; });
+  double slope = 0;
+  const Triangle t = { Point_3(0, 0, 0), Point_3(scale, 0, 0), Point_3(0, scale, 0) };
+  CHECK(Predicates(field).crosses_upwards(t, nullptr, nullptr, &slope) == Verdict::PROVED);
+  CHECK(slope > largest / 2);
+  CHECK(slope <= largest);
+}
+
+TEST_CASE("Predicates: no side of a threshold that varies outside of the domain, be it by the last bit")
+{
+  const Field field = linear_field(1, 0, 0);
+  const BS::Spline_threshold<Field> threshold(linear_field(0.5, 0, 0));
+  const Predicates predicates(field);
+  CHECK(predicates.is_beyond(Point_3(4, 0.3, 0.2), threshold, CGAL::POSITIVE));
+  CHECK_FALSE(predicates.is_beyond(Point_3(std::nextafter(4., 5.), 0.3, 0.2), threshold, CGAL::POSITIVE));
+}
+
+TEST_CASE("Predicates: segments along which the field increases")
+{
+  const Field field = random_field(21);
+  const Predicates predicates(field);
+  CGAL::Random random(22);
+  int proved = 0;
+  for(int n = 0; n < 60; ++n) {
+    const Point_3 p = random_point(random, 3.5);
+    const Vector_3 g = *field.gradient(p);
+    const Point_3 q = p + random.get_double(0.01, 0.4) / std::sqrt(g.squared_length()) * g;
+    const Verdict verdict = predicates.increases({ p, q });
+    bool increases = true;
+    Rational last = exact_value(field, exact(p));
+    for(int i = 1; i <= 16; ++i) {
+      std::array<Rational, 3> x;
+      for(int a = 0; a < 3; ++a) x[a] = (Rational(16 - i) * p[a] + Rational(i) * q[a]) / 16;
+      const Rational f = exact_value(field, x);
+      increases = increases && f > last;
+      last = f;
+    }
+    if(verdict == Verdict::PROVED) { ++proved; CHECK(increases); }
+    if(!increases) CHECK(verdict == Verdict::REFUTED);
+    CHECK(predicates.increases({ q, p }) != Verdict::PROVED);
+  }
+  CHECK(proved > 20);
+}
+
+TEST_CASE("Predicates: the same answers at any scale that is a power of two, and in any rounding mode")
+{
+  Field field = cube_field();
+  const auto f = [](double x, double y, double z) { return std::sin(x) + std::cos(2 * y) * z; };
+  set(field, f);
+  const double scale = std::ldexp(1., -60);
+  Field small = cube_field(CGAL::ORIGIN, scale);
+  set(small, f, scale);
+  CGAL::Random random(31);
+  for(int n = 0; n < 40; ++n) {
+    const Point_3 p = random_point(random, 3), q = p + (random_point(random, 1) - CGAL::ORIGIN),
+                  r = p + (random_point(random, 1) - CGAL::ORIGIN);
+    const auto scaled = [&](const Point_3& x) { return Point_3(scale * x.x(), scale * x.y(), scale * x.z()); };
+    const Verdict slope = Predicates(field).crosses_upwards({ p, q, r });
+    const Verdict range = Predicates(field).values_within(Triangle{ p, q, r }, { -1, 1 });
+    CHECK(Predicates(small).crosses_upwards({ scaled(p), scaled(q), scaled(r) }) == slope);
+    CHECK(Predicates(small).values_within(Triangle{ scaled(p), scaled(q), scaled(r) }, { -scale, scale }) == range);
+    for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+      std::fesetround(mode);
+      const Verdict other_slope = Predicates(field).crosses_upwards({ p, q, r });
+      const Verdict other_range = Predicates(field).values_within(Triangle{ p, q, r }, { -1, 1 });
+      const int mode_after = std::fegetround();
+      std::fesetround(FE_TONEAREST);
+      CHECK(mode_after == mode);
+      CHECK(other_slope == slope);
+      CHECK(other_range == range);
+    }
+  }
+}
+
+TEST_CASE("Predicates: far from the origin, slack of 1e-12 of the box decides what is left of the coordinates")
+{
+  const double far = std::ldexp(1., 20);
+  const Point_3 center(far, -far, far);
+  Field field = cube_field(center);
+  set(field, [](double x, double y, double z) { return x + y + z; });
+  const Predicates predicates(field);
+  const Triangle t = { center + Vector_3(0, 0, 0), center + Vector_3(1, 0, 0), center + Vector_3(0, 1.5, 0) };
+  CHECK(predicates.values_within(t, { -1e-6, 1.5 + 1e-6 }) == Verdict::PROVED);
+  CHECK(predicates.values_within(t, { 1e-6, 1.5 + 1e-6 }) == Verdict::REFUTED);
+  CHECK(predicates.crosses_upwards(t) == Verdict::PROVED);
+}
+
+namespace {
+
+// cells of width one around the z-axis: three of the four at each height; `missing` has the bits of the signs of x and y
+Field bent_field(int missing)
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -2; k < 2; ++k)
+    for(int j = -2; j < 2; ++j)
+      for(int i = -2; i < 2; ++i)
+        if(((i >= 0) | (j >= 0) << 1) != missing) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys));
+  set(field, [](double, double, double z) { return z; });
+  return field;
+}
+
+// a number three times of which is rounded up or down
+double thirds(CGAL::Random& random, bool up)
+{
+  for(;;) {
+    const double x = random.get_double(0.2, 0.5) + std::ldexp(random.get_double(0, 1), -33);
+    if(Rational(3 * x) != 3 * Rational(x) && (Rational(3 * x) > 3 * Rational(x)) == up) return x;
+  }
+}
+
+} // namespace
+
+TEST_CASE("Predicates: what leaves the domain between its corners is not proved, also if it does so by less than rounding")
+{
+  CGAL::Random random(41);
+  for(int missing = 0; missing < 4; ++missing)
+    for(int n = 0; n < 8; ++n) {
+      CAPTURE(missing, n);
+      const Field field = bent_field(missing);
+      const Predicates predicates(field);
+      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+      // a quarter of the way, the segment is off the axis by what three times a number is rounded by, on that side
+      const double x = thirds(random, true), y = thirds(random, false);
+      const Point_3 p(-sx * x, sy * y, 0.1), q(sx * 3 * x, -sy * 3 * y, 0.1), away(-sx, -sy, 0.5);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ p, q }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.values_within(Triangle{ p, q, away }, { -1, 1 }) != Verdict::PROVED);
+      // on the other side, it is inside
+      const Point_3 inside_p(-sx * x, sy * (y - 0.01), 0.1);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ inside_p, q }, { -1, 1 }) == Verdict::PROVED);
+      // and by much; corners and most of the facet are inside
+      const Point_3 far_p(-sx, sy * 1.5, 0.1), far_q(sx * 1.5, -sy, 0.1);
+      CHECK(predicates.values_within(std::array<Point_3, 2>{ far_p, far_q }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.values_within(Triangle{ far_p, far_q, away }, { -1, 1 }) != Verdict::PROVED);
+      CHECK(predicates.crosses_upwards({ far_p, far_q, away }) != Verdict::PROVED);
+    }
+}
+
+TEST_CASE("Predicates: a facet along the gradient does not face it, however thin it is")
+{
+  CGAL::Random random(43);
+  int inexact = 0;
+  for(int n = 0; n < 8; ++n) {
+    // the gradient is an edge of the facet, exactly
+    const auto integer = [&] { return random.get_int(-100, 100); };
+    const double a = integer(), b = integer(), c = 1 + std::abs(integer());
+    const Field field = linear_field(a, b, c);
+    const Predicates predicates(field);
+    const Point_3 p(0, 0, 0), q(a / 128, b / 128, c / 128);
+    const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
+    const double s = number(), width = std::ldexp(1., -20 - n % 5);
+    const Point_3 r(s * q.x() + width * number(), s * q.y() + width * number(), s * q.z() + width * number());
+    if(CGAL::collinear(p, q, r)) continue;
+    inexact += BS::facet_normal(p, q, r).radius > 1e-12;
+    for(const Triangle& t : { Triangle{ p, q, r }, Triangle{ q, p, r } }) {
+      double slope = 0;
+      CHECK(predicates.crosses_upwards(t) != Verdict::PROVED);
+      CHECK(predicates.crosses_upwards(t, nullptr, nullptr, &slope) != Verdict::PROVED);
+      CHECK(slope == 0);
+    }
+  }
+  CHECK(inexact > 4);
+}
+
+TEST_CASE("Predicates: the bound of the slope is that of the least steep part")
+{
+  CGAL::Random random(47);
+  Field field = cube_field();
+  set(field, [&](double, double, double z) { return z + random.get_double(-0.4, 0.4); });
+  const Predicates predicates(field);
+  int proved = 0;
+  for(int n = 0; n < 100; ++n) {
+    const double size = std::ldexp(2., -(n % 5));
+    const Point_3 p = random_point(random, 1.5);
+    const auto tilt = [&] { return random.get_double(-0.3, 0.3) * size; };
+    const Triangle t = { p, p + Vector_3(size, 0, tilt()), p + Vector_3(0, size, tilt()) };
+    double slope = inf;
+    if(predicates.crosses_upwards(t, nullptr, nullptr, &slope) != Verdict::PROVED) continue;
+    ++proved;
+    CHECK(slope > 0);
+    Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    normal = normal / std::sqrt(normal.squared_length());
+    double least = inf;
+    for(int i = 0; i <= 24; ++i)
+      for(int j = 0; i + j <= 24; ++j)
+        least = (std::min)(least, *field.gradient(CGAL::barycenter(t[0], i, t[1], j, t[2], 24. - i - j)) * normal);
+    CHECK(slope <= least * (1 + 1e-12));
+  }
+  CHECK(proved > 20);
+}
+
+TEST_CASE("Predicates: a needle sees what sticks out of the levels in any cell that it passes, however its normal is rounded")
+{
+  CGAL::Random random(53);
+  int seen = 0;
+  for(int n = 0; n < 200; ++n) {
+    const Point_3 p = random_point(random, 3.5), q = random_point(random, 3.5);
+    const double width = std::ldexp(1., -30 - n % 20);
+    const Point_3 r = q + width * (random_point(random, 1) - CGAL::ORIGIN);
+    // a coefficient of one near its middle
+    const Point_3 middle = CGAL::midpoint(p, q);
+    Field field = cube_field();
+    const double x = std::round(middle.x()), y = std::round(middle.y()), z = std::round(middle.z());
+    set(field, [&](double i, double j, double k) { return i == x && j == y && k == z ? 1. : 0.; });
+    const Predicates predicates(field);
+    double highest = 0;
+    for(int i = 0; i <= 200; ++i) highest = (std::max)(highest, *field.value(p + i / 200. * (q - p)));
+    CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 0.99 * highest }) == Verdict::REFUTED);
+    ++seen;
+    if(n < 20) CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 1.01 }) == Verdict::PROVED);
+  }
+  CHECK(seen == 200);
+}

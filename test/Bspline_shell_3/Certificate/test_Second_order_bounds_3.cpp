@@ -1,0 +1,818 @@
+// Second_order_bounds_3.h: what is proved holds, at every sample, by closed forms and by the predicates; what is wrong by a hair is not
+// proved; and most of what is true is.
+#include "exact_spline.h"
+#include "polynomial_fields.h"
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
+
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Constant_threshold Constant;
+typedef BS::Spline_threshold<Hierarchical_field> Varying;
+typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
+typedef BS::Second_order_bounds_3<Hierarchical_field, Varying> Varying_bounds;
+typedef std::array<Point_3, 3> Triangle;
+typedef CGAL::Sequential_tag Tag;
+using BS::Verdict;
+
+const double inf = std::numeric_limits<double>::infinity();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t many = 4096;
+
+template <typename AnyBounds>
+typename AnyBounds::Facet_bounds examine(const AnyBounds& bounds, const Triangle& t, std::size_t most_bisections = many,
+                                         double wanted_slope = 0)
+{
+  return bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }, BS::facet_normal(t[0], t[1], t[2]),
+                        most_bisections, wanted_slope);
+}
+
+Bounds between(const Uniform_field& field, double inner, double outer) { return Bounds(field, Constant(inner), Constant(outer), Tag()); }
+
+bool is_contained(const Uniform_field& field, double inner, double outer, const Triangle& t, std::size_t most_bisections = many)
+{
+  return examine(between(field, inner, outer), t, most_bisections).is_contained;
+}
+
+Vector_3 normal(const Triangle& t)
+{
+  // of any size
+  double size = 0;
+  for(const Vector_3& d : { t[1] - t[0], t[2] - t[0] }) size = (std::max)({ size, std::abs(d.x()), std::abs(d.y()), std::abs(d.z()) });
+  const Vector_3 n = CGAL::cross_product((t[1] - t[0]) / size, (t[2] - t[0]) / size);
+  return n / std::sqrt(n.squared_length());
+}
+
+// calls visit(p) for points of a triangle, in it up to rounding
+template <typename Visitor>
+void for_each_sample(const Triangle& t, const Visitor& visit, int parts = 16)
+{
+  for(int i = 0; i <= parts; ++i)
+    for(int j = 0; i + j <= parts; ++j)
+      visit(CGAL::barycenter(t[0], double(i), t[1], double(j), t[2], double(parts - i - j)));
+}
+
+struct Extrema
+{
+  double lowest = inf, highest = -inf;
+  void include(double x) { lowest = (std::min)(lowest, x); highest = (std::max)(highest, x); }
+};
+
+template <typename Field>
+Extrema values(const Field& field, const Triangle& t)
+{
+  Extrema e;
+  for_each_sample(t, [&](const Point_3& p) { if(const auto f = field.value(p)) e.include(*f); });
+  return e;
+}
+
+template <typename Field>
+double least_slope(const Field& field, const Triangle& t)
+{
+  Extrema e;
+  const Vector_3 n = normal(t);
+  for_each_sample(t, [&](const Point_3& p) { if(const auto g = field.gradient(p)) e.include(*g * n); });
+  return e.lowest;
+}
+
+Vector_3 random_vector(CGAL::Random& random, double reach)
+{
+  return Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
+}
+
+// of all sizes; needles, facets in a plane of the cells' faces, and ones with corners at the cells' corners among them
+Triangle random_triangle(CGAL::Random& random, int n)
+{
+  const double size = std::ldexp(1., -(n % 7));
+  const Point_3 p = CGAL::ORIGIN + random_vector(random, 0.9);
+  Triangle t = { p, p + random_vector(random, size), p + random_vector(random, size) };
+  if(n % 5 == 1) t[2] = t[1] + random_vector(random, 1e-7 * size);
+  for(Point_3& q : t) {
+    const auto clamped = [](double x) { return (std::min)((std::max)(x, -0.99), 0.99); };
+    q = Point_3(clamped(q.x()), clamped(q.y()), clamped(q.z()));
+    if(n % 5 == 2) q = Point_3(q.x(), q.y(), 0.25);
+    if(n % 10 == 3) q = Point_3(std::round(3 * q.x()) / 4, std::round(3 * q.y()) / 4, std::round(3 * q.z()) / 4);
+  }
+  return t;
+}
+
+template <typename Field>
+void set_random(Field& field, CGAL::Random& random, const Polynomial& mean, double noise)
+{
+  set_polynomial(field, mean);
+  Eigen::VectorXd x = field.coefficients();
+  for(Eigen::Index n = 0; n < x.size(); ++n) x[n] += random.get_double(-noise, noise);
+  field.set_coefficients(x);
+}
+
+const Polynomial height = { { 1, { 0, 0, 1 } } }, nothing = { { 0, { 0, 0, 0 } } };
+// -(x^2 + y^2) where z is 0.1
+const Polynomial dome = { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } };
+
+// in a horizontal plane around the z-axis, facing upwards
+Triangle horizontal(double radius, double z)
+{
+  const double h = radius * std::sqrt(0.75);
+  return { Point_3(radius, 0, z), Point_3(-radius / 2, h, z), Point_3(-radius / 2, -h, z) };
+}
+
+Triangle scaled(const Triangle& t, double scale)
+{
+  Triangle s;
+  for(int v = 0; v < 3; ++v) s[v] = Point_3(scale * t[v].x(), scale * t[v].y(), scale * t[v].z());
+  return s;
+}
+
+} // namespace
+
+TEST_CASE("Second-order bounds: what is proved holds at all samples, up to thresholds that samples only just keep")
+{
+  Uniform_field field(cells_of_cube());
+  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  int proved = 0, transversal = 0, missed = 0;
+  for(int n = 0; n < 60; ++n) {
+    CGAL::Random random{ unsigned(n) };
+    // from nearly linear ones to noise
+    set_random(field, random, n % 3 == 0 ? nothing : height, std::ldexp(0.3, -n % 9));
+    const Triangle t = random_triangle(random, n);
+    if(CGAL::collinear(t[0], t[1], t[2])) continue;
+    const Extrema e = values(field, t);
+    const double size = e.highest - e.lowest;
+    for(double hair : { 1e-9, 1e-3 }) {
+      CHECK_FALSE(is_contained(field, e.lowest - 1, e.highest - hair * size, t));
+      CHECK_FALSE(is_contained(field, e.lowest + hair * size, e.highest + 1, t));
+    }
+    const double least = least_slope(field, t);
+    for(double room : { 0.01, 0.2, 2. }) {
+      const double inner = e.lowest - room * size, outer = e.highest + room * size;
+      const auto found = examine(between(field, inner, outer), t, many, 100);
+      const bool within = predicates.values_within(t, { inner, outer }) == Verdict::PROVED;
+      const bool upwards = predicates.crosses_upwards(t) == Verdict::PROVED;
+      if(found.is_contained) CHECK((within && !found.leaves_shell));
+      if(found.is_transversal) {
+        CHECK((upwards && !found.faces_away));
+        CHECK(found.slope > 0);
+        CHECK(found.slope <= least * (1 + 1e-9));
+      } else CHECK(found.slope == 0);
+      if(upwards && within) missed += !(found.is_contained && found.is_transversal);
+      proved += found.is_contained;
+      transversal += found.is_transversal;
+    }
+  }
+  CHECK(proved > 30);
+  CHECK(transversal > 30);
+  CHECK(missed <= proved / 20);
+}
+
+TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds that vary, what is proved holds at all samples")
+{
+  int proved = 0, transversal = 0;
+  for(int seed = 1; seed < 9; ++seed) {
+    CGAL::Random random{ unsigned(seed) };
+    Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 2));
+    REQUIRE(field.number_of_levels() > 2);
+    Hierarchical_field inner = field, outer = field;
+    const double noise = std::ldexp(0.2, -seed);
+    set_random(field, random, height, noise);
+    set_random(inner, random, { { 1, { 0, 0, 1 } }, { -0.2, { 0, 0, 0 } } }, noise);
+    set_random(outer, random, { { 1, { 0, 0, 1 } }, { 0.2, { 0, 0, 0 } } }, noise);
+    const Varying_bounds bounds(field, Varying(inner), Varying(outer), Tag());
+    const BS::Field_predicates_3<Hierarchical_field> predicates(field);
+    for(int n = 0; n < 60; ++n) {
+      Triangle t = random_triangle(random, n);
+      if(n % 2 == 0)      // where leaves are smallest
+        for(Point_3& p : t) {
+          const auto cell = field.cell(field.locate(p)).bbox();
+          p = CGAL::midpoint(p, Point_3(cell.xmin(), cell.ymin(), cell.zmin()));
+        }
+      if(CGAL::collinear(t[0], t[1], t[2])) continue;
+      const auto found = examine(bounds, t, many, 100);
+      if(found.is_contained) {
+        ++proved;
+        double least = inf;
+        for_each_sample(t, [&](const Point_3& p) {
+          const auto c = field.locate(p);
+          if(c == Hierarchical_field::npos) return;     // at the end of the domain, by rounding
+          const double f = field.cell(c).value(p);
+          least = (std::min)({ least, f - inner.cell(c).value(p), outer.cell(c).value(p) - f });
+        });
+        CHECK(least >= 0);
+      }
+      if(found.leaves_shell) CHECK(predicates.values_within(t, Varying(inner), Varying(outer)) == Verdict::REFUTED);
+      if(found.is_transversal) {
+        ++transversal;
+        CHECK(found.slope > 0);
+        CHECK(found.slope <= least_slope(field, t) * (1 + 1e-9));
+      }
+      if(found.faces_away) CHECK(predicates.crosses_upwards(t) == Verdict::REFUTED);
+    }
+  }
+  CHECK(proved > 100);
+  CHECK(transversal > 100);
+}
+
+TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a hair; what curves away costs nothing")
+{
+  const Uniform_field field = uniform_field(dome);
+  const Triangle around_peak = horizontal(0.2, 0.1), across_edge = { Point_3(-0.2, 0, 0.1), Point_3(0.2, 0, 0.1), Point_3(0, 0.2, 0.1) };
+  for(const Triangle& t : { around_peak, across_edge })
+    for(double hair : { 1e-12, 1e-5 }) {
+      CHECK_FALSE(is_contained(field, -1, -hair, t));
+      if(hair > 1e-9) CHECK(is_contained(field, -1, hair, t));
+    }
+  // the bound is the least one of its kind: it is attained in the middle of an equilateral triangle in one cell
+  const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1), Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
+                               Point_3(0.125 - 0.03125, 0.125 - 0.0625 * std::sqrt(0.75), 0.1) };
+  const Uniform_field centred = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 0.25, { 1, 0, 0 } }, { 0.25, { 0, 1, 0 } },
+                                                 { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
+  const double peak = 0.03125;        // at (1/8, 1/8, 1/10)
+  CHECK(is_contained(centred, -1, peak + 1e-12, in_a_cell, 0));
+  CHECK_FALSE(is_contained(centred, -1, peak - 1e-12, in_a_cell));
+  const Uniform_field pit = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { -0.25, { 1, 0, 0 } }, { -0.25, { 0, 1, 0 } },
+                                             { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
+  CHECK(is_contained(pit, -peak - 1e-12, 1, in_a_cell, 0));
+  CHECK_FALSE(is_contained(pit, -peak + 1e-12, 1, in_a_cell));
+  for(double share : { 0.1, 0.2, 0.4 }) {       // of the difference to the corners
+    CHECK_FALSE(is_contained(centred, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
+    CHECK_FALSE(is_contained(pit, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
+  }
+  // towards the other threshold, the corners decide, whatever the size of the facet
+  const Triangle large = horizontal(0.4, 0.1);
+  const double at_corners = values(field, large).lowest;
+  CHECK(is_contained(field, at_corners - 1e-12, 0.5, large));
+  CHECK(is_contained(field, at_corners - 1e-12, 1, large, 0));
+  CHECK_FALSE(is_contained(field, at_corners + 1e-12, 1, large));
+}
+
+TEST_CASE("Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
+{
+  // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4: the largest curvature is nearly twice the mean one
+  constexpr double at = 0.23, radius = 0.015;
+  const Triangle corner = { Point_3(at + radius, at, 0.1), Point_3(at - radius / 2, at + radius * std::sqrt(0.75), 0.1),
+                            Point_3(at - radius / 2, at - radius * std::sqrt(0.75), 0.1) };
+  // z x y, near the end of a cell where z is 1/4: a needle along (1, -1), higher in the middle
+  constexpr double top = 0.245;
+  const Triangle ridge = { Point_3(0.22, 0.02, top), Point_3(0.02, 0.22, top), Point_3(0.219, 0.019, top) };
+  for(double sign : { 1., -1. }) {
+    const auto contained = [&](const Polynomial& p, const Triangle& t, double share, std::size_t bisections) {
+      const Uniform_field field = uniform_field(p);
+      const Extrema e = values(field, t);
+      const double size = e.highest - e.lowest;
+      return sign > 0 ? is_contained(field, -1, e.highest + share * size, t, bisections)
+                      : is_contained(field, e.lowest - share * size, 1, t, bisections);
+    };
+    const Polynomial cubic = { { -sign, { 3, 0, 0 } }, { -sign, { 0, 3, 0 } }, { 3 * sign * at * at, { 1, 0, 0 } },
+                               { 3 * sign * at * at, { 0, 1, 0 } }, { 1, { 0, 0, 1 } } };
+    const Polynomial mixed = { { sign, { 1, 1, 1 } }, { -sign * top * 0.12, { 1, 0, 0 } }, { -sign * top * 0.12, { 0, 1, 0 } },
+                               { 1, { 0, 0, 1 } } };
+    for(const auto& problem : { std::make_pair(cubic, corner), std::make_pair(mixed, ridge) }) {
+      for(double share : { -0.03, -0.1, -0.2 }) CHECK_FALSE(contained(problem.first, problem.second, share, 0));
+      CHECK(contained(problem.first, problem.second, 0.1, many));
+    }
+  }
+}
+
+TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold none of its corners is seen")
+{
+  // z times a function of x that is nearly |x|, and negative by a hair at 0
+  constexpr double width = 0.25;
+  for(double hair : { 1e-9, 0.1, -0.5 }) {
+    Uniform_field field(cells_of_cube());
+    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+    for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+      const auto& p = field.functions().point(Uniform_field::Cell_index(n));
+      x[Eigen::Index(n)] = p[2] * width * (std::abs(p[0]) - 1. / 3 - hair);
+    }
+    for(double z : { 0.1, -0.3 })
+      for(double sign : { 1., -1. }) {
+        field.set_coefficients(sign * x);
+        const Bounds bounds = between(field, -5, 5);
+        Triangle t = { Point_3(-1.4 * width, -0.5 * width, z), Point_3(1.4 * width, -0.5 * width, z),
+                       Point_3(1.4 * width, 0.5 * width, z) };
+        if(sign < 0) std::swap(t[0], t[1]);
+        for(double wanted : { 0., 100. })
+          for(std::size_t bisections : { std::size_t(0), std::size_t(1), many }) {
+            const auto found = examine(bounds, t, bisections, wanted);
+            if(hair > 0) CHECK_FALSE(found.is_transversal);
+            else {
+              CHECK(found.slope <= -hair + 1e-12);
+              if(bisections == many && wanted > 1) CHECK(found.slope > -0.85 * hair);
+            }
+          }
+      }
+  }
+}
+
+TEST_CASE("Second-order bounds: what a facet's own plane does not show costs nothing")
+{
+  // steep and curved across the facet, linear in its plane
+  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } }, { 0.9, { 0, 0, 2 } }, { 0.7, { 0, 0, 3 } }, { 0.2, { 1, 0, 0 } } });
+  const Triangle t = { Point_3(-0.3, -0.2, 0.3), Point_3(0.3, -0.2, 0.3), Point_3(0, 0.3, 0.3) };
+  const Extrema e = values(field, t);
+  const auto found = examine(between(field, e.lowest - 1e-12, e.highest + 1e-12), t, 0, 100);
+  CHECK(found.is_contained);
+  CHECK(found.is_transversal);
+  const double slope = 1 + 2 * 0.9 * 0.3 + 3 * 0.7 * 0.09;
+  CHECK(found.slope <= slope);
+  CHECK(examine(between(field, -1, 2), t, many, 100).slope > 0.9 * slope);
+}
+
+TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, wherever it is on a facet, and in a threshold as well")
+{
+  CGAL::Random random(3);
+  Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 1));
+  set_polynomial(field, height);
+  Hierarchical_field inner = field, outer = field;
+  set_polynomial(inner, { { -0.2, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } });
+  set_polynomial(outer, { { 0.2, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } });
+  const int finest = field.number_of_levels() - 1;
+  REQUIRE(finest == 3);
+  const double width = field.cells().level_width(finest);
+  // of a coefficient's function, at its point
+  const double peak = 8. / 27;
+  int bumps = 0;
+  for(Hierarchical_field::Cell_index n = 0; n < field.points(finest).size() && bumps < 7; n += 29) {
+    const auto coefficient = field.coefficient_of_point(field.first_point(finest) + n);
+    if(coefficient == Hierarchical_field::npos) continue;
+    const CGAL::Bbox_3 b = field.support(coefficient);
+    const Point_3 top((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+    if(!(std::abs(top.x()) < 0.8 && std::abs(top.y()) < 0.8 && std::abs(top.z()) < 0.8)) continue;
+    ++bumps;
+    // its corners, and first of all the middles of its edges, are where nobody knows of the bump
+    const double x = random.get_double(-1, 1) * width, y = random.get_double(-1, 1) * width,
+                 size = (n % 2 ? 1.3 : 0.3) + random.get_double(0, 0.05);
+    Triangle t = { top + Vector_3(x - 0.6 * size, y - 0.4 * size, 0), top + Vector_3(x + 0.5 * size, y - 0.5 * size, 0),
+                   top + Vector_3(x, y + 0.6 * size, 0) };
+    for(Point_3& p : t) p = Point_3((std::min)((std::max)(p.x(), -0.95), 0.95), (std::min)((std::max)(p.y(), -0.95), 0.95), p.z());
+    if(!(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).z() > 0)) continue;
+    const auto with_bump = [&](Hierarchical_field f, double bump) {
+      Eigen::VectorXd c = f.coefficients();
+      c[coefficient] += bump;
+      f.set_coefficients(c);
+      return f;
+    };
+    REQUIRE(examine(Varying_bounds(field, Varying(inner), Varying(outer), Tag()), t).is_contained);
+    // the field, or a threshold: by an eighth more than there is room for, or an eighth less
+    for(double sign : { 1., -1. }) {
+      const double bump = sign * 0.2 / peak;
+      const Hierarchical_field too_high = with_bump(field, 1.125 * bump), high = with_bump(field, 0.875 * bump);
+      const Hierarchical_field &narrow = sign > 0 ? outer : inner;
+      const Varying too_narrow(with_bump(narrow, -1.125 * bump)), less_narrow(with_bump(narrow, -0.875 * bump));
+      const bool is_met = [&] {
+        double farthest = 0;
+        for_each_sample(t, [&](const Point_3& p) { farthest = (std::max)(farthest, sign * (too_high.value(p).value_or(0) - p.z())); }, 100);
+        return farthest > 0.2;
+      }();
+      const auto contained = [&](const Hierarchical_field& f, const Varying& i, const Varying& o) {
+        return examine(Varying_bounds(f, i, o, Tag()), t).is_contained;
+      };
+      if(is_met) {
+        CHECK_FALSE(contained(too_high, Varying(inner), Varying(outer)));
+        CHECK_FALSE((sign > 0 ? contained(field, Varying(inner), too_narrow) : contained(field, too_narrow, Varying(outer))));
+        CHECK_FALSE(examine(Varying_bounds(too_high, Varying(inner), Varying(outer), Tag()), t).is_transversal);
+      }
+      if(n % 3 == 0) {
+        CHECK(contained(high, Varying(inner), Varying(outer)));
+        CHECK((sign > 0 ? contained(field, Varying(inner), less_narrow) : contained(field, less_narrow, Varying(outer))));
+      }
+    }
+  }
+  CHECK(bumps == 7);
+}
+
+TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a hair's breadth, and the slope is that of the closed form")
+{
+  const Uniform_field field = uniform_field(height);
+  const Bounds flat = between(field, -2, 2);
+  const Point_3 p(0, 0, 0), q(0.4, 0, 0);
+  CHECK(examine(flat, { p, q, Point_3(0, 0.4, 0) }).is_transversal);
+  CHECK(examine(flat, { p, q, Point_3(0, 0.4, 0) }).slope == Approx(1).epsilon(1e-12));
+  CHECK(examine(flat, { p, q, Point_3(0, 0.4, 0) }).slope <= 1);
+  const auto down = examine(flat, { q, p, Point_3(0, 0.4, 0) });
+  CHECK_FALSE(down.is_transversal);
+  CHECK(down.faces_away);
+  CHECK(down.slope == 0);
+  // nearly along the gradient, from either side
+  const auto tilted = examine(flat, { p, q, Point_3(0, 1e-9, 0.4) }, many, 1);
+  CHECK(tilted.is_transversal);
+  CHECK(tilted.slope <= 1e-9 / 0.4);
+  CHECK(tilted.slope > 0.9e-9 / 0.4);
+  CHECK_FALSE(examine(flat, { p, q, Point_3(0, -1e-9, 0.4) }).is_transversal);
+  CHECK_FALSE(examine(flat, { p, q, Point_3(0, 0, 0.4) }).is_transversal);
+  // turned in the middle only, by a hair: the slope is 1 + c (x^2 - 1/25) for a horizontal facet
+  const Triangle around = { Point_3(-0.5, -0.3, 0.1), Point_3(0.5, -0.3, 0.1), Point_3(0, 0.5, 0.1) };
+  for(double hair : { 1e-12, 1e-3 }) {
+    for(double sign : { 1., -1. }) {
+      const double least = sign * hair;       // at x = 0
+      const Uniform_field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
+      const auto found = examine(between(turned, -5, 5), around, many, 100);
+      if(sign < 0) CHECK_FALSE(found.is_transversal);
+      if(found.is_transversal) CHECK(found.slope <= least);
+      if(sign > 0 && hair == 1e-3) CHECK(found.is_transversal);
+    }
+  }
+}
+
+TEST_CASE("Second-order bounds: needles, and facets in planes of cell faces and with corners at corners of cells, are ordinary")
+{
+  const Uniform_field field = uniform_field(height);
+  const Bounds bounds = between(field, -0.95, 0.95);
+  // the sign of the exact normal's z decides
+  const Point_3 p(-0.55, 0.15, 0.35), q(0.65, 0.55, 0.45), up = CGAL::midpoint(p, q) + Vector_3(-0.4e-12, 1.2e-12, 0);
+  CHECK(examine(bounds, { p, q, up }).is_transversal);
+  CHECK(examine(bounds, { p, q, up }).is_contained);
+  CHECK_FALSE(examine(bounds, { q, p, up }).is_transversal);
+  for(double size : { 0.25, 0.5, 1.25 }) {
+    const Triangle t = { Point_3(-0.5, -0.5, 0.25), Point_3(-0.5 + size, -0.5, 0.25), Point_3(-0.5, -0.5 + size, 0.25) };
+    const auto found = examine(bounds, t, 0, 100);
+    if(size <= 0.5) CHECK((found.is_contained && found.is_transversal));
+    CHECK(examine(bounds, t).is_contained);
+    CHECK(examine(bounds, t).is_transversal);
+    CHECK(is_contained(field, 0.25 - 1e-12, 0.25 + 1e-12, t));
+    CHECK_FALSE(is_contained(field, 0.25 + 1e-12, 1, t));
+    CHECK_FALSE(is_contained(field, -1, 0.25 - 1e-12, t));
+    CHECK_FALSE(is_contained(field, 0.25, 1, t));       // no bound tells that they touch
+  }
+}
+
+TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, nor across a hole in it")
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -4; k < 4; ++k)
+    for(int j = -4; j < 4; ++j)
+      for(int i = -4; i < 4; ++i)
+        if(!(i == 0 && j == 1)) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  Uniform_field field(Root_cells(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -4, -4, -4 }, { 3, 3, 3 }), keys));
+  set_polynomial(field, height);
+  const Bounds bounds = between(field, -2, 2);
+  const auto proves_any = [&](const Triangle& t) {
+    const auto found = examine(bounds, t);
+    return found.is_contained || found.is_transversal;
+  };
+  const auto proves_all = [&](const Triangle& t) {
+    const auto found = examine(bounds, t);
+    return found.is_contained && found.is_transversal;
+  };
+  for(double z : { 0.1, 0.25 }) {
+    // corners outside; around the hole; into it by a hair, and only just not
+    CHECK_FALSE(proves_any({ Point_3(0, 0, z), Point_3(2, 0, z), Point_3(0, -0.9, z) }));
+    CHECK_FALSE(proves_any({ Point_3(-0.6, 0, z), Point_3(0.8, 0.1, z), Point_3(0.1, 0.9, z) }));
+    CHECK_FALSE(proves_any({ Point_3(-0.2, 0.1, z), Point_3(0.4, 0.1, z), Point_3(0.125, 0.25 + 1e-9, z) }));
+    CHECK_FALSE(proves_any({ Point_3(-0.2, 0.125, z), Point_3(0.2, 0.125, z), Point_3(-0.02, 0.5, z) }));
+    CHECK(proves_all({ Point_3(-0.2, 0.1, z), Point_3(0.4, 0.1, z), Point_3(0.125, 0.25 - 1e-9, z) }));
+    CHECK(proves_all({ Point_3(-1 + 1e-9, -1 + 1e-9, z), Point_3(1 - 1e-9, -1 + 1e-9, z), Point_3(0, 0.2, z) }));
+  }
+  CHECK_FALSE(proves_any({ Point_3(0, 0, 1 + 1e-9), Point_3(0.2, 0, 0.9), Point_3(0, -0.2, 0.9) }));
+  for(double far : { 1e9, 1e300 }) CHECK_FALSE(proves_any({ Point_3(0, 0, 0), Point_3(0.1, 0, far), Point_3(0, 0.1, 0) }));
+  for(double far : { 1e300, inf, not_a_number }) {
+    const auto at = [&](double x, double y) { return bounds.sample(Point_3(x, y, 0)); };
+    const auto found = bounds.examine({ at(0, 0), at(far, 0), at(0, far) }, BS::Facet_normal{ { 0, 0, 1 }, 1e-15 }, many);
+    CHECK_FALSE((found.is_contained || found.is_transversal || found.leaves_shell || found.faces_away));
+  }
+  const Uniform_field nowhere;
+  const Bounds none = between(nowhere, -1, 1);
+  CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_contained);
+  CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_transversal);
+}
+
+TEST_CASE("Second-order bounds: nothing is proved where the field or a threshold is no number; elsewhere all is as ever")
+{
+  Hierarchical_field field = hierarchical_field(height);
+  Hierarchical_field inner = field, outer = field;
+  set_polynomial(inner, { { -0.95, { 0, 0, 0 } } });
+  set_polynomial(outer, { { 0.95, { 0, 0, 0 } } });
+  CGAL::Random random(17);
+  int spoilt = 0, left = 0;
+  for(double bad : { not_a_number, inf, -inf, 1.7e308, -1.7e308 })
+    for(int which = 0; which < 3; ++which)
+      for(int n = 0; n < 3; ++n) {
+        std::array<Hierarchical_field, 3> f = {{ field, inner, outer }};
+        Eigen::VectorXd x = f[which].coefficients();
+        // one of small cells, or of large ones
+        x[n == 0 ? random.get_int(0, int(x.size()) / 2) : int(x.size()) - 1 - random.get_int(0, 600)] = bad;
+        f[which].set_coefficients(x);
+        const Varying_bounds bounds(f[0], Varying(f[1]), Varying(f[2]), Tag());
+        for(int m = 0; m < 30; ++m) {
+          const Triangle t = random_triangle(random, m);
+          if(CGAL::collinear(t[0], t[1], t[2])) continue;
+          const auto found = examine(bounds, t);
+          bool meets = false;
+          for_each_sample(t, [&](const Point_3& p) {
+            const auto c = field.locate(p);
+            if(c == Hierarchical_field::npos) return;
+            const double* b = f[which].cell(c).coefficients();
+            meets = meets || !std::isfinite(f[which].cell(c).error_radius())
+                 || std::any_of(b, b + 64, [](double value) { return !(std::abs(value) < 1e300); });
+          });
+          spoilt += meets;
+          if(meets) CHECK_FALSE((found.is_contained && found.is_transversal));
+          if(meets && which == 0) CHECK_FALSE((found.is_contained || found.is_transversal));
+          if(meets) CHECK_FALSE(found.is_contained);
+          left += found.is_contained;
+        }
+      }
+  CHECK(spoilt > 50);
+  CHECK(left > 100);
+  const Uniform_field plane = uniform_field(height);
+  for(double level : { not_a_number, inf }) {
+    CHECK_FALSE(is_contained(plane, level, 1, horizontal(0.1, 0)));
+    CHECK_FALSE(is_contained(plane, -1, -level, horizontal(0.1, 0)));
+  }
+}
+
+TEST_CASE("Second-order bounds: rounding proves nothing where values are large compared with their differences")
+{
+  CGAL::Random random(41);
+  int exceeded = 0, turned = 0;
+  for(int n = 0; n < 4; ++n) {
+    Uniform_field field(cells_of_cube());
+    set_random(field, random, { { 1e6, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } }, 1e-3);
+    const BS::Field_predicates_3<Uniform_field> predicates(field);
+    for(int m = 0; m < 16; ++m) {
+      const Point_3 p = CGAL::ORIGIN + random_vector(random, 0.9);
+      const Triangle t = { p, p + Vector_3(-1e-3, 0, -1e-2), p + Vector_3(0, -1e-3, -1e-2) };
+      // the largest number that is less than the field at a corner
+      double level = *field.value(p) + 1e-8;
+      while(predicates.compare(p, level) != CGAL::LARGER) level = std::nextafter(level, -inf);
+      ++exceeded;
+      CHECK_FALSE(is_contained(field, 0, level, t));
+      level = *field.value(p) - 1e-8;
+      while(predicates.compare(p, level) != CGAL::SMALLER) level = std::nextafter(level, inf);
+      CHECK_FALSE(is_contained(field, level, 2e6, { p, p + Vector_3(1e-3, 0, 1e-2), p + Vector_3(0, 1e-3, 1e-2) }));
+    }
+    set_random(field, random, { { 1e6, { 0, 0, 0 } } }, 4e-10);
+    const Bounds bounds = between(field, 0, 2e6);
+    for(int m = 0; m < 16; ++m) {
+      const Point_3 p = CGAL::ORIGIN + random_vector(random, 0.9);
+      const auto found = examine(bounds, { p, p + Vector_3(1e-9, 0, 0), p + Vector_3(0, 1e-9, 0) });
+      const bool faces_along = exact_value(field, exact(p), { 0, 0, 1 }) > 0;
+      if(!faces_along) CHECK_FALSE(found.is_transversal);
+      turned += !faces_along;
+    }
+  }
+  CHECK(exceeded == 64);
+  CHECK(turned > 10);
+}
+
+TEST_CASE("Second-order bounds: the answers are the same at any scale that is a power of two, and what is wrong is proved at none")
+{
+  const Triangle t = horizontal(0.2, 0.1);
+  const auto fields = [](double scale) {
+    Frame frame;
+    frame.scale = scale;
+    return uniform_field({ { 1, { 0, 0, 1 } }, { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } } }, frame);
+  };
+  for(int exponent : { -1000, -700, -565, -520, -511, -505, -300, 0, 60, 480, 511, 513, 514, 515, 518, 520, 530, 565, 700, 900 }) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1., exponent);
+    const Uniform_field field = fields(scale);
+    for(double size : { 1., 0.5, 0.125, std::ldexp(1., -10) }) {
+      // the peak 0.1 is in the middle
+      const Triangle here = scaled({ Point_3(size * t[0].x(), size * t[0].y(), 0.1), Point_3(size * t[1].x(), size * t[1].y(), 0.1),
+                                     Point_3(size * t[2].x(), size * t[2].y(), 0.1) }, scale);
+      const double drop = size * size * 0.04;
+      CHECK_FALSE(is_contained(field, -scale, (0.1 - 0.01 * drop) * scale, here));
+      CHECK_FALSE(examine(between(field, -scale, scale), { here[1], here[0], here[2] }).is_transversal);
+      const auto found = examine(between(field, -scale, (0.1 + 0.01 * drop) * scale), here);
+      if(std::abs(exponent) <= 480) {
+        CHECK(found.is_contained);
+        CHECK(found.is_transversal);
+      }
+      if(found.is_transversal) CHECK(found.slope <= 1 + 1e-12);
+    }
+  }
+  // in cells of ordinary size
+  const Uniform_field field = fields(1);
+  const Bounds bounds = between(field, -0.5, 0.5);
+  for(double size : { 1e-20, 1e-100, 1e-200, 1e-300 }) {
+    const auto found = examine(bounds, scaled(horizontal(1, 0.5), size), 0);
+    CHECK(found.is_contained);
+    CHECK(found.is_transversal);
+    CHECK(found.slope == Approx(1));
+  }
+}
+
+TEST_CASE("Second-order bounds: fewer bisections prove less, never anything else")
+{
+  CGAL::Random random(23);
+  Uniform_field field(cells_of_cube());
+  set_random(field, random, height, 0.02);
+  const Bounds bounds = between(field, -0.5, 0.5);
+  std::array<int, 4> proved = {};
+  for(int n = 0; n < 200; ++n) {
+    const Triangle t = random_triangle(random, n);
+    if(CGAL::collinear(t[0], t[1], t[2])) continue;
+    bool contained = false, transversal = false;
+    int m = 0;
+    for(std::size_t bisections : { std::size_t(0), std::size_t(3), std::size_t(20), many }) {
+      const auto found = examine(bounds, t, bisections);
+      CHECK((found.is_contained || !contained));
+      CHECK((found.is_transversal || !transversal));
+      contained = found.is_contained;
+      transversal = found.is_transversal;
+      proved[m++] += contained + transversal;
+    }
+  }
+  CHECK(proved[0] > 20);
+  CHECK(proved[0] < proved[1]);
+  CHECK(proved[1] < proved[3]);
+}
+
+TEST_CASE("Second-order bounds: the bound of the slope is near what the slope is, as far as that is wanted")
+{
+  CGAL::Random random(29);
+  Uniform_field field(cells_of_cube());
+  set_random(field, random, height, 0.01);
+  const Bounds bounds = between(field, -2, 2);
+  for(int n = 0; n < 60; ++n) {
+    Triangle t = random_triangle(random, n);
+    if(CGAL::collinear(t[0], t[1], t[2])) continue;
+    if(normal(t).z() < 0) std::swap(t[0], t[1]);
+    if(!(normal(t).z() > 0.05)) continue;
+    const double least = least_slope(field, t);
+    for(double wanted : { 0.1, 0.5, 10. }) {
+      const auto found = examine(bounds, t, many, wanted);
+      if(!(least > 0.01)) continue;
+      CHECK(found.is_transversal);
+      CHECK(found.slope <= least * (1 + 1e-9));
+      CHECK(found.slope >= (std::min)(wanted, 0.89 * least));
+    }
+  }
+}
+
+TEST_CASE("Second-order bounds: the same with any number of threads, and rigorous in any rounding mode")
+{
+  CGAL::Random random(31);
+  Uniform_field field(cells_of_cube());
+  set_random(field, random, height, 0.02);
+  const Bounds one = between(field, -0.5, 0.5), two(field, Constant(-0.5), Constant(0.5), CGAL::Parallel_if_available_tag());
+  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  for(int n = 0; n < 60; ++n) {
+    const Triangle t = random_triangle(random, n);
+    if(CGAL::collinear(t[0], t[1], t[2])) continue;
+    const auto a = examine(one, t, many, 1), b = examine(two, t, many, 1);
+    CHECK(a.is_contained == b.is_contained);
+    CHECK(a.is_transversal == b.is_transversal);
+    CHECK(a.slope == b.slope);
+    for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+      std::fesetround(mode);
+      const auto found = examine(one, t, many, 1);
+      const int after = std::fegetround();
+      std::fesetround(FE_TONEAREST);
+      CHECK(after == mode);
+      if(found.is_contained) CHECK(predicates.values_within(t, { -0.5, 0.5 }) == Verdict::PROVED);
+      if(found.is_transversal) CHECK(predicates.crosses_upwards(t) == Verdict::PROVED);
+    }
+  }
+}
+
+TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, nearly all, with few bisections")
+{
+  const Uniform_field field = uniform_field(squared_distance);
+  const Bounds bounds = between(field, 0.3, 0.66);
+  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  for(int subdivisions : { 1, 2, 3 }) {
+    const Mesh mesh = sphere(subdivisions, 0.8);
+    std::size_t proved = 0, by_predicates = 0;
+    for(auto f : mesh.faces()) {
+      const auto h = mesh.halfedge(f);
+      const Triangle t = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
+      const auto found = examine(bounds, t, 64);
+      proved += found.is_contained && found.is_transversal;
+      by_predicates += predicates.values_within(t, { 0.3, 0.66 }) == Verdict::PROVED && predicates.crosses_upwards(t) == Verdict::PROVED;
+    }
+    CHECK(by_predicates == mesh.number_of_faces());
+    CHECK(proved >= by_predicates * 99 / 100);
+  }
+}
+
+TEST_CASE("Second-order bounds: near the origin, where places have no errors, roundings of values prove nothing")
+{
+  CGAL::Random random(61);
+  int turned = 0;
+  const Polynomial steep = { { 1, { 0, 0, 1 } } };
+  for(int n = 0; n < 2; ++n) {
+    Uniform_field field(cells_of_cube());
+    set_random(field, random, steep, 0.5);
+    const BS::Field_predicates_3<Uniform_field> predicates(field);
+    for(int m = 0; m < 8; ++m) {
+      const Point_3 p = CGAL::ORIGIN + random_vector(random, 1e-9);
+      const auto g = field.gradient(p);
+      // from the corner, all of the facet is lower, or higher
+      const Vector_3 along = (1e-9 / std::sqrt(g->squared_length())) * *g, u = 0.1 * CGAL::cross_product(along, Vector_3(0.36, 0.48, 0.8)),
+                     v = 1e9 * CGAL::cross_product(along, u);
+      // the number next to the field at the corner that is less, or larger
+      double level = *field.value(p) + 1e-14;
+      while(predicates.compare(p, level) != CGAL::LARGER) level = std::nextafter(level, -inf);
+      CHECK_FALSE(is_contained(field, -10, level, { p, p - along + u, p - along + v }, 0));
+      level = *field.value(p) - 1e-14;
+      while(predicates.compare(p, level) != CGAL::SMALLER) level = std::nextafter(level, inf);
+      CHECK_FALSE(is_contained(field, level, 10, { p, p + along + u, p + along + v }, 0));
+      ++turned;
+    }
+  }
+  CHECK(turned == 16);
+}
+
+TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for each pair of axes")
+{
+  // x y, and so on, on needles along the diagonal: higher in the middle
+  for(int axis = 0; axis < 3; ++axis)
+    for(double sign : { 1., -1. }) {
+      const int a = axis, b = (axis + 1) % 3, c = (axis + 2) % 3;
+      Polynomial mixed = { { sign, { 0, 0, 0 } }, { -sign * 0.12, { 0, 0, 0 } }, { -sign * 0.12, { 0, 0, 0 } } };
+      mixed[0].power[a] = mixed[0].power[b] = 1;
+      mixed[1].power[a] = 1;
+      mixed[2].power[b] = 1;
+      mixed.push_back({ 1, { 0, 0, 0 } });       // faces along the third axis
+      mixed[3].power[c] = 1;
+      const auto point = [&](double x, double y) {
+        std::array<double, 3> p;
+        p[a] = x;
+        p[b] = y;
+        p[c] = 0.1;
+        return Point_3(p[0], p[1], p[2]);
+      };
+      Triangle needle = { point(0.22, 0.02), point(0.02, 0.22), point(0.219, 0.019) };
+      if(normal(needle)[c] < 0) std::swap(needle[0], needle[1]);
+      const Uniform_field field = uniform_field(mixed);
+      const Extrema e = values(field, needle);
+      const double size = e.highest - e.lowest;
+      for(double share : { -0.03, -0.2, -0.4 })
+        CHECK_FALSE((sign > 0 ? is_contained(field, -1, e.highest + share * size, needle, 0) : is_contained(field, e.lowest - share * size, 1, needle, 0)));
+      CHECK((sign > 0 ? is_contained(field, -9, e.highest + 2 * size, needle) : is_contained(field, e.lowest - 2 * size, 9, needle)));
+    }
+}
+
+TEST_CASE("Second-order bounds: a facet along the gradient does not face it, however thin it is")
+{
+  CGAL::Random random(67);
+  int inexact = 0;
+  for(int n = 0; n < 200; ++n) {
+    // the gradient is an edge of the facet, exactly
+    const auto integer = [&] { return random.get_int(-60, 60); };
+    const double a = integer(), b = integer(), c = 1 + std::abs(integer());
+    const Uniform_field field = uniform_field({ { a, { 1, 0, 0 } }, { b, { 0, 1, 0 } }, { c, { 0, 0, 1 } } });
+    const Point_3 p(0, 0, 0), q(a / 128, b / 128, c / 128);
+    const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
+    const double s = number(), width = std::ldexp(1., -20 - n % 5);
+    const Point_3 r(s * q.x() + width * number(), s * q.y() + width * number(), s * q.z() + width * number());
+    if(CGAL::collinear(p, q, r)) continue;
+    inexact += BS::facet_normal(p, q, r).radius > 1e-12;
+    const Bounds bounds = between(field, -200, 200);
+    for(const Triangle& t : { Triangle{ p, q, r }, Triangle{ q, p, r } })
+      for(double wanted : { 0., 1e-12 }) {
+        const auto found = examine(bounds, t, many, wanted);
+        CHECK_FALSE(found.is_transversal);
+        CHECK_FALSE(found.faces_away);      // neither does it face away
+      }
+  }
+  CHECK(inexact > 100);
+}
+
+TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
+{
+  CGAL::Random random(71);
+  for(int missing = 0; missing < 4; ++missing) {
+    std::vector<std::uint64_t> keys;
+    for(int k = -2; k < 2; ++k)
+      for(int j = -2; j < 2; ++j)
+        for(int i = -2; i < 2; ++i)
+          if(((i >= 0) | (j >= 0) << 1) != missing) keys.push_back(BS::Lattice_key::encode(i, j, k));
+    Uniform_field field{ Root_cells(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys) };
+    set_polynomial(field, height);
+    const Bounds bounds = between(field, -5, 5);
+    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+    // three times a number, rounded up or down
+    const auto thirds = [&](bool up) {
+      for(;;) {
+        const double x = random.get_double(0.2, 0.5) + std::ldexp(random.get_double(0, 1), -33);
+        if(Rational(3 * x) != 3 * Rational(x) && (Rational(3 * x) > 3 * Rational(x)) == up) return x;
+      }
+    };
+    for(int n = 0; n < 16; ++n) {
+      // a quarter of the way, the edge is off the axis by that rounding
+      const double x = thirds(true), y = thirds(false);
+      const Triangle t = { Point_3(-sx * x, sy * y, 0.1), Point_3(sx * 3 * x, -sy * 3 * y, 0.1), Point_3(-sx, -sy, 0.5) };
+      for(const Triangle& turned : { t, Triangle{ t[1], t[0], t[2] } }) {
+        const auto found = examine(bounds, turned);
+        CHECK_FALSE(found.is_contained);
+        CHECK_FALSE(found.is_transversal);
+      }
+    }
+  }
+}

@@ -1,0 +1,829 @@
+// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are found
+// and named, and nothing is claimed that does not hold.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Shell_certificate_3<Field> Certificate;
+typedef BS::Constant_threshold Constant;
+typedef BS::Certificate_witness Place;
+using BS::Claim;
+using BS::Verdict;
+
+// all cells of a cube of the given half side about the origin
+Field cube_field(int half_cells, double spacing)
+{
+  const double h = half_cells * spacing;
+  std::vector<std::uint64_t> keys;
+  for(int k = -half_cells; k < half_cells; ++k)
+    for(int j = -half_cells; j < half_cells; ++j)
+      for(int i = -half_cells; i < half_cells; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  return Field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing), keys));
+}
+
+// sets the coefficients from a function of the point that each is centred at
+template <typename Function>
+void set(Field& field, const Function& f)
+{
+  const double w = field.cells().width();
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto& p = field.functions().point(Field::Cell_index(n));
+    x[Eigen::Index(n)] = f(p[0] * w, p[1] * w, p[2] * w);
+  }
+  field.set_coefficients(x);
+}
+
+// about |x|, with its only critical point at the origin
+Field radial_field(double scale = 1)
+{
+  Field field = cube_field(12, scale / 8);
+  set(field, [](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z); });
+  return field;
+}
+
+// a x^2 + b y^2 + c z^2 exactly, with spacing one: the coefficients of x^2 are x^2 - 1/3
+Field quadratic_field(double a, double b, double c)
+{
+  Field field = cube_field(4, 1);
+  set(field, [=](double x, double y, double z) { return a*x*x + b*y*y + c*z*z - (a + b + c) / 3; });
+  return field;
+}
+
+// A star pentagon as equator of a double pyramid: a surface that covers each direction twice.
+Mesh pentagram_bipyramid()
+{
+  Mesh mesh;
+  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
+  std::vector<Mesh::Vertex_index> link;
+  for(int n : { 0, 2, 4, 1, 3 }) {
+    const double angle = 2 * CGAL_PI * n / 5;
+    link.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
+  }
+  for(int n = 0; n < 5; ++n) {
+    mesh.add_face(link[n], link[(n + 1) % 5], north);
+    mesh.add_face(link[(n + 1) % 5], link[n], south);
+  }
+  return mesh;
+}
+
+Certificate certify(const Field& field, double inner, double outer, const Mesh& mesh)
+{
+  Certificate certificate(field, Constant(inner), Constant(outer));
+  certificate.verify<CGAL::Sequential_tag>(mesh);
+  return certificate;
+}
+
+std::vector<Verdict> verdicts(const Certificate& certificate)
+{
+  std::vector<Verdict> v;
+  for(int c = 0; c < 5; ++c) v.push_back(certificate.verdict(Claim(c)));
+  return v;
+}
+
+const std::vector<Verdict> all_proved(5, Verdict::PROVED);
+
+std::set<std::size_t> facets_named(const Certificate& certificate, Claim claim)
+{
+  std::set<std::size_t> facets;
+  for(const Place& w : certificate.witnesses())
+    if(w.claim == claim && w.facet != Place::none) facets.insert(w.facet);
+  return facets;
+}
+
+std::set<std::size_t> facets_at(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  std::set<std::size_t> facets;
+  for(auto f : mesh.faces_around_target(mesh.halfedge(v))) facets.insert(std::size_t(f));
+  return facets;
+}
+
+} // namespace
+
+TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that hold")
+{
+  const Mesh mesh = sphere(2);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK_FALSE(certificate);                 // nothing was verified yet
+  for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+  REQUIRE(certificate.verify(mesh));
+  CHECK(certificate);
+  CHECK(verdicts(certificate) == all_proved);
+  CHECK(certificate.witnesses().empty());
+  CHECK(certificate.number_of_covers() == 1);
+  REQUIRE(certificate.paths().size() == 1);
+  CHECK(certificate.singular_vertices().empty());
+
+  // bounds, against samples
+  double least = 1e9, least_angle = 1e9;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 n = CGAL::cross_product(q - p, r - p);
+    for(const Point_3& s : { p, q, r, CGAL::centroid(p, q, r) }) {
+      const Vector_3 g = shell.field().gradient(s).value();
+      const double length = std::sqrt(g.squared_length());
+      least = (std::min)(least, length);
+      least_angle = (std::min)(least_angle, std::asin(n * g / length / std::sqrt(n.squared_length())));
+      CHECK(certificate.facets()[std::size_t(f)].slope <= n * g / std::sqrt(n.squared_length()) + 1e-12);
+    }
+  }
+  CHECK(certificate.least_gradient() > 0.5 * least);
+  CHECK(certificate.least_gradient() <= least);
+  CHECK(certificate.least_angle() > 0.5 * least_angle);
+  CHECK(certificate.least_angle() <= least_angle);
+  CHECK(certificate.displacement_bound() >= shell.thickness() / least);
+  CHECK(certificate.displacement_bound() <= 2 * shell.thickness() / least);
+
+  // the lengths of integral curves through the middles of facets, traced in small steps
+  const std::vector<double> displacements = certificate.displacement_bounds();
+  REQUIRE(displacements.size() == mesh.number_of_faces());
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    double length = 0;
+    for(double sign : { -1., 1. }) {
+      Point_3 p = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+      const double step = shell.thickness() / 100;
+      while(shell.bounded_side(p) == CGAL::ON_BOUNDED_SIDE) {
+        const Vector_3 g = shell.field().gradient(p).value();
+        p = p + sign * step / std::sqrt(g.squared_length()) * g;
+        length += step;
+      }
+      length -= step;
+    }
+    CHECK(displacements[std::size_t(f)] >= length);
+    CHECK(displacements[std::size_t(f)] <= certificate.displacement_bound());
+  }
+
+  // any other mesh in the shell: the same sphere, turned
+  Mesh turned = mesh;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  for(auto v : turned.vertices()) {
+    const Point_3 p = turned.point(v);
+    turned.point(v) = Point_3(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+  }
+  Certificate other(shell.field(), Constant(shell.inner_level() - 0.02), Constant(shell.outer_level() + 0.02));
+  CHECK(other.verify(turned));
+  CHECK(other.verify(mesh));
+}
+
+TEST_CASE("Certificate: components side by side and nested have shells of their own")
+{
+  Mesh mesh = sphere(2);
+  Mesh hole = sphere(2, 0.4);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
+  CGAL::copy_face_graph(hole, mesh);
+  CGAL::copy_face_graph(sphere(2, 0.5, Point_3(2, 0, 0)), mesh);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(24));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+  CHECK(certificate.number_of_covers() == 3);
+  CHECK(certificate.paths().size() == 3);
+}
+
+TEST_CASE("Certificate: a fan that winds twice is a double cover, although all facets face the field")
+{
+  const Mesh mesh = pentagram_bipyramid();
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.28, 1.1, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED,
+                                                       Verdict::REFUTED });
+  REQUIRE(certificate.witnesses().size() == 1);
+  CHECK(certificate.witnesses()[0].reason == Place::CROSSINGS);
+  CHECK(certificate.witnesses()[0].count == 2);
+  CHECK_FALSE(certificate);
+}
+
+TEST_CASE("Certificate: a facet that is turned over is refuted and named")
+{
+  Mesh mesh = sphere(2);
+  const auto v = *mesh.vertices().begin();
+  // across the opposite edge of one of its facets, along the sphere
+  const auto h = mesh.halfedge(v);
+  const Point_3 &q = mesh.point(mesh.source(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Vector_3 over = CGAL::midpoint(q, r) + 0.5 * (CGAL::midpoint(q, r) - mesh.point(v)) - CGAL::ORIGIN;
+  mesh.point(v) = CGAL::ORIGIN + over / std::sqrt(over.squared_length());
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::REFUTED);
+  CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED);
+  const std::set<std::size_t> named = facets_named(certificate, Claim::TRANSVERSALITY), at_v = facets_at(mesh, v);
+  CHECK(named.count(std::size_t(mesh.face(h))) == 1);
+  CHECK(std::includes(at_v.begin(), at_v.end(), named.begin(), named.end()));
+  for(const Place& w : certificate.witnesses())
+    if(w.verdict == Verdict::REFUTED && w.claim == Claim::TRANSVERSALITY) CHECK(w.value.max <= 0);
+  CHECK(certificate.facets()[std::size_t(mesh.face(h))].transversality == Verdict::REFUTED);
+  CHECK(certificate.least_angle() == 0);
+}
+
+TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their degree")
+{
+  Mesh mesh = sphere(2, 0.9);
+  CGAL::copy_face_graph(sphere(2, 1.1), mesh);
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED,
+                                                       Verdict::REFUTED });
+  for(const Place& w : certificate.witnesses()) {
+    if(w.claim == Claim::ONE_SHEET) {
+      CHECK(w.reason == Place::TWO_SHEETS);
+      CHECK(w.component == 0);
+      CHECK(w.other_component == 1);
+    } else CHECK(w.count == 2);
+  }
+}
+
+TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
+{
+  // a dent in the field between the levels, away from the mesh
+  Field field = radial_field();
+  Eigen::VectorXd x = field.coefficients();
+  x[field.functions().index(5, 5, 5)] -= 0.5;
+  field.set_coefficients(x);
+  const Certificate certificate = certify(field, 0.28, 1.1, pentagram_bipyramid());
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::DEGREE_ONE) == Verdict::UNDECIDED);
+  int said = 0;
+  for(const Place& w : certificate.witnesses()) {
+    if(w.claim != Claim::DEGREE_ONE) continue;
+    ++said;
+    CHECK(w.verdict == Verdict::UNDECIDED);
+    CHECK(w.reason == Place::NO_PATH);
+    CHECK(w.component == 0);
+    CHECK(w.facet != Place::none);
+  }
+  CHECK(said == 1);
+}
+
+TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond does no harm")
+{
+  // |x - c|^2, exactly; c is no corner of any box
+  const Point_3 c(0.31, -0.13, 0.17);
+  Field field = cube_field(4, 1);
+  set(field, [&](double x, double y, double z) {
+    return (x - c.x()) * (x - c.x()) + (y - c.y()) * (y - c.y()) + (z - c.z()) * (z - c.z()) - 1;
+  });
+  const Mesh mesh = sphere(2, 2, c);
+  const double highest = 4.001, lowest = 3;
+  REQUIRE(certify(field, lowest, highest, mesh));
+  CHECK(certify(field, 0.01, highest, mesh).verdict(Claim::GRADIENT) == Verdict::PROVED);
+  const double lowest_value = field.value(c).value();       // zero but for rounding
+  REQUIRE(std::abs(lowest_value) < 1e-14);
+  for(double inner : { -0.5, lowest_value }) {
+    CAPTURE(inner);
+    const Certificate certificate = certify(field, inner, highest, mesh);
+    CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    CHECK(certificate.verdict(Claim::GRADIENT) == (inner < -0.1 ? Verdict::REFUTED : Verdict::UNDECIDED));
+    CHECK(certificate.least_gradient() == 0);
+    CHECK(certificate.displacement_bound() == std::numeric_limits<double>::infinity());
+    bool named = false;
+    for(const Place& w : certificate.witnesses())
+      if(w.claim == Claim::GRADIENT && w.verdict == certificate.verdict(Claim::GRADIENT))
+        named = named || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
+    CHECK(named);
+  }
+  // at a corner of cells no polynomial is that of a whole neighbourhood: it is found, but not proved
+  CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
+{
+  // x^2 + y^2 - z^2 + linear terms, whose saddle is where no box has its corner
+  Field field = cube_field(4, 1);
+  set(field, [](double x, double y, double z) { return x*x + y*y - z*z - 1. / 3 - 0.62 * x + 0.26 * y + 0.34 * z; });
+  BS::Shell_cover_3<Field> cover(field, Constant(-0.3), Constant(0.3));
+  CHECK(cover.flood<CGAL::Sequential_tag>(Point_3(0.31, -0.13, 0.17), 0) == 0);
+  std::size_t proved = 0;
+  for(const BS::Cover_box& box : cover.boxes()) {
+    if(box.component != 0 || box.kind != BS::Box_kind::UNDECIDED) continue;
+    const auto critical = BS::prove_critical_point(cover.function(box));
+    if(!critical) continue;
+    ++proved;
+    const CGAL::Bbox_3 b = cover.bbox(box);
+    const double w = b.xmax() - b.xmin();
+    CHECK(b.xmin() + critical->center[0] * w == Approx(0.31).epsilon(1e-9));
+    CHECK(b.ymin() + critical->center[1] * w == Approx(-0.13).epsilon(1e-9));
+    CHECK(b.zmin() + critical->center[2] * w == Approx(0.17).epsilon(1e-9));
+  }
+  CHECK(proved == 1);
+  CHECK_FALSE(BS::prove_critical_point(BS::enclosed_value(field.cell(field.locate(Point_3(3.5, 3.5, 3.5))))));
+}
+
+TEST_CASE("Certificate: what reaches the end of the domain is not in its interior")
+{
+  const Field field = radial_field();      // up to 1.5 along the axes
+  const Mesh mesh = sphere(2);
+  CHECK(certify(field, 0.9, 1.45, mesh));
+  const Certificate certificate = certify(field, 0.9, 1.55, mesh);
+  CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+  REQUIRE_FALSE(certificate.witnesses().empty());
+  for(const Place& w : certificate.witnesses()) {
+    CHECK(w.reason == Place::END_OF_DOMAIN);
+    CHECK((std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) }) > 1.3);
+  }
+}
+
+TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a mesh elsewhere")
+{
+  const Field field = radial_field();
+  Mesh mesh = sphere(2);
+  const auto v = *(mesh.vertices().begin() + 20);
+  mesh.point(v) = CGAL::ORIGIN + 1.05 * (mesh.point(v) - CGAL::ORIGIN);
+  const double highest = field.value(mesh.point(v)).value();
+  CHECK(certify(field, 0.8, highest + 1e-12, mesh).verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  const Certificate certificate = certify(field, 0.8, highest - 1e-12, mesh);
+  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::REFUTED, Verdict::PROVED, Verdict::UNDECIDED,
+                                                       Verdict::UNDECIDED, Verdict::UNDECIDED });
+  CHECK(facets_named(certificate, Claim::CONTAINMENT) == facets_at(mesh, v));
+  for(const Place& w : certificate.witnesses())
+    if(w.claim != Claim::CONTAINMENT) CHECK(w.reason == Place::CONTAINMENT_NEEDED);
+
+  for(const Point_3& center : { Point_3(0, 0, 20), Point_3(1, 0, 0) }) {
+    const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
+    CHECK(elsewhere.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+    CHECK_FALSE(elsewhere);
+    // outside is where the domain ends, 1.5 from the origin, and not before
+    int outside = 0, inside = 0;
+    for(const Place& w : elsewhere.witnesses()) {
+      if(w.claim != Claim::CONTAINMENT) continue;
+      const double far = (std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) });
+      CHECK((w.reason == Place::OUTSIDE || w.reason == Place::FACET));
+      if(w.reason == Place::OUTSIDE) { ++outside; CHECK(far > 1.5); }
+      else { ++inside; CHECK(far <= 1.5); }
+    }
+    CHECK(outside > 0);
+    CHECK((inside > 0) == (center.z() == 0));
+  }
+}
+
+TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
+{
+  // a cube whose sides lie in lattice planes, in a field that is exactly |x|^2 far from any critical point
+  const Field field = quadratic_field(1, 1, 1);
+  CHECK(certify(field, 0.9, 3.1, box(Point_3(-1, -1, -1), Point_3(1, 1, 1))));
+
+  Mesh mesh = sphere(2);
+  for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(1e6, -1e6, 1e6);
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
+  REQUIRE(shell);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+}
+
+TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
+{
+  Mesh mesh = sphere(2);
+  // split a facet at a point 1e-12 inside one of its edges, then lift nothing: two facets and a needle
+  const auto f = *mesh.faces().begin();
+  const auto h = mesh.halfedge(f);
+  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Point_3 inside = CGAL::midpoint(p, q) + 1e-12 * (r - CGAL::midpoint(p, q));
+  const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+  mesh.point(center) = inside;
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, mesh);
+  // Rounding has moved the point by 1e-16: the needle's normal may be anything. Whatever it is, the verdict follows the exact one.
+  for(auto face : mesh.faces()) {
+    const auto g = mesh.halfedge(face);
+    const Point_3 &a = mesh.point(mesh.source(g)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(mesh.next(g)));
+    const bool faces_out = CGAL::orientation(a, b, c, Point_3(0, 0, 0)) == CGAL::NEGATIVE;
+    if(!faces_out) CHECK(certificate.facets()[std::size_t(face)].transversality != Verdict::PROVED);
+  }
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+}
+
+TEST_CASE("Certificate: the same after scaling by a power of two, with any number of threads, in any rounding mode")
+{
+  const Mesh mesh = pentagram_bipyramid();
+  const Certificate reference = certify(radial_field(), 0.28, 1.1, mesh);
+  for(double scale : { std::ldexp(1., 30), std::ldexp(1., -40) }) {
+    Mesh scaled = mesh;
+    for(auto v : scaled.vertices()) scaled.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    const Field field = radial_field(scale);
+    const Certificate certificate = certify(field, scale * 0.28, scale * 1.1, scaled);
+    CHECK(verdicts(certificate) == verdicts(reference));
+    CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
+    CHECK(certificate.least_angle() == reference.least_angle());
+    CHECK(certificate.least_gradient() == reference.least_gradient());
+  }
+  const Field field = radial_field();
+  Certificate parallel(field, Constant(0.28), Constant(1.1));
+  parallel.verify<CGAL::Parallel_if_available_tag>(mesh);
+  CHECK(verdicts(parallel) == verdicts(reference));
+  CHECK(parallel.statistics().cover_boxes == reference.statistics().cover_boxes);
+  CHECK(parallel.least_gradient() == reference.least_gradient());
+  for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    REQUIRE(std::fesetround(mode) == 0);
+    Certificate rounded(field, Constant(0.28), Constant(1.1));
+    rounded.verify<CGAL::Sequential_tag>(mesh);
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    CHECK(after == mode);
+    CHECK(verdicts(rounded) == verdicts(reference));
+    CHECK(rounded.least_gradient() == reference.least_gradient());
+    CHECK(rounded.least_angle() == reference.least_angle());
+    // other threads have a mode of their own
+    REQUIRE(std::fesetround(mode) == 0);
+    Certificate in_parallel(field, Constant(0.28), Constant(1.1));
+    in_parallel.verify<CGAL::Parallel_if_available_tag>(mesh);
+    const int after_parallel = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    CHECK(after_parallel == mode);
+    CHECK(verdicts(in_parallel) == verdicts(reference));
+    CHECK(in_parallel.least_gradient() == reference.least_gradient());
+  }
+}
+
+TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothing is proved")
+{
+  const auto field_on = [](double spacing) {
+    const BS::Lattice_3::Point first = { -12, -12, -12 }, last = { 11, 11, 11 };
+    const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ spacing, spacing, spacing }, spacing, first, last);
+    std::vector<std::uint64_t> keys;
+    for(int k = -12; k < 12; ++k)
+      for(int j = -12; j < 12; ++j)
+        for(int i = -12; i < 12; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+    Field field(BS::Cell_complex_3(lattice, keys));
+    set(field, [&](double x, double y, double z) { return std::sqrt(std::pow(x + spacing, 2) + std::pow(y + spacing, 2) + std::pow(z + spacing, 2)); });
+    return field;
+  };
+  const Field inexact = field_on(0.1), exact = field_on(0.125);
+  REQUIRE_FALSE(inexact.has_exact_cells());
+  REQUIRE(exact.has_exact_cells());
+  const Certificate refused = certify(inexact, 0.75, 1.05, sphere(2, 0.9));
+  CHECK(refused.status() == BS::Shell_status::GRID_TOO_FINE);
+  CHECK_FALSE(refused);
+  for(int c = 0; c < 5; ++c) CHECK(refused.verdict(Claim(c)) == Verdict::UNDECIDED);
+  CHECK(certify(exact, 0.75, 1.05, sphere(2, 0.9)));
+}
+
+TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the field or in a threshold")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Mesh mesh = sphere(2);
+  const Field field = radial_field();
+  Field constant_inner = field, constant_outer = field;
+  set(constant_inner, [](double, double, double) { return 0.85; });
+  set(constant_outer, [](double, double, double) { return 1.15; });
+  const auto with = [](Field f, const BS::Lattice_3::Point& p, double bad) {
+    Eigen::VectorXd x = f.coefficients();
+    x[f.functions().index(p)] = bad;
+    f.set_coefficients(x);
+    return f;
+  };
+  const auto certified = [&](const Field& f, const Field& inner, const Field& outer) {
+    BS::Shell_certificate_3<Field, Varying> certificate(f, Varying(inner), Varying(outer));
+    certificate.verify<CGAL::Sequential_tag>(mesh);
+    for(const Place& w : certificate.witnesses()) CHECK(w.verdict == Verdict::UNDECIDED);
+    if(!certificate) CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+    return certificate.is_certified();
+  };
+  REQUIRE(certified(field, constant_inner, constant_outer));
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  // beside the mesh, but in the shell
+  for(const BS::Lattice_3::Point& p : { BS::Lattice_3::Point{ 0, 0, 11 }, BS::Lattice_3::Point{ -10, 0, 5 }, BS::Lattice_3::Point{ 0, -5, 0 } })
+    for(double bad : { not_a_number, infinity }) {
+      CAPTURE(bad, p[0], p[1], p[2]);
+      CHECK_FALSE(certified(field, constant_inner, with(constant_outer, p, bad)));
+      CHECK_FALSE(certified(field, with(constant_inner, p, bad), constant_outer));
+      CHECK_FALSE(certified(with(field, p, bad), constant_inner, constant_outer));
+      const Certificate certificate = certify(with(field, p, bad), 0.85, 1.15, mesh);
+      CHECK_FALSE(certificate);
+      CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+      CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+      CHECK(certificate.least_gradient() == 0);
+    }
+  // on the mesh: facets are undecided where the function acts, and only there
+  const BS::Lattice_3::Point p = { 0, 0, 8 };
+  const Certificate certificate = certify(with(field, p, not_a_number), 0.85, 1.15, mesh);
+  CHECK_FALSE(certificate);
+  std::size_t undecided = 0;
+  for(auto f : mesh.faces()) {
+    CGAL::Bbox_3 b;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) b += mesh.point(v).bbox();
+    const bool near = b.xmin() < 0.25 && b.xmax() > -0.25 && b.ymin() < 0.25 && b.ymax() > -0.25 && b.zmax() > 0.75;
+    const Certificate::Facet_verdict& verdict = certificate.facets()[std::size_t(f)];
+    if(!near) CHECK((verdict.containment == Verdict::PROVED && verdict.transversality == Verdict::PROVED));
+    undecided += verdict.containment == Verdict::UNDECIDED && verdict.transversality == Verdict::UNDECIDED;
+  }
+  CHECK(undecided > 0);
+}
+
+TEST_CASE("Certificate: what is no closed mesh has a status, and no claim is proved")
+{
+  Mesh open = sphere(1);
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  const Field field = radial_field();
+  const Certificate certificate = certify(field, 0.8, 1.2, open);
+  CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
+  CHECK(certificate.offending_simplices().facets.size() == 3);
+  for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+  CHECK(certify(field, 0.8, 1.2, Mesh()).status() == BS::Shell_status::EMPTY_MESH);
+}
+
+TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothing")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  const Mesh mesh = sphere(2);
+  const auto threshold = [&](const auto& f) {
+    Field values = field;
+    set(values, f);
+    return values;
+  };
+  const auto certify_between = [&](const Field& inner, const Field& outer, const Mesh& mesh) {
+    BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+    certificate.template verify<CGAL::Sequential_tag>(mesh);
+    return certificate;
+  };
+  const auto constant = [](double c) { return [c](double, double, double) { return c; }; };
+  const auto certificate = certify_between(threshold(constant(0.85)), threshold(constant(1.15)), mesh);
+  CHECK(certificate);
+  CHECK(certificate.displacement_bound() == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
+
+  // narrow above, wide below, never as steep as the field
+  const Field inner = threshold([](double, double, double z) { return 0.8 + 0.1 * z; }),
+              outer = threshold([](double, double, double z) { return 1.2 - 0.1 * z; });
+  CHECK(certify_between(inner, outer, mesh));
+  // a mesh that the narrow part does not hold
+  const auto refuted = certify_between(inner, outer, sphere(2, 1.15));
+  CHECK_FALSE(refuted);
+  CHECK(refuted.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
+
+  // Falling as the field rises, so that the shell is where it is between constants: without a critical point, and inside the domain.
+  // A threshold that is less steep than the field is crossed; what is as steep might not be.
+  const auto falling = [&](double level, double steepness) {
+    return threshold([=](double x, double y, double z) { return level - steepness * (std::sqrt(x*x + y*y + z*z) - level); });
+  };
+  for(double steepness : { 0.5, 1.5 }) {
+    CAPTURE(steepness);
+    const bool is_crossed = steepness < 1;
+    CHECK((certify_between(falling(0.85, steepness), threshold(constant(1.2)), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
+    CHECK((certify_between(threshold(constant(0.85)), falling(1.2, steepness), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
+  }
+}
+
+TEST_CASE("Thresholds that vary: an overhang of either of them is not certified")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  const Mesh mesh = sphere(2);
+  // a dent of the inner threshold, a bump of the outer one, beside the sphere
+  const auto dented = [&](double level, const BS::Lattice_3::Point& p, double height) {
+    Field values = field;
+    set(values, [=](double, double, double) { return level; });
+    Eigen::VectorXd x = values.coefficients();
+    x[values.functions().index(p)] += height;
+    values.set_coefficients(x);
+    return values;
+  };
+  // the least of grad f . grad(f - threshold) where the field has the threshold's value, near that
+  const auto least_crossing = [&](const Field& threshold, const Point_3& near) {
+    double least = 1e9;
+    const int parts = 60;
+    for(int i = -parts; i <= parts; ++i)
+      for(int j = -parts; j <= parts; ++j)
+        for(int k = -parts; k <= parts; ++k) {
+          const Point_3 p = near + 0.3 / parts * Vector_3(i, j, k);
+          const auto f = field.value(p), t = threshold.value(p);
+          if(!f || !(std::abs(*f - *t) < 0.002)) continue;
+          const Vector_3 g = *field.gradient(p);
+          least = (std::min)(least, g * (g - *threshold.gradient(p)));
+        }
+    return least;
+  };
+  const BS::Lattice_3::Point below = { 0, 3, 4 }, above = { 0, 6, 9 };
+  for(bool is_inner : { true, false })
+    for(double height : { 0.3, 3. }) {
+      CAPTURE(is_inner, height);
+      const Field inner = dented(0.85, below, is_inner ? -height : 0), outer = dented(1.15, above, is_inner ? 0 : height);
+      BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+      certificate.verify<CGAL::Sequential_tag>(mesh);
+      const double least = is_inner ? least_crossing(inner, Point_3(0, 3. / 8, 4. / 8)) : least_crossing(outer, Point_3(0, 6. / 8, 9. / 8));
+      if(height < 1) {
+        CHECK(least > 0);
+        CHECK(certificate);
+      } else {
+        CHECK(least < -0.01);
+        CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+        CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::PROVED);
+        for(const Place& w : certificate.witnesses())
+          if(w.claim == Claim::GRADIENT) CHECK(w.reason == Place::BOX);
+      }
+    }
+}
+
+TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  Field inner = field, outer = field;
+  set(inner, [](double, double, double z) { return 0.8 + 0.1 * z; });
+  set(outer, [](double, double, double z) { return 1.2 - 0.1 * z; });
+  const auto count = [&](const auto& cover, const auto& between) {
+    std::array<std::size_t, 2> boxes = {};
+    for(const BS::Cover_box& box : cover.boxes()) {
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      bool sampled = true;
+      for(int n = 0; n < 27; ++n) {
+        const auto at = [&](int a, int i) { return (b.min)(a) + ((b.max)(a) - (b.min)(a)) * i / 2; };
+        sampled = sampled && between(Point_3(at(0, n % 3), at(1, n / 3 % 3), at(2, n / 9)));
+      }
+      if(cover.is_between_thresholds(box)) CHECK(sampled);
+      ++boxes[cover.is_between_thresholds(box)];
+    }
+    return boxes;
+  };
+  BS::Shell_cover_3<Field, Varying> varying(field, Varying(inner), Varying(outer));
+  CHECK(varying.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
+  const auto between = [&](const Point_3& p) { return *field.value(p) >= *inner.value(p) - 1e-12 && *field.value(p) <= *outer.value(p) + 1e-12; };
+  const std::array<std::size_t, 2> boxes = count(varying, between);
+  CHECK(boxes[0] > 100);
+  CHECK(boxes[1] > 100);
+  BS::Shell_cover_3<Field> fixed(field, Constant(0.8), Constant(1.2));
+  CHECK(fixed.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
+  const std::array<std::size_t, 2> fixed_boxes
+    = count(fixed, [&](const Point_3& p) { return *field.value(p) >= 0.8 - 1e-12 && *field.value(p) <= 1.2 + 1e-12; });
+  CHECK(fixed_boxes[0] > 100);
+  CHECK(fixed_boxes[1] > 100);
+}
+
+// a field that fails after some cells were asked for, as any field or allocation may
+struct Failing_field : Field
+{
+  explicit Failing_field(const Field& field) : Field(field) {}
+  Field::Cell cell(Field::Cell_index c) const
+  {
+    if(left-- == 0) throw std::bad_alloc();
+    return Field::cell(c);
+  }
+  mutable long left = -1;
+};
+
+TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothing proved")
+{
+  Failing_field field(radial_field());
+  const Mesh mesh = sphere(1);
+  BS::Shell_certificate_3<Failing_field> certificate(field, Constant(0.7), Constant(1.3));
+  REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  field.left = -1;
+  certificate.verify<CGAL::Sequential_tag>(mesh);
+  const long calls = -1 - field.left;
+  REQUIRE(calls > 1000);
+  for(int n = 0; n < 20; ++n) {
+    field.left = -1;
+    REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+    field.left = calls * n / 20;
+    CHECK_THROWS_AS(certificate.verify<CGAL::Sequential_tag>(mesh), std::bad_alloc);
+    CHECK_FALSE(certificate.is_certified());
+    for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+    CHECK(certificate.facets().empty());
+    CHECK(certificate.paths().empty());
+    CHECK(certificate.least_gradient() == 0);
+    CHECK(certificate.displacement_bound() == std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST_CASE("Certificate: nothing is proved of a mesh that was refused, nor kept of the one before")
+{
+  const Field field = radial_field();
+  Mesh open = sphere(2);
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  const auto refused = std::make_shared<BS::Input_mesh_3>(), accepted = std::make_shared<BS::Input_mesh_3>();
+  REQUIRE(refused->build<CGAL::Sequential_tag>(open, open.points(), {}) == BS::Shell_status::OPEN_MESH);
+  const Mesh closed = sphere(2);
+  REQUIRE(accepted->build<CGAL::Sequential_tag>(closed, closed.points(), {}) == BS::Shell_status::SUCCESS);
+  Certificate certificate(field, Constant(0.7), Constant(1.3));
+  for(const std::shared_ptr<const BS::Input_mesh_3>& input : { refused, std::make_shared<BS::Input_mesh_3>() }) {
+    REQUIRE(certificate.verify<CGAL::Sequential_tag>(std::shared_ptr<const BS::Input_mesh_3>(accepted)));
+    CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(input));
+    CHECK(certificate.status() == input->status());
+    for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
+    CHECK(certificate.facets().empty());
+  }
+}
+
+TEST_CASE("Certificate: what refutes a claim is listed, however many places are undecided before")
+{
+  BS::Certificate_report report;
+  Place w = {};
+  w.claim = Claim::GRADIENT;
+  w.verdict = Verdict::UNDECIDED;
+  for(std::size_t n = 0; n < 2 * BS::Certificate_report::max_witnesses; ++n) report.add(w);
+  w.verdict = Verdict::REFUTED;
+  report.add(w);
+  CHECK(report.witnesses.size() == BS::Certificate_report::max_witnesses);
+  CHECK(report.witnesses.back().verdict == Verdict::REFUTED);
+  CHECK(report.total_number_of_witnesses() == 2 * BS::Certificate_report::max_witnesses + 1);
+}
+
+TEST_CASE("Certificate: witnesses are bounded, and counted")
+{
+  const Field field = radial_field();
+  Mesh mesh = sphere(3);
+  const std::size_t facets = mesh.number_of_faces();
+  REQUIRE(facets > 2 * BS::Certificate_report::max_witnesses);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  const Certificate certificate = certify(field, 0.7, 1.3, mesh);
+  const std::size_t transversality = std::size_t(Claim::TRANSVERSALITY);
+  CHECK(certificate.report().number_of_witnesses[transversality] == facets);
+  CHECK(std::size_t(std::count_if(certificate.witnesses().begin(), certificate.witnesses().end(), [](const Place& w) {
+    return w.claim == Claim::TRANSVERSALITY;
+  })) == BS::Certificate_report::max_witnesses);
+  for(const auto& facet : certificate.facets()) CHECK(facet.transversality == Verdict::REFUTED);
+}
+
+TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the field, however small both are")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  for(double s : { 1., 1e-150, 1.8e-163, 1.84e-163, 1.9e-163, 1e-200, 1e-290 }) {
+    CAPTURE(s);
+    // f = s x^2, and a threshold that has its value at x = 4.05 with the slope 8.3 s instead of 8.1 s
+    Field field = cube_field(5, 1), inner = field, outer = field;
+    set(field, [=](double x, double, double) { return s * (x*x - 1./3); });
+    set(inner, [=](double, double, double) { return s; });
+    set(outer, [=](double x, double, double) { return s * (16.4025 + 8.3 * (x - 4.05)); });
+    BS::Shell_cover_3<Field, Varying> cover(field, Varying(inner), Varying(outer));
+    cover.flood<CGAL::Sequential_tag>(Point_3(4.02, 0.5, 0.5), 0);
+    std::size_t boxes = 0;
+    for(const BS::Cover_box& box : cover.boxes()) {
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      if(box.component != 0 || b.xmin() > 4.05 || b.xmax() < 4.05) continue;
+      ++boxes;
+      CHECK(box.kind == BS::Box_kind::UNDECIDED);
+    }
+    CHECK(boxes > 0);
+  }
+}
+
+TEST_CASE("Cover: the least gradient is not more than what the field has, however small it is")
+{
+  for(double s : { 1., 1e-140, 1e-155, 1e-160, 1e-200 }) {
+    CAPTURE(s);
+    Field field = cube_field(2, 1);
+    set(field, [=](double x, double y, double z) { return s * (x + 0.3 * y - 0.7 * z + 0.01 * (x*x - 1./3)); });
+    BS::Shell_cover_3<Field> cover(field, Constant(-0.5 * s), Constant(0.5 * s));
+    cover.flood<CGAL::Sequential_tag>(Point_3(0, 0, 0), 0);
+    double sampled = std::numeric_limits<double>::infinity();
+    for(const BS::Cover_box& box : cover.boxes()) {
+      if(box.component != 0) continue;
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      const Vector_3 g = *field.gradient(Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / s;
+      sampled = (std::min)(sampled, std::sqrt(g.squared_length()));
+    }
+    REQUIRE(sampled < 2);
+    CHECK(cover.least_gradient<CGAL::Sequential_tag>() / s <= sampled * (1 + 1e-12));
+    if(cover.number_of_undecided_boxes() == 0) CHECK(cover.least_gradient<CGAL::Sequential_tag>() / s > 0.5 * sampled);
+    else CHECK(s < 1e-155);
+    for(double bound : cover.least_gradients<CGAL::Sequential_tag>())
+      if(bound < std::numeric_limits<double>::infinity()) CHECK(bound / s <= 2);
+  }
+}
+
+TEST_CASE("Certificate: thresholds on other cells than the field's are refused")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field field = radial_field();
+  Field inner = field, outer = field, fewer = cube_field(11, 1. / 8), moved = cube_field(12, 1. / 16);
+  set(inner, [](double, double, double) { return 0.8; });
+  set(outer, [](double, double, double) { return 1.2; });
+  set(fewer, [](double, double, double) { return 1.2; });
+  set(moved, [](double, double, double) { return 1.2; });
+  const Mesh mesh = sphere(2);
+  BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  for(const Field& other : { fewer, moved }) {
+    BS::Shell_certificate_3<Field, Varying> refused(field, Varying(inner), Varying(other));
+    CHECK_FALSE(refused.verify<CGAL::Sequential_tag>(mesh));
+    CHECK(refused.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
+    BS::Shell_report report;
+    report.status = BS::Shell_status::SUCCESS;
+    const CGAL::Bspline_shell_3<Field, Varying> shell(field, Varying(other), Varying(outer), std::vector<char>(field.number_of_cells(), 1), {}, report);
+    CHECK(shell.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
+  }
+}

@@ -1,0 +1,161 @@
+// Shell_containment_3.h: the call shapes of Polyhedral_envelope, with answers that are proofs.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Random.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace P = CGAL::Bspline_shells::parameters;
+typedef CGAL::Bspline_shells::Shell_containment_3<> Containment;
+
+const CGAL::Bspline_shell_3<>& shell()
+{
+  static const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(sphere(1), P::resolution(12));
+  return shell;
+}
+
+} // namespace
+
+TEST_CASE("Containment: of points it agrees with the field")
+{
+  REQUIRE(shell());
+  const Containment contains(shell());
+  CHECK_FALSE(contains.is_empty());
+  CGAL::Random random(7);
+  std::size_t inside = 0;
+  for(int n = 0; n < 3000; ++n) {
+    const Point_3 p(random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2));
+    const bool in = shell().bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
+    inside += in;
+    CHECK(contains(p) == in);
+  }
+  CHECK(inside > 50);
+  CHECK_FALSE(contains(Point_3(100, 0, 0)));
+  CHECK_FALSE(contains(Point_3(0, 0, 0)));
+}
+
+TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at every point")
+{
+  const Containment contains(shell());
+  const Mesh mesh = sphere(1);
+  CHECK(contains(mesh));
+  CHECK(contains(mesh, CGAL::parameters::vertex_point_map(mesh.points())));
+  CHECK_FALSE(contains(sphere(1, 1.5)));
+  CHECK_FALSE(contains(sphere(1, 0.5)));
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(auto v : mesh.vertices()) points.push_back(mesh.point(v));
+  for(auto f : mesh.faces()) {
+    std::array<std::size_t, 3> t;
+    std::size_t n = 0;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) t[n++] = std::size_t(v);
+    triangles.push_back(t);
+  }
+  CHECK(contains(points, triangles));
+  points[3] = Point_3(0, 0, 0);
+  CHECK_FALSE(contains(points, triangles));
+  for(auto e : mesh.edges()) CHECK(contains(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+
+  // ends in the shell are not enough, nor are corners
+  const auto v = *mesh.vertices().begin(), w = *(mesh.vertices().begin() + 5);
+  const Point_3 &p = mesh.point(v), &q = mesh.point(w);
+  REQUIRE(contains(p));
+  REQUIRE(contains(q));
+  CHECK_FALSE(contains(p, q));
+  CHECK_FALSE(contains(p, q, CGAL::midpoint(p, q)));
+  CGAL::Random random(3);
+  std::size_t contained = 0, not_contained = 0;
+  for(int n = 0; n < 300; ++n) {
+    const auto f = *(mesh.faces().begin() + random.get_int(0, int(mesh.number_of_faces())));
+    const auto h = mesh.halfedge(f);
+    const double size = std::ldexp(0.06, -(n % 10));
+    const auto shifted = [&](const Point_3& x) {
+      return x + size * Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
+    };
+    const Point_3 a = shifted(mesh.point(mesh.source(h))), b = shifted(mesh.point(mesh.target(h))), c = shifted(mesh.point(mesh.target(mesh.next(h))));
+    bool in = true;
+    for(int i = 0; i <= 10; ++i)
+      for(int j = 0; i + j <= 10; ++j)
+        in = in && shell().bounded_side(a + i / 10. * (b - a) + j / 10. * (c - a)) != CGAL::ON_UNBOUNDED_SIDE;
+    if(contains(a, b, c)) { ++contained; CHECK(in); }
+    else ++not_contained;
+    if(!in) CHECK_FALSE(contains(a, b, c));
+  }
+  CHECK(contained > 20);
+  CHECK(not_contained > 20);
+}
+
+TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in the same cells")
+{
+  // about 4 (|x| - 0.8) (0.95 - |x|): the shell is at the inner sphere, and its leaves hold parts of the component at the outer one, too
+  namespace BS = CGAL::Bspline_shells;
+  typedef BS::Uniform_bspline_field_3<> Field;
+  constexpr int half = 12;
+  constexpr double width = 1. / 8, h = half * width, outer = 0.95;
+  std::vector<std::uint64_t> keys;
+  for(int k = -half; k < half; ++k)
+    for(int j = -half; j < half; ++j)
+      for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto& p = field.functions().point(Field::Cell_index(n));
+    const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+    x[Eigen::Index(n)] = 4 * (r - 0.8) * (outer - r) + 0.025;
+  }
+  field.set_coefficients(x);
+  const BS::Level_range levels{ -0.02, 0.008 };
+  const Mesh mesh = sphere(3, 0.797);
+  BS::Shell_certificate_3<Field> certificate(field, BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  REQUIRE(certificate.verify(mesh));
+  std::vector<char> cells(field.number_of_cells(), 0);
+  for(const BS::Cover_box& box : certificate.cover()->boxes())
+    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells, {}, report);
+  CGAL::Bspline_shell_3<Field> with_cover(without_cover);
+  with_cover.set_proved_cover(certificate.cover()->boxes());
+
+  const auto at = [&](double theta, double phi) {
+    return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi), outer * std::sin(phi));
+  };
+  std::size_t segments = 0;
+  for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
+    const BS::Shell_containment_3<Field> contains(*shell);
+    CHECK(contains(mesh));
+    for(int a = 0; a < 100; ++a)
+      for(int b = 0; b < 50; ++b) {
+        const double theta = 1.57 * a / 100, phi = 1.5 * b / 50;
+        const Point_3 p = at(theta, phi), q = at(theta + 0.05, phi);
+        if(shell == &with_cover) CHECK_FALSE(contains(p));      // the component has no mesh
+        if(!contains(p, q)) continue;
+        ++segments;
+        CHECK(shell == &without_cover);
+        for(double t : { 0., 0.2, 0.5, 0.9, 1. }) CHECK(contains(p + t * (q - p)));
+      }
+  }
+  CHECK(segments > 10);
+}
+
+TEST_CASE("Containment: no shell contains nothing")
+{
+  const CGAL::Bspline_shell_3<> none;
+  const Containment contains(none);
+  CHECK(contains.is_empty());
+  CHECK_FALSE(contains(Point_3(0, 0, 0)));
+  CHECK_FALSE(contains(Point_3(0, 0, 0), Point_3(1, 0, 0)));
+  CHECK(contains.match(sphere(1)).verdict() == CGAL::Bspline_shells::Verdict::UNDECIDED);
+}

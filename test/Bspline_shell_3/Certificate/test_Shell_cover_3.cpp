@@ -1,0 +1,367 @@
+// Shell_cover_3.h: what is said of boxes holds at points of them, in exact arithmetic; floods are those of a search through all pairs of
+// boxes, in integers.
+#include "exact_spline.h"
+#include "random_hierarchies.h"
+
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef BS::Constant_threshold Constant;
+typedef BS::Spline_threshold<Field> Varying;
+typedef BS::Shell_cover_3<Field> Cover;
+typedef BS::Shell_cover_3<Field, Varying> Varying_cover;
+typedef CGAL::Sequential_tag Tag;
+using BS::Box_kind;
+using BS::Cover_box;
+
+constexpr std::uint32_t none = Cover_box::no_component;
+constexpr double pi = 3.141592653589793;
+
+// sets each free coefficient from a function of the point that it is centred at
+template <typename Function>
+Field with(Field field, const Function& f)
+{
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n) {
+    const auto point = field.point_of_coefficient(n);
+    int l = field.number_of_levels() - 1;
+    while(point >= field.first_point(l) + field.points(l).size()) --l;
+    const Lattice_point& p = field.points(l).point(point - field.first_point(l));
+    x[n] = f(field.cells().coordinate(l, 0, p[0]), field.cells().coordinate(l, 1, p[1]), field.cells().coordinate(l, 2, p[2]));
+  }
+  field.set_coefficients(x);
+  return field;
+}
+
+// cells of width one, at random places of a cube of that many, some of them split
+Field random_cells(CGAL::Random& random, int number, double share, int levels)
+{
+  const double h = number / 2.;
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-h, -h, -h, h, h, h), 1);
+  return Field(random_hierarchy(random, some_cells(random, lattice, { -number / 2, -number / 2, -number / 2 },
+                                                   { (number - 1) / 2, (number - 1) / 2, (number - 1) / 2 }, share), levels));
+}
+
+// a closed box, in integers: the smallest cells are 2^7 units wide
+struct Integer_box
+{
+  std::array<std::int64_t, 3> low, high;
+  bool touches(const Integer_box& other) const
+  {
+    for(int a = 0; a < 3; ++a)
+      if(low[a] > other.high[a] || high[a] < other.low[a]) return false;
+    return true;
+  }
+};
+
+class Boxes
+{
+public:
+  explicit Boxes(const Field& field) : m_cells(&field.cells()), m_smallest(field.cells()) {}
+
+  Integer_box box(const Cover_box& b) const
+  {
+    Integer_box result;
+    const Lattice_point least = m_smallest.begin(*m_cells, b.cell);
+    const std::int64_t width = (std::int64_t(m_smallest.size(m_cells->level(b.cell))) << bits) >> b.depth;
+    for(int a = 0; a < 3; ++a) {
+      result.low[a] = (std::int64_t(least[a]) << bits) + b.position[a] * width;
+      result.high[a] = result.low[a] + width;
+    }
+    return result;
+  }
+
+  // calls visit(leaf) for the smallest cells that a box touches; `npos` for those outside of the domain
+  template <typename Visitor>
+  void visit_around(const Integer_box& b, const Visitor& visit) const
+  {
+    std::array<std::int64_t, 3> first, last;
+    for(int a = 0; a < 3; ++a) {
+      first[a] = (b.low[a] - 1) >> bits;
+      last[a] = b.high[a] >> bits;
+    }
+    for(std::int64_t k = first[2]; k <= last[2]; ++k)
+      for(std::int64_t j = first[1]; j <= last[1]; ++j)
+        for(std::int64_t i = first[0]; i <= last[0]; ++i) visit(m_smallest.leaf({ int(i), int(j), int(k) }));
+  }
+
+private:
+  static constexpr int bits = 7;
+  const Hierarchy* m_cells;
+  Smallest_cells m_smallest;
+};
+
+// the boxes that a flood from a point has to reach, by a search through all pairs
+template <typename AnyCover>
+std::vector<char> flooded(const AnyCover& cover, const std::vector<Integer_box>& box, const Point_3& p)
+{
+  std::vector<char> reached(box.size(), 0);
+  std::vector<std::size_t> stack;
+  const auto reach = [&](std::size_t n) {
+    if(reached[n] || cover.boxes()[n].kind == Box_kind::EXCLUDED) return;
+    reached[n] = 1;
+    stack.push_back(n);
+  };
+  for(std::size_t n = 0; n < box.size(); ++n)
+    if(do_overlap(cover.bbox(cover.boxes()[n]), CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z()))) reach(n);
+  while(!stack.empty()) {
+    const std::size_t n = stack.back();
+    stack.pop_back();
+    for(std::size_t m = 0; m < box.size(); ++m)
+      if(box[m].touches(box[n])) reach(m);
+  }
+  return reached;
+}
+
+// the least of a field, and of its slope along a direction, both exact
+struct Exact_box
+{
+  Exact_box(const Field& field, const Cover_box& box) : box(box), width(field.cell(box.cell).width()), b(field.bernstein_coefficients<Rational>(box.cell)) {}
+
+  Exact_point place(int n) const
+  {
+    Exact_point t;
+    for(int a = 0; a < 3; ++a) t[a] = Rational(int(box.position[a]) + (n >> a & 1)) / (1 << box.depth);
+    return t;
+  }
+  // at the n-th of its corners, per user unit
+  Exact_point gradient(int n) const
+  {
+    Exact_point g;
+    for(int a = 0; a < 3; ++a) {
+      std::array<int, 3> order = { 0, 0, 0 };
+      order[a] = 1;
+      g[a] = bernstein_value(b, place(n), order) / width;
+    }
+    return g;
+  }
+
+  Cover_box box;
+  Rational width;
+  std::array<Rational, 64> b;
+};
+
+Rational dot(const Exact_point& u, const Exact_point& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+
+} // namespace
+
+TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on cells of different sizes with holes between them")
+{
+  std::size_t boxes = 0, apart = 0, at_border = 0, undecided = 0, joined = 0;
+  for(unsigned seed = 1; seed < 11; ++seed) {
+    CAPTURE(seed);
+    CGAL::Random random(seed);
+    const bool is_split = seed % 3 == 0, is_ball = seed % 4 == 0;
+    const Field cells = random_cells(random, is_split ? 3 : 4, is_split || is_ball ? 1 : 0.55, is_split ? 2 : 1);
+    const double x0 = random.get_double(-1, 1), y0 = random.get_double(-1, 1), bend = seed % 2 ? 0.15 : 0.6;
+    // level sets are bent planes, or balls around a critical point that is not at the corner of a cell
+    const Field field = with(cells, [&](double x, double y, double z) {
+      return is_ball ? (x - 0.2) * (x - 0.2) + (y - 0.3) * (y - 0.3) + (z - 0.1) * (z - 0.1) : z + bend * std::sin(1.5 * (x - x0)) * std::cos(1.5 * (y - y0));
+    });
+    const double level = is_ball ? 1 : random.get_double(-0.5, 0.5), half = is_ball ? 1.05 : seed % 2 ? 0.03 : 0.2;
+    Cover cover(field, Constant(level - half), Constant(level + half), int(seed % 3));
+    const Boxes in_units(field);
+    // from points in the shell, one component after the other; one is the corner of cells
+    std::vector<Point_3> seeds;
+    std::vector<std::uint32_t> numbers;
+    for(int n = 0; n < 200 && seeds.size() < 8; ++n) {
+      const Point_3 p = n == 0 ? Point_3(0, 0, 0) : Point_3(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
+      const auto f = field.value(p);
+      if(!f || std::abs(*f - level) > half) continue;
+      seeds.push_back(p);
+      numbers.push_back(cover.flood<Tag>(p, std::uint32_t(seeds.size() - 1)));
+    }
+    REQUIRE(!seeds.empty());
+    std::vector<Integer_box> box;
+    for(const Cover_box& b : cover.boxes()) box.push_back(in_units.box(b));
+    boxes += box.size();
+    std::vector<char> in_any(box.size(), 0);
+    for(std::size_t s = 0; s < seeds.size(); ++s) {
+      const std::vector<char> reached = flooded(cover, box, seeds[s]);
+      bool same = true, is_known = numbers[s] != s;
+      for(std::size_t n = 0; n < box.size(); ++n) {
+        same = same && (cover.boxes()[n].component == numbers[s]) == bool(reached[n]);
+        in_any[n] = in_any[n] || reached[n];
+      }
+      CHECK(same);
+      if(is_known) {
+        REQUIRE(numbers[s] < s);
+        CHECK(numbers[numbers[s]] == numbers[s]);
+        ++joined;
+      } else ++apart;
+    }
+    // all around a component is known; the border is where it is not inside the domain
+    std::vector<char> is_subdivided(field.number_of_cells(), 0), on_border(box.size(), 0);
+    for(const Cover_box& b : cover.boxes()) is_subdivided[b.cell] = 1;
+    for(auto b : cover.border()) on_border[b] = 1;
+    std::size_t number_of_undecided = 0, failures = 0;
+    for(std::size_t n = 0; n < box.size(); ++n) {
+      if(!in_any[n]) {
+        failures += cover.boxes()[n].component != none;
+        continue;
+      }
+      number_of_undecided += cover.boxes()[n].kind == Box_kind::UNDECIDED;
+      bool is_inside = true, is_known = true;
+      in_units.visit_around(box[n], [&](Field::Cell_index c) {
+        is_inside = is_inside && c != Field::npos;
+        is_known = is_known && (c == Field::npos || is_subdivided[c]);
+      });
+      failures += !is_known || bool(on_border[n]) == is_inside;
+      at_border += on_border[n];
+    }
+    CHECK(failures == 0);
+    CHECK(cover.number_of_undecided_boxes() == number_of_undecided);
+    undecided += number_of_undecided;
+    // the boxes of a cell fill it, without overlap
+    std::map<std::uint32_t, double> filled;
+    for(const Cover_box& b : cover.boxes()) filled[b.cell] += std::ldexp(1., -3 * b.depth);
+    CHECK(filled.size() == cover.number_of_cells());
+    for(const auto& f : filled) CHECK(f.second == 1);
+    for(std::size_t n = 0; n + 1 < box.size(); ++n)
+      if(cover.boxes()[n].cell == cover.boxes()[n + 1].cell) {
+        bool overlap = true;
+        for(int a = 0; a < 3; ++a) overlap = overlap && box[n].low[a] < box[n + 1].high[a] && box[n + 1].low[a] < box[n].high[a];
+        failures += overlap;
+      }
+    CHECK(failures == 0);
+  }
+  CHECK(boxes > 5000);
+  CHECK(apart > 8);
+  CHECK(joined > 10);
+  CHECK(at_border > 100);
+  CHECK(undecided > 1);
+}
+
+TEST_CASE("Covers: what is said of boxes holds at points of them, between levels and thresholds that vary")
+{
+  std::array<std::size_t, 3> kinds = {};
+  std::size_t met = 0, steep = 0, straddling = 0;
+  for(unsigned seed = 1; seed < 13; ++seed) {
+    CAPTURE(seed);
+    CGAL::Random random(seed);
+    const Field cells = random_cells(random, 2, 1, seed % 3 == 0 ? 2 : 1);
+    const auto noise = [&](double size) { return random.get_double(-size, size); };
+    // of about the steepness of the field, along diagonals, too; only one of them in some cases, opposite ones in others
+    const double steepness = random.get_double(0.2, 1.2), bumps = seed % 2 ? 0.3 : 0.03, u = random.get_double(0, 2 * pi);
+    const auto slope = [&](double x, double y, double z) {
+      return steepness * (seed % 4 < 2 ? (x + y + z) / std::sqrt(3.) : std::cos(u) * x + std::sin(u) * y);
+    };
+    const Field field = with(cells, [&](double x, double y, double z) { return z + 0.1 * x * y + noise(0.02); }),
+                inner = with(cells, [&](double x, double y, double z) { return -0.3 + (seed % 5 == 1 ? 0 : slope(x, y, z)) + noise(bumps); }),
+                outer = with(cells, [&](double x, double y, double z) { return 0.3 + (seed % 5 == 2 ? 0 : slope(x, y, z)) + noise(bumps); });
+    Varying_cover varying(field, Varying(inner), Varying(outer));
+    Cover constant(field, Constant(-0.3), Constant(0.3));
+    std::vector<std::uint32_t> all;
+    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
+    varying.prepare<Tag>(all);
+    constant.prepare<Tag>(all);
+    const auto check = [&](const auto& cover, const auto& threshold) {
+      std::size_t failures = 0;
+      for(const Cover_box& box : cover.boxes()) {
+        ++kinds[std::size_t(box.kind)];
+        if(box.kind == Box_kind::UNDECIDED) continue;
+        const CGAL::Bbox_3 b = cover.bbox(box);
+        bool all_between = true, rises = true, is_excluded = true;
+        std::array<std::array<bool, 2>, 2> side = {};      // of each threshold
+        std::array<bool, 2> crosses = { true, true };
+        const std::array<double, 3>& d = box.direction;
+        const double length = std::sqrt(d[0]*d[0] + d[1]*d[1] + d[2]*d[2]);
+        constexpr int parts = 2;
+        constexpr double hair = 1e-9;
+        for(int n = 0; n < (parts + 1) * (parts + 1) * (parts + 1); ++n) {
+          const auto at = [&](int a, int i) { return (b.min)(a) + ((b.max)(a) - (b.min)(a)) * i / parts; };
+          const Point_3 p(at(0, n % (parts + 1)), at(1, n / (parts + 1) % (parts + 1)), at(2, n / ((parts + 1) * (parts + 1))));
+          const auto jet = field.cell(box.cell).first_order_jet(p);
+          const double along = jet.gradient[0] * d[0] + jet.gradient[1] * d[1] + jet.gradient[2] * d[2];
+          rises = rises && along > 0;
+          bool is_between = true;
+          for(int t = 0; t < 2; ++t) {
+            const auto other = threshold(t, box.cell, p);
+            const double above = t == 0 ? jet.value - other.value : other.value - jet.value;
+            is_between = is_between && above >= -hair;
+            if(above > -hair) side[t][1] = true;
+            if(above < hair) side[t][0] = true;
+            const auto& g = other.gradient;
+            crosses[t] = crosses[t] && along > std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]) * length - hair;
+          }
+          if(box.kind == Box_kind::EXCLUDED) {
+            const double above = jet.value - threshold(0, box.cell, p).value, below = threshold(1, box.cell, p).value - jet.value;
+            is_excluded = is_excluded && !(above > hair && below > hair);
+          }
+          all_between = all_between && is_between;
+        }
+        failures += cover.is_between_thresholds(box) && !all_between;
+        failures += !is_excluded;
+        if(box.kind != Box_kind::MONOTONE) continue;
+        straddling += !all_between && side[0][1] && side[1][1];
+        failures += !rises;
+        for(int t = 0; t < 2; ++t) {
+          const bool meets = side[t][0] && side[t][1];
+          met += meets;
+          steep += !crosses[t];
+          failures += meets && !crosses[t];
+        }
+      }
+      CHECK(failures == 0);
+    };
+    check(varying, [&](int t, std::uint32_t c, const Point_3& p) { return (t == 0 ? inner : outer).cell(c).first_order_jet(p); });
+    check(constant, [&](int t, std::uint32_t, const Point_3&) {
+      BS::Tricubic_cell_3::First_order_jet jet;
+      jet.value = t == 0 ? -0.3 : 0.3;
+      jet.gradient = { 0, 0, 0 };
+      return jet;
+    });
+  }
+  CHECK(kinds[0] > 1000);
+  CHECK(kinds[1] > 1000);
+  CHECK(kinds[2] > 1000);
+  CHECK(met > 500);
+  CHECK(steep > 100);
+  CHECK(straddling > 500);
+}
+
+TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monotone are, exactly")
+{
+  std::size_t monotone = 0, flat = 0;
+  for(unsigned seed = 1; seed < 9; ++seed) {
+    CGAL::Random random(seed);
+    const double slope = 1e-10 * std::ldexp(1., 2 * int(seed) - 2);
+    const Field field = with(random_cells(random, 2, 1, 1), [&](double x, double, double) { return 1e6 + slope * (x + random.get_double(-0.15, 0.15)); });
+    Cover cover(field, Constant(0), Constant(2e6));
+    std::vector<std::uint32_t> all;
+    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
+    cover.prepare<Tag>(all);
+    std::size_t number = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      flat += box.kind == Box_kind::UNDECIDED;
+      if(box.kind != Box_kind::MONOTONE || ++number > 60) continue;
+      ++monotone;
+      const Exact_box here(field, box);
+      bool rises = true;
+      for(int n = 0; n < 8; ++n) rises = rises && dot(here.gradient(n), exact(box.direction)) > 0;
+      CHECK(rises);
+    }
+  }
+  CHECK(flat > 100);
+  CHECK(monotone > 50);
+}

@@ -1,0 +1,102 @@
+// Shell_facet_oracle_3.h: what only the inside of facets shows is rejected; what is remembered is of the same facets. (What oracles say in edits:
+// test_Shell_filter.cpp.)
+#include "polynomial_fields.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+using BS::Placement_verdict;
+typedef BS::Shell_facet_oracle_3<Uniform_field> Oracle;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+
+constexpr double pi = 3.141592653589793;
+
+// points of the sphere of radius 0.8, 60 degrees from its north pole, at the given longitudes
+std::vector<Point_3> band(std::initializer_list<double> degrees)
+{
+  std::vector<Point_3> link;
+  for(double d : degrees)
+    link.push_back(Point_3(0.8 * std::sin(pi / 3) * std::cos(d * pi / 180), 0.8 * std::sin(pi / 3) * std::sin(d * pi / 180), 0.4));
+  return link;
+}
+
+const Point_3 pole(0, 0, 0.8);
+
+// of the balls of radii 0.6 and 0.81
+CGAL::Bspline_shell_3<Uniform_field> ball_shell() { return shell_of(uniform_field(squared_distance), 0.36, 0.6561); }
+
+} // namespace
+
+TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell in the middle of the opposite edge is rejected")
+{
+  const auto shell = ball_shell();
+  const Oracle oracle(shell);
+  Oracle::Memory memory;
+  CHECK(oracle(pole, band({ 0, 60, 120, 180, 240, 300 }), memory) == Placement_verdict::ACCEPTED);
+  // a chord of 97 degrees
+  CHECK(oracle(pole, band({ 0, 120, 240 }), memory) == Placement_verdict::LEAVES_SHELL);
+  CHECK(oracle.winding_number(pole, band({ 0, 120, 240 })) == 1);
+}
+
+TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use for another one")
+{
+  const auto shell = ball_shell();
+  const Oracle oracle(shell);
+  Oracle::Memory memory;
+  const std::vector<Point_3> link = band({ 0, 60, 120, 180, 240, 300 });
+  REQUIRE(oracle(pole, link, memory) == Placement_verdict::ACCEPTED);
+  // the corner at 120 degrees is that at 60 degrees but for one coordinate
+  std::vector<Point_3> wide = band({ 0, 120, 180, 240, 300 });
+  wide[1] = Point_3(-link[1].x(), link[1].y(), link[1].z());
+  CHECK(oracle(pole, wide, memory) == Placement_verdict::LEAVES_SHELL);
+  // as many vertices, one of them elsewhere
+  std::vector<Point_3> other = link;
+  other[2] = Point_3(1.1 * other[2].x(), 1.1 * other[2].y(), 1.1 * other[2].z());
+  REQUIRE(oracle(pole, link, memory) == Placement_verdict::ACCEPTED);
+  CHECK(oracle(pole, other, memory) == Placement_verdict::LEAVES_SHELL);
+}
+
+TEST_CASE("Facet oracle: a facet at a vertex that is turned where none of its corners and middles of edges are is rejected")
+{
+  // the slope of horizontal facets is 2 x^2 less a hair: bisections do not come near enough to zero to see that it turns
+  const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
+  const Oracle oracle(shell);
+  Oracle::Memory memory;
+  const double z = 0.1;
+  CHECK(oracle(Point_3(0.31, 0, z), { Point_3(-0.47, -0.4, z), Point_3(0.83, -0.4, z), Point_3(0.61, 0.6, z), Point_3(-0.47, 0.4, z) }, memory)
+        != Placement_verdict::ACCEPTED);
+  CHECK(oracle(Point_3(0.5, 0, z), { Point_3(0.2, -0.4, z), Point_3(0.9, -0.4, z), Point_3(0.9, 0.6, z), Point_3(0.2, 0.4, z) }, memory)
+        == Placement_verdict::ACCEPTED);
+}
+
+TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
+{
+  // -(x^2 + y^2) where z is 0.1
+  const Uniform_field field = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
+  const std::vector<Point_3> link = { Point_3(-0.21, -0.17, 0.1), Point_3(0.43, -0.13, 0.1), Point_3(0.37, 0.41, 0.1), Point_3(-0.19, 0.37, 0.1) };
+  const Point_3 p(0.23, 0.13, 0.1);
+  for(double outer : { -1e-9, 0.01 }) {
+    const auto shell = shell_of(field, -5, outer);
+    Oracle::Memory memory;
+    CHECK((Oracle(shell)(p, link, memory) == Placement_verdict::ACCEPTED) == (outer > 0));
+  }
+}
+
+TEST_CASE("Facet oracle: a single facet that just leaves the shell, or lies along the gradient, is rejected")
+{
+  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
+  const Point_3 p(0.1, 0.1, 0.25), q(0.3, 0.1, 0.25), r(0.1, 0.3, 0.25), up(0.1, 0.1, 0.35);
+  const auto inside = shell_of(field, -0.5, 0.25 + 1e-12), outside = shell_of(field, -0.5, 0.25 - 1e-15), wide = shell_of(field, -0.5, 0.5);
+  CHECK(Oracle(inside)(p, q, r) == Placement_verdict::ACCEPTED);
+  CHECK(Oracle(outside)(p, q, r) == Placement_verdict::LEAVES_SHELL);
+  CHECK(Oracle(wide)(p, q, r) == Placement_verdict::ACCEPTED);
+  CHECK(Oracle(wide)(p, q, up) == Placement_verdict::FACES_AWAY);
+  CHECK(Oracle(wide)(q, p, up) == Placement_verdict::FACES_AWAY);
+}

@@ -1,0 +1,262 @@
+// match_components.h: certified meshes of a shell lie in the same components of it, or are told apart, by the certificate, by containment
+// and by the map.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef CGAL::Bspline_shell_3<Field> Shell;
+typedef BS::Shell_certificate_3<Field> Certificate;
+typedef BS::Certificate_witness Place;
+using BS::Claim;
+using BS::Verdict;
+
+constexpr double small_radius = 0.6, large_radius = 1;
+
+// about 4 (|x| - small) (large - |x|): increases through the small sphere and decreases through the large one, with a ridge between
+const Field& two_spheres()
+{
+  static const Field field = [] {
+    constexpr int half = 12;
+    constexpr double width = 1. / 8, h = half * width;
+    std::vector<std::uint64_t> keys;
+    for(int k = -half; k < half; ++k)
+      for(int j = -half; j < half; ++j)
+        for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+    Field f(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
+    Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
+    for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
+      const auto& p = f.functions().point(Field::Cell_index(n));
+      const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+      x[Eigen::Index(n)] = 4 * (r - small_radius) * (large_radius - r) + 0.05;
+    }
+    f.set_coefficients(x);
+    return f;
+  }();
+  return field;
+}
+
+Mesh small_sphere(double factor = 1) { return sphere(3, factor * small_radius); }
+Mesh large_sphere(double factor = 1)
+{
+  Mesh mesh = sphere(3, factor * large_radius);
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  return mesh;
+}
+Mesh both(const Mesh& first, const Mesh& second)
+{
+  Mesh mesh = first;
+  CGAL::copy_face_graph(second, mesh);
+  return mesh;
+}
+
+// between two levels, with the certificate of a mesh
+Shell shell_of(const Mesh& mesh)
+{
+  const BS::Level_range levels{ -0.09, 0.09 };
+  Certificate certificate(two_spheres(), BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  std::vector<char> cells(two_spheres().number_of_cells(), 0);
+  for(const BS::Cover_box& box : certificate.cover()->boxes())
+    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2 * large_radius;
+  report.certificate = certificate.report();
+  Shell shell(two_spheres(), levels, cells, {}, report);
+  shell.set_proved_cover(certificate.cover()->boxes());
+  return shell;
+}
+
+bool has(const Certificate& certificate, Place::Reason reason, Verdict verdict)
+{
+  return std::any_of(certificate.witnesses().begin(), certificate.witnesses().end(), [&](const Place& w) {
+    return w.reason == reason && w.verdict == verdict;
+  });
+}
+
+// how many vertices of a mesh have an image
+template <typename Map>
+std::size_t number_of_images(const Map& map)
+{
+  std::size_t number = 0;
+  for(auto f : map.source().faces()) number += bool(map({ f, { 0.2, 0.3, 0.5 } }));
+  return number;
+}
+
+} // namespace
+
+TEST_CASE("Components: meshes with a certificate of a certified shell have those of the mesh that it was built for")
+{
+  const Mesh mesh = both(small_sphere(), large_sphere());
+  const Shell shell = shell_of(mesh);
+  REQUIRE(shell.is_certified());
+  CHECK(shell.report().certificate.components == std::vector<std::size_t>{ 0, 1 });
+  CHECK(shell.component_paths().size() > 2);
+
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+  CHECK(certificate.verify(both(small_sphere(1.02), large_sphere(0.99))));
+  CHECK(certificate.components() == std::vector<std::size_t>{ 0, 1 });
+  CHECK(certificate.verify(both(large_sphere(0.99), small_sphere(1.02))));
+  CHECK(certificate.components() == std::vector<std::size_t>{ 1, 0 });
+
+  // each of them alone satisfies all that is asked of a mesh without a shell
+  for(const Mesh& one : { small_sphere(1.02), large_sphere(0.99) }) {
+    Certificate alone(shell.field(), shell.inner_threshold(), shell.outer_threshold());
+    CHECK(alone.verify(one));
+    CHECK_FALSE(certificate.verify(one));
+    CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
+    CHECK(has(certificate, Place::EMPTY_COMPONENT, Verdict::REFUTED));
+  }
+  // two sheets in a component are both in it
+  CHECK_FALSE(certificate.verify(both(both(small_sphere(), small_sphere(1.02)), large_sphere())));
+  CHECK(certificate.components() == std::vector<std::size_t>{ 0, 0, 1 });
+  CHECK_FALSE(has(certificate, Place::OTHER_COMPONENT, Verdict::REFUTED));
+  CHECK(has(certificate, Place::SHELL_CROSSINGS, Verdict::REFUTED));
+}
+
+TEST_CASE("Components: a mesh in a component of the level set that the shell does not have is not in the shell")
+{
+  const Shell shell = shell_of(small_sphere());
+  Certificate certificate(shell);
+  CHECK(certificate.verify(small_sphere(0.99)));
+  for(const Mesh& other : { large_sphere(), both(small_sphere(), large_sphere()) }) {
+    CHECK_FALSE(certificate.verify(other));
+    CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
+    CHECK(has(certificate, Place::OTHER_COMPONENT, Verdict::REFUTED));
+    CHECK(std::count(certificate.components().begin(), certificate.components().end(), Place::none) == 1);
+  }
+}
+
+TEST_CASE("Components: two certificates between the same thresholds say whether their meshes are mapped onto each other")
+{
+  const auto certify = [](const Mesh& mesh) {
+    Certificate certificate(two_spheres(), BS::Constant_threshold(-0.09), BS::Constant_threshold(0.09));
+    certificate.verify(mesh);
+    return certificate;
+  };
+  const Certificate small = certify(small_sphere()), other_small = certify(small_sphere(1.02)), large = certify(large_sphere()),
+                    all = certify(both(large_sphere(), small_sphere())), none = certify(sphere(2, 0.2));
+  for(const Certificate* c : { &small, &other_small, &large, &all }) REQUIRE(*c);
+  CHECK(small.matches(other_small) == Verdict::PROVED);
+  CHECK(other_small.matches(small) == Verdict::PROVED);
+  CHECK(all.matches(all) == Verdict::PROVED);
+  CHECK(small.matches(large) == Verdict::REFUTED);
+  CHECK(small.matches(all) == Verdict::REFUTED);
+  CHECK(all.matches(small) == Verdict::REFUTED);
+  CHECK(small.matches(none) == Verdict::UNDECIDED);
+  CHECK(none.matches(small) == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Components: the map between meshes in other components is refused")
+{
+  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(small_sphere(1.02), large_sphere(0.99)), one = small_sphere();
+  const Shell shell = shell_of(mesh);
+  const BS::Shell_map_3 map(shell, mesh, moved);
+  CHECK(map.status() == BS::Flow_status::SUCCESS);
+  CHECK(number_of_images(map) == mesh.number_of_faces());
+  for(const auto& refused : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh), BS::Shell_map_3(shell, one, mesh).inverse() }) {
+    CHECK(refused.status() == BS::Flow_status::OTHER_COMPONENTS);
+    const BS::Shell_map_3<Shell, Mesh>::Source_location location(*refused.source().faces().begin(), { 0.2, 0.3, 0.5 });
+    CHECK(refused(location).status == BS::Flow_status::OTHER_COMPONENTS);
+    for(const auto& image : refused.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
+      CHECK(image.status == BS::Flow_status::OTHER_COMPONENTS);
+    CHECK_FALSE(std::string(message(refused.status())).empty());
+  }
+  // what faces the other way, or has more parts elsewhere, is no reason
+  Mesh turned = mesh;
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  CHECK(BS::Shell_map_3(shell, mesh, turned).status() == BS::Flow_status::SUCCESS);
+  const Mesh debris = both(mesh, sphere(1, 0.1));
+  CHECK(BS::Shell_map_3(shell, mesh, debris).status() == BS::Flow_status::SUCCESS);
+  // nothing is known of the components of a shell that is not certified
+  CHECK(BS::Shell_map_3(Shell(shell.field(), BS::Level_range{ -0.09, 0.09 }, shell.shell_cells(), {}, [] {
+    BS::Shell_report report;
+    report.status = BS::Shell_status::SUCCESS;
+    report.unit = 2;
+    return report;
+  }()), mesh, one).status() == BS::Flow_status::SUCCESS);
+}
+
+TEST_CASE("Components: containment tells which component of the shell a mesh lies in")
+{
+  const Mesh mesh = both(small_sphere(), large_sphere());
+  const Shell shell = shell_of(mesh), small_shell = shell_of(small_sphere());
+  const BS::Shell_containment_3<Field> contains(shell), contains_small(small_shell);
+  CHECK(contains(mesh));
+  CHECK(contains.match(both(large_sphere(), small_sphere())).component_of_shell == std::vector<std::size_t>{ 1, 0 });
+  CHECK(contains.match(mesh).verdict() == Verdict::PROVED);
+  CHECK(contains(large_sphere()));
+  CHECK(contains.match(large_sphere()).verdict() == Verdict::REFUTED);
+  CHECK(contains_small(small_sphere(1.02)));
+  CHECK(contains_small.match(small_sphere(1.02)).verdict() == Verdict::PROVED);
+  CHECK_FALSE(contains_small(large_sphere()));
+  CHECK_FALSE(contains_small(mesh));
+}
+
+TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says nothing, others do")
+{
+  // a square pyramid over the plane z = 0, whose diagonal the first path meets
+  const std::vector<std::array<double, 3> > points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -1 } };
+  const std::vector<std::array<int, 3> > facets = { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } };
+  const auto triangle = [&](std::size_t n) {
+    const auto point = [&](int v) { return Point_3(points[v][0], points[v][1], points[v][2]); };
+    return std::array<Point_3, 3>{ point(facets[n][0]), point(facets[n][1]), point(facets[n][2]) };
+  };
+  const auto match = [&](std::vector<BS::Crossing_path> paths) {
+    return BS::match_components(paths, 1, facets.size(), triangle, [](std::size_t) { return std::size_t(0); });
+  };
+  const BS::Crossing_path on_edge = { 0, 0, { 0.5, 0.5, -0.5 }, { 0.5, 0.5, 0.5 } }, inside = { 0, 0, { 0.6, 0.5, -0.1 }, { 0.6, 0.5, 0.5 } },
+                          beside = { 0, 0, { 2, 0.5, -0.1 }, { 2, 0.5, 0.5 } }, on_vertex = { 0, 0, { 0, 0, -1 }, { 0, 0, 1 } };
+  CHECK(match({ on_edge }).verdict() == Verdict::UNDECIDED);
+  CHECK(match({ on_vertex }).verdict() == Verdict::UNDECIDED);
+  CHECK(match({ inside }).verdict() == Verdict::PROVED);
+  CHECK(match({ inside }).component_of_shell == std::vector<std::size_t>{ 0 });
+  CHECK(match({ on_edge, inside }).verdict() == Verdict::PROVED);
+  CHECK(match({ inside, on_edge }).verdict() == Verdict::PROVED);
+  CHECK(match({ beside }).verdict() == Verdict::REFUTED);
+  CHECK(match({ beside }).crossings == std::vector<std::optional<int> >{ 0 });
+  CHECK(match({ beside, on_vertex, inside }).verdict() == Verdict::PROVED);
+  CHECK(match({}).verdict() == Verdict::UNDECIDED);
+  BS::Crossing_path second = inside;
+  second.component = 1;
+  CHECK(match({ on_edge, second }).verdict() == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Components: nothing is transferred through a map that is refused")
+{
+  const Mesh mesh = both(small_sphere(), large_sphere());
+  Mesh one = small_sphere();
+  const Shell shell = shell_of(mesh);
+  auto values = one.add_property_map<Mesh::Vertex_index, double>("v:value", 7).first;
+  Mesh source = mesh;
+  const auto from = source.add_property_map<Mesh::Vertex_index, double>("v:value", 1).first;
+  const auto refused = [&](const BS::Transfer_report& report) {
+    CHECK(report.failures.size() == one.number_of_vertices());
+    for(const auto& failure : report.failures) CHECK(failure.second == BS::Flow_status::OTHER_COMPONENTS);
+    for(auto v : one.vertices()) CHECK(values[v] == 7);
+  };
+  const BS::Shell_map_3 map(shell, source, one);
+  REQUIRE(map.status() == BS::Flow_status::OTHER_COMPONENTS);
+  refused(BS::transfer_vertex_attribute(map, from, values));
+  refused(BS::average_vertex_attribute(map, from, values));
+}

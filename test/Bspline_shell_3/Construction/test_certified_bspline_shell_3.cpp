@@ -1,0 +1,233 @@
+// certified_bspline_shell_3(): it ends certified, or says why not; thickness, thin parts, limits.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
+typedef BS::Refinement_status Refinement_status;
+
+namespace {
+
+Mesh together(const Mesh& a, const Mesh& b)
+{
+  Mesh mesh = a;
+  CGAL::copy_face_graph(b, mesh);
+  return mesh;
+}
+
+Mesh inside_out(Mesh mesh)
+{
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+// the width of the shell at a point of the mesh
+double width_at(const Shell& shell, const Point_3& p)
+{
+  return shell.outer_threshold().value(p) - shell.inner_threshold().value(p);
+}
+
+void check_certified(const Mesh& mesh, const Shell& shell)
+{
+  REQUIRE(shell);
+  CHECK(shell.is_certified());
+  CHECK(shell.report().refinement == Refinement_status::CERTIFIED);
+  CHECK(shell.report().certificate.witnesses.empty());
+  // again, from what is kept
+  Certificate certificate(shell);
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+  REQUIRE(shell.proved_cover());
+  CHECK(certificate.number_of_covers() == shell.report().certificate.covers);
+  CHECK(certificate.statistics().cover_boxes == shell.report().certificate.statistics.cover_boxes);
+  CHECK(certificate.least_gradient() == shell.report().certificate.least_gradient);
+  CHECK(certificate.displacement_bound() == shell.report().certificate.displacement_bound);
+  BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
+  CHECK(is_in_shell(mesh));
+  for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
+}
+
+} // namespace
+
+TEST_CASE("certified shells: simple solids are certified at the default thickness, which the thresholds keep")
+{
+  for(const Mesh& mesh : { sphere(2), box(Point_3(0, 0, 0), Point_3(3, 2, 1)), pyramid(12, 1.), torus(2, 0.7, 24, 12) }) {
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+    check_certified(mesh, shell);
+    CHECK(shell.relative_thickness() <= 0.01 * (1 + 1e-9));
+    CHECK(shell.relative_thickness() > 0.009);
+    CHECK(shell.report().narrowed_area == 0);
+    CHECK(shell.report().rounds.back().thickness <= shell.thickness());
+  }
+}
+
+TEST_CASE("certified shells: the result does not depend on the number of threads")
+{
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
+  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh);
+  const Shell two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
+  CHECK(one.field().coefficients() == two.field().coefficients());
+  CHECK(one.outer_threshold().field().coefficients() == two.outer_threshold().field().coefficients());
+  CHECK(one.report().certificate.least_gradient == two.report().certificate.least_gradient);
+}
+
+TEST_CASE("certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function")
+{
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
+  const Shell coarse = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.02));
+  const Shell fine = CGAL::certified_bspline_shell_3(mesh, parameters::thickness(0.008));
+  check_certified(mesh, coarse);
+  check_certified(mesh, fine);
+  CHECK(coarse.relative_thickness() == Approx(0.02));
+  CHECK(fine.thickness() == Approx(0.008));
+  CHECK(fine.report().cells > coarse.report().cells);
+  const Shell varying = CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3& p) { return p.x() < 1 ? 0.01 : 0.04; }));
+  check_certified(mesh, varying);
+  CHECK(width_at(varying, Point_3(0.2, 0.5, 1)) == Approx(0.01).epsilon(0.01));
+  CHECK(width_at(varying, Point_3(1.8, 0.5, 1)) == Approx(0.04).epsilon(0.01));
+}
+
+TEST_CASE("certified shells: between two plates the shell is narrower than elsewhere, however small the gap")
+{
+  for(double gap : { 0.1, 0.008 }) {
+    const Mesh mesh = together(box(Point_3(0, 0, 0), Point_3(1, 1, 0.2)), box(Point_3(0.3, 0.3, 0.2 + gap), Point_3(0.7, 0.7, 0.5)));
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+    check_certified(mesh, shell);
+    CHECK(shell.relative_thickness() == Approx(0.01).epsilon(1e-6));
+    const double in_gap = width_at(shell, Point_3(0.5, 0.5, 0.2)), outside = width_at(shell, Point_3(0.5, 0.5, 0));
+    CHECK(outside == Approx(0.01).epsilon(1e-6));
+    if(gap > 0.01) CHECK(in_gap == Approx(0.01).epsilon(1e-6));
+    else {
+      CHECK(in_gap < 0.0095);
+      CHECK(shell.report().narrowed_area > 0);
+      CHECK(shell.report().narrowed_area < 0.5);
+    }
+  }
+}
+
+TEST_CASE("certified shells: nested and separate components")
+{
+  const Mesh mesh = together(together(sphere(2, 1), inside_out(sphere(2, 0.8))), sphere(2, 0.3, Point_3(0.1, 0, 0)));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+  check_certified(mesh, shell);
+  CHECK(shell.report().components == 3);
+}
+
+TEST_CASE("certified shells: facets at a sharp apex are passed the right way, as far as its cone allows")
+{
+  for(double height : { 2., 5. }) {
+    const Mesh mesh = pyramid(8, height);
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+    check_certified(mesh, shell);
+    CHECK(shell.report().certificate.least_cone_margin < 0.9);
+  }
+}
+
+TEST_CASE("certified shells: a mesh with a singular vertex is refused, and the vertex is named")
+{
+  const Mesh mesh = demo_mesh("femur.off");
+  const Shell refused = CGAL::certified_bspline_shell_3(mesh);
+  CHECK(refused.status() == BS::Shell_status::SINGULAR_VERTEX);
+  CHECK(refused.report().offending_simplices.vertices.size() == 1);
+}
+
+TEST_CASE("certified shells: limits end refinement with what there is")
+{
+  const Mesh mesh = demo_mesh("elephant.off");
+  for(const Shell& shell : { CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(1e-9)),
+                             CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(5e7)) }) {
+    REQUIRE(shell);
+    CHECK(shell.relative_thickness() > 0.01);       // not what was asked for, whether or not it is certified
+    CHECK(shell.report().refinement == Refinement_status::LIMIT_REACHED);
+    CHECK(shell.report().rounds.size() == 1);
+    CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+    CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
+    // nothing is taken over from a shell that may have critical points
+    CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
+  }
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
+}
+
+TEST_CASE("certified shells: constant thresholds are the tightest two levels")
+{
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::constant_thresholds(true));
+  check_certified(mesh, shell);
+  CHECK(shell.relative_thickness() < 0.01);
+  CHECK(width_at(shell, Point_3(0, 0, 0)) == Approx(width_at(shell, Point_3(1, 0.5, 1))).epsilon(1e-9));
+}
+
+TEST_CASE("certified shells: senseless parameters, refusals and cancellation have a status")
+{
+  const Mesh mesh = sphere(1);
+  typedef BS::Shell_status Status;
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.)).status() == Status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(-1.)).status() == Status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::resolution(0.)).status() == Status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(5.)).status() == Status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(Mesh()).status() == Status::EMPTY_MESH);
+  CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
+  struct Canceling { bool start_step(BS::Shell_step step) { return step != BS::Shell_step::CERTIFICATE; } };
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(Canceling())).status() == Status::CANCELED);
+}
+
+// a sphere of latitudes and longitudes
+Mesh globe(int latitudes, double x)
+{
+  Mesh mesh;
+  const int longitudes = 2 * latitudes;
+  const auto top = mesh.add_vertex(Point_3(x, 0, 1)), bottom = mesh.add_vertex(Point_3(x, 0, -1));
+  std::vector<Mesh::Vertex_index> rows;
+  for(int i = 1; i < latitudes; ++i)
+    for(int j = 0; j < longitudes; ++j) {
+      const double t = CGAL_PI * i / latitudes, p = CGAL_PI * j / latitudes;
+      rows.push_back(mesh.add_vertex(Point_3(x + std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t))));
+    }
+  const auto at = [&](int i, int j) { return rows[std::size_t((i - 1) * longitudes + j % longitudes)]; };
+  for(int j = 0; j < longitudes; ++j) {
+    mesh.add_face(top, at(1, j), at(1, j + 1));
+    mesh.add_face(bottom, at(latitudes - 1, j + 1), at(latitudes - 1, j));
+    for(int i = 1; i + 1 < latitudes; ++i) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  return mesh;
+}
+
+TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh intersects itself")
+{
+  // limits after the first and the second round: the field of the latter was changed after it was bounded on the mesh
+  struct Case { Mesh mesh; double megabytes; };
+  const Mesh overlapping = together(globe(8, 0), globe(8, 1.2)), other = together(globe(4, 0), globe(4, 1.2)),
+             plate = box(Point_3(-1, -1, -0.004), Point_3(1, 1, 0.004));
+  std::size_t shells = 0;
+  for(const Case& c : { Case{ overlapping, 1 }, Case{ overlapping, 40 }, Case{ overlapping, 80 }, Case{ other, 60 }, Case{ plate, 80 } }) {
+    CAPTURE(c.megabytes);
+    const Shell shell = CGAL::certified_bspline_shell_3(c.mesh, parameters::allow_self_intersections(true).memory_limit(c.megabytes * 1e6)
+                                                                           .resolution(10).relative_thickness(0.04));
+    if(!shell) {
+      CHECK((shell.status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED || shell.status() == BS::Shell_status::MESH_NOT_CONTAINED));
+      continue;
+    }
+    ++shells;
+    CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+    const BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
+    CHECK(is_in_shell(c.mesh));
+    for(auto v : c.mesh.vertices()) CHECK(shell.bounded_side(c.mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
+    if(!shell.is_certified()) CHECK(std::string(shell.message()).find("not certified") != std::string::npos);
+  }
+  CHECK(shells == 4);
+}

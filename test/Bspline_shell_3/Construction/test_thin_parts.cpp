@@ -1,0 +1,242 @@
+// certified_bspline_shell_3() where meshes are thin, gaps narrow and fans folded: thresholds give way, and it ends.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef Shell::Field Field;
+typedef Shell::Threshold Threshold;
+typedef BS::Shell_certificate_3<Field, Threshold> Certificate;
+typedef Field::Cell_index Index;
+using BS::Claim;
+using BS::Verdict;
+
+// the width of the shell at a point of the mesh
+double width_at(const Shell& shell, const Point_3& p)
+{
+  return shell.outer_threshold().value(p) - shell.inner_threshold().value(p);
+}
+
+bool is_outside(const Shell& shell, const Point_3& p) { return shell.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; }
+
+void check_certified(const Mesh& mesh, const Shell& shell)
+{
+  REQUIRE(shell);
+  CHECK(shell.is_certified());
+  Certificate certificate(shell);
+  CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
+}
+
+// A sphere, one vertex of which is drawn over an edge of its link, so far that the facets there have no more than this
+// margin in common.
+Mesh folded(double margin, Mesh::Vertex_index& vertex)
+{
+  const Mesh ball = sphere(2);
+  vertex = *ball.vertices().begin();
+  const auto h = ball.halfedge(vertex);
+  const Point_3 p = ball.point(vertex);
+  const Point_3 opposite = CGAL::midpoint(ball.point(ball.source(h)), ball.point(ball.target(ball.next(h))));
+  const auto drawn = [&](double s) {
+    Mesh mesh = ball;
+    mesh.point(vertex) = p + s * (opposite - p) + 0.02 * (p - CGAL::ORIGIN);
+    return mesh;
+  };
+  const auto least_margin = [](const Mesh& mesh) {
+    double least = 1;
+    for(auto v : mesh.vertices()) least = (std::min)(least, BS::vertex_cone_margin(mesh, v));
+    return least;
+  };
+  double low = 0, high = 4;
+  REQUIRE(least_margin(drawn(low)) > margin);
+  REQUIRE(least_margin(drawn(high)) < margin);
+  for(int n = 0; n < 60; ++n) {
+    const double middle = (low + high) / 2;
+    (least_margin(drawn(middle)) > margin ? low : high) = middle;
+  }
+  REQUIRE(least_margin(drawn(low)) == Approx(margin).epsilon(1e-3));
+  return drawn(low);
+}
+
+} // namespace
+
+TEST_CASE("Thin parts: at a neck the inner threshold stays off its axis, at the ends both are as wide as asked for")
+{
+  const double thickness = 0.1;
+  for(double radius : { 0.03, 0.012 }) {
+    const Mesh mesh = dumbbell(radius);
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::thickness(thickness));
+    check_certified(mesh, shell);
+    for(auto v : mesh.vertices()) {
+      const Point_3& p = mesh.point(v);
+      const double width = width_at(shell, p);
+      CHECK(width > 0);
+      CHECK(width <= thickness * (1 + 1e-9));
+      // the inside gives way, not the outside
+      if(std::abs(p.x()) < 0.4) {
+        CHECK(-shell.inner_threshold().value(p) < radius);
+        CHECK(shell.outer_threshold().value(p) > radius);
+      }
+      if(std::abs(p.x()) > 2) CHECK(width == Approx(thickness).epsilon(1e-6));
+    }
+    // the axis of the neck is beyond the inner threshold
+    for(double x : { -0.3, 0., 0.3 }) CHECK(is_outside(shell, Point_3(x, 0, 0)));
+    CHECK(shell.thickness() == Approx(thickness).epsilon(1e-6));
+    CHECK(shell.report().narrowed_area > 0);
+    CHECK(shell.report().narrowed_area < 0.3);
+  }
+}
+
+TEST_CASE("Thin parts: between two plates the middle of the gap is not in the shell, however narrow it is")
+{
+  const double thickness = 0.06;
+  double last = thickness;
+  for(double gap : { thickness, thickness / 2 }) {
+    Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 0.3));
+    CGAL::copy_face_graph(box(Point_3(0.4, 0.4, 0.3 + gap), Point_3(0.6, 0.6, 0.5 + gap)), mesh);
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::thickness(thickness).resolution(15));
+    check_certified(mesh, shell);
+    for(double x : { 0.45, 0.5, 0.55 }) {
+      const Point_3 middle(x, 0.5, 0.3 + gap / 2);
+      CHECK(is_outside(shell, middle));
+      CHECK(shell.field().value(middle).value() > shell.outer_threshold().value(middle));
+      CHECK_FALSE(is_outside(shell, Point_3(x, 0.5, 0.3)));
+      // narrower the narrower the gap
+      const double outer = shell.outer_threshold().value(Point_3(x, 0.5, 0.3));
+      CHECK(outer < gap / 2);
+    }
+    // far away as wide as asked for
+    CHECK(width_at(shell, Point_3(0, 0, 0)) == Approx(thickness).epsilon(1e-6));
+    const double narrow = width_at(shell, Point_3(0.5, 0.5, 0.3));
+    CHECK(narrow < last);
+    last = narrow;
+  }
+}
+
+TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and the place is named")
+{
+  const Mesh mesh = sphere(2);
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
+  check_certified(mesh, shell);
+  const Field& field = shell.field();
+  // the function whose centre is best placed for a bump that hangs over the outer boundary: one and a half of its cells beyond
+  const double level = shell.outer_threshold().value(Point_3(0, 0.6, 0.8));
+  Index bump = Field::npos;
+  double width = 0, nearest = std::numeric_limits<double>::infinity();
+  Point_3 center;
+  for(Index n = 0; n < field.number_of_coefficients(); ++n) {
+    const CGAL::Bbox_3 b = field.support(n);
+    const Point_3 c((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+    if(!field.value(c)) continue;
+    const double w = b.x_span() / 4, distance = std::abs((field.value(c).value() - level) / w - 1.5);
+    if(distance < nearest) { nearest = distance; bump = n; width = w; center = c; }
+  }
+  REQUIRE(nearest < 0.1);
+  Vector_3 r = center - CGAL::ORIGIN;
+  r = r / std::sqrt(r.squared_length());
+  Vector_3 s = CGAL::cross_product(r, std::abs(r.x()) < 0.5 ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0));
+  s = s / std::sqrt(s.squared_length());
+  const Vector_3 t = CGAL::cross_product(r, s);
+  const auto certify = [&](double height) {
+    Field outer = shell.outer_threshold().field();
+    Eigen::VectorXd x = outer.coefficients();
+    x[bump] += height * width;
+    outer.set_coefficients(x);
+    Certificate certificate(field, shell.inner_threshold(), Threshold(outer));
+    certificate.verify<CGAL::Sequential_tag>(mesh);
+    // the steepest slope of the threshold against that of the field, where they meet: the field must outrun it
+    double least = 1;
+    for(int i = -40; i <= 40; ++i)
+      for(int j = -40; j <= 40; ++j) {
+        double last = -1;
+        for(int k = -40; k <= 40; ++k) {
+          const Point_3 p = center + width * (k / 20. * r + i / 20. * s + j / 20. * t);
+          if(!field.value(p)) continue;
+          const double difference = field.value(p).value() - outer.value(p).value();
+          if(k > -40 && (difference > 0) != (last > 0)) {
+            const Vector_3 g = field.gradient(p).value();
+            least = (std::min)(least, g * (g - outer.gradient(p).value()));
+          }
+          last = difference;
+        }
+      }
+    CHECK((least > 0) == (height < 1));
+    return certificate;
+  };
+  CHECK(certify(0.5).is_certified());
+  const Certificate steep = certify(14);
+  CHECK(steep.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(steep.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED);
+  CHECK(steep.verdict(Claim::GRADIENT) != Verdict::PROVED);
+  CHECK(steep.least_gradient() == 0);
+  int places = 0;
+  for(const BS::Certificate_witness& w : steep.witnesses()) {
+    if(w.claim != Claim::GRADIENT) continue;
+    ++places;
+    for(int a = 0; a < 3; ++a) CHECK(std::abs(w.point[std::size_t(a)] - center[a]) <= 2 * width);
+  }
+  CHECK(places > 0);
+}
+
+TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certified the place is named")
+{
+  for(double margin : { 0.1, 0.01 }) {
+    Mesh::Vertex_index vertex;
+    const Mesh mesh = folded(margin, vertex);
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.06).resolution(15));
+    REQUIRE(shell);
+    CHECK(shell.report().rounds.size() < BS::Refinement_parameters().max_rounds);
+    CHECK(shell.report().certificate.least_cone_margin == Approx(margin).epsilon(1e-2));
+    CHECK(shell.report().certificate.singular_vertices.empty());
+    if(shell.is_certified()) { check_certified(mesh, shell); continue; }
+    CHECK(shell.report().refinement == BS::Refinement_status::NOTHING_TO_REFINE);
+    bool named = false;
+    for(const BS::Certificate_witness& w : shell.report().certificate.witnesses)
+      if((w.claim == Claim::TRANSVERSALITY || w.claim == Claim::GRADIENT)
+         && CGAL::squared_distance(Point_3(w.point[0], w.point[1], w.point[2]), mesh.point(vertex)) < 0.3 * 0.3) named = true;
+    CHECK(named);
+  }
+}
+
+TEST_CASE("Thin parts: the number of threads does not matter where slopes are enforced and thresholds narrowed")
+{
+  const Mesh mesh = demo_mesh("dino.off");
+  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),
+              two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
+  REQUIRE(one);
+  REQUIRE(two);
+  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.sloping_cells > 0; }));
+  CHECK(one.report().narrowed_area > 0);
+  CHECK(one.field().coefficients() == two.field().coefficients());
+  CHECK(one.inner_threshold().field().coefficients() == two.inner_threshold().field().coefficients());
+  CHECK(one.outer_threshold().field().coefficients() == two.outer_threshold().field().coefficients());
+  CHECK(one.shell_cells() == two.shell_cells());
+  const BS::Certificate_report &a = one.report().certificate, &b = two.report().certificate;
+  CHECK(a.verdicts == b.verdicts);
+  CHECK(a.least_gradient == b.least_gradient);
+  CHECK(a.displacement_bound == b.displacement_bound);
+  CHECK(a.least_angle == b.least_angle);
+  CHECK(a.witnesses.size() == b.witnesses.size());
+  REQUIRE(one.report().rounds.size() == two.report().rounds.size());
+  for(std::size_t n = 0; n < one.report().rounds.size(); ++n) {
+    const BS::Refinement_round &r = one.report().rounds[n], &s = two.report().rounds[n];
+    CHECK(r.cells == s.cells);
+    CHECK(r.thickness == s.thickness);
+    CHECK(r.sloping_cells == s.sloping_cells);
+    CHECK(r.sloping_cells_left == s.sloping_cells_left);
+    CHECK(r.undecided_cells == s.undecided_cells);
+    CHECK(r.marked_cells == s.marked_cells);
+  }
+}

@@ -1,0 +1,275 @@
+// Shell_filter.h, Shell_facet_oracle_3.h, Triangle_predicate_oracle.h, Collapse_visitor.h: what leaves the shell, faces away or
+// winds twice is rejected, for that reason, and what is accepted is proved.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
+#include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
+#include <CGAL/Bspline_shell_3/Certificate/Triangle_predicate_oracle.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Polyhedral_envelope.h>
+#include <CGAL/Random.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using BS::Placement_verdict;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef BS::Shell_facet_oracle_3<> Oracle;
+
+// as tight as it can be around its mesh
+const Shell& tight_shell()
+{
+  static const Shell shell = CGAL::bspline_shell_3(sphere(1), P::resolution(12));
+  return shell;
+}
+
+// with room around it
+const Shell& shell()
+{
+  static const Shell shell(tight_shell().field(), BS::Level_range{ tight_shell().inner_level() - 0.08, tight_shell().outer_level() + 0.08 },
+                           std::vector<char>(tight_shell().field().number_of_cells(), 1), tight_shell().facet_ranges(),
+                           tight_shell().report());
+  return shell;
+}
+
+const Oracle& oracle()
+{
+  static const Oracle oracle(shell());
+  return oracle;
+}
+
+std::vector<Point_3> link_of(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  std::vector<Point_3> link;
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.point(mesh.source(h)));
+  std::reverse(link.begin(), link.end());
+  return link;
+}
+
+Placement_verdict judge(const Point_3& p, const std::vector<Point_3>& link)
+{
+  Oracle::Memory memory;
+  const Placement_verdict verdict = oracle()(p, link, memory);
+  CHECK(oracle()(p, link, memory) == verdict);      // it does not depend on what is remembered
+  return verdict;
+}
+
+// the points about the north pole of the unit sphere that come in a given order
+std::vector<Point_3> polar_link(std::initializer_list<int> order, double radius)
+{
+  std::vector<Point_3> link;
+  for(int n : order) {
+    const double angle = 2 * CGAL_PI * n / double(order.size());
+    link.push_back(Point_3(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1 - radius * radius)));
+  }
+  return link;
+}
+
+// Collapses edges to their middles, shortest first, under a filter, to n edges.
+template <typename Filter, typename Visitor = SMS::internal::Dummy_visitor>
+int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
+{
+  return SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(edges),
+                            CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>()).get_placement(SMS::Midpoint_placement<Mesh>())
+                                             .filter(filter).visitor(visitor));
+}
+
+struct Refuse
+{
+  template <typename Profile, typename OptionalPoint>
+  OptionalPoint operator()(const Profile&, const OptionalPoint&) const { return OptionalPoint(); }
+};
+
+} // namespace
+
+TEST_CASE("Oracle: planted stars are rejected for the right reason")
+{
+  REQUIRE(shell());
+  const Mesh mesh = sphere(1);
+  const auto v = *mesh.vertices().begin();
+  const std::vector<Point_3> link = link_of(mesh, v);
+  const Point_3 p = mesh.point(v);
+  const auto scaled = [&](double s) { return CGAL::ORIGIN + s * (p - CGAL::ORIGIN); };
+  CHECK(judge(p, link) == Placement_verdict::ACCEPTED);
+  for(double s : { 0.5, 2., 100. }) CHECK(judge(scaled(s), link) == Placement_verdict::LEAVES_SHELL);
+  // inside out
+  std::vector<Point_3> reversed(link.rbegin(), link.rend());
+  CHECK(judge(p, reversed) == Placement_verdict::FACES_AWAY);
+  // at a vertex of the link: a facet has no area
+  CHECK(judge(link[0], link) == Placement_verdict::FACES_AWAY);
+  // beyond the link: in the shell, but a facet is turned over
+  const Vector_3 away = link[0] - CGAL::ORIGIN + 0.7 * (link[0] - p);
+  CHECK(judge(CGAL::ORIGIN + away / std::sqrt(away.squared_length()), link) == Placement_verdict::FACES_AWAY);
+}
+
+TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which winds twice, is rejected")
+{
+  const Point_3 pole(0, 0, 1);
+  CHECK(judge(pole, polar_link({ 0, 1, 2, 3, 4 }, 0.3)) == Placement_verdict::ACCEPTED);
+  CHECK(judge(pole, polar_link({ 0, 2, 4, 1, 3 }, 0.3)) == Placement_verdict::WINDS_TWICE);
+  // each of its facets alone is as good as any other
+  const std::vector<Point_3> star = polar_link({ 0, 2, 4, 1, 3 }, 0.3);
+  for(std::size_t n = 0; n < star.size(); ++n) CHECK(oracle()(pole, star[n], star[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
+  CHECK(oracle().winding_number(pole, star) == 2);
+}
+
+TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of the shell's, leave the shell")
+{
+  // where the shell may be, as far as its cells tell: not below
+  std::vector<char> cells(shell().field().number_of_cells());
+  for(std::size_t c = 0; c < cells.size(); ++c) cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
+  const Shell upper(shell().field(), BS::Level_range{ shell().inner_level(), shell().outer_level() }, cells, shell().facet_ranges(),
+                    shell().report());
+  const Oracle of_upper(upper);
+  const Mesh mesh = sphere(3);
+  int above = 0, below = 0;
+  for(auto v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    const std::vector<Point_3> link = link_of(mesh, v);
+    if(std::abs(p.z() + 0.5) < 0.3) continue;
+    const bool is_above = p.z() > -0.5;
+    ++(is_above ? above : below);
+    const Placement_verdict expected = is_above ? Placement_verdict::ACCEPTED : Placement_verdict::LEAVES_SHELL;
+    Oracle::Memory memory;
+    CHECK(of_upper(p, link, memory) == expected);
+    CHECK(of_upper(p, link[0], link[1]) == expected);
+  }
+  CHECK(above > 0);
+  CHECK(below > 0);
+}
+
+TEST_CASE("Oracle: the facets that touch a threshold are accepted")
+{
+  const Mesh mesh = sphere(1);
+  const Oracle tight(tight_shell());
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    CHECK(tight(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))) == Placement_verdict::ACCEPTED);
+  }
+}
+
+TEST_CASE("Oracle: it accepts facets of all sizes and shapes only where the predicates prove both claims, and most of those")
+{
+  const BS::Field_predicates_3<Shell::Field> predicates(shell().field());
+  CGAL::Random random(5);
+  std::size_t accepted = 0, missed = 0, rejected = 0;
+  for(int n = 0; n < 400; ++n) {
+    const double size = std::ldexp(0.5, -(n % 8));
+    const auto on_sphere = [&](const Vector_3& d, double radius) { return CGAL::ORIGIN + radius / std::sqrt(d.squared_length()) * d; };
+    const auto noise = [&]() { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
+    const Vector_3 d = noise();
+    const double unit = size * std::sqrt(d.squared_length()), off = random.get_double(-0.02, 0.02);
+    const Point_3 p = on_sphere(d, 0.97 + off), q = on_sphere(d + unit * noise(), 0.97 + off);
+    // every third one is a needle
+    const Point_3 r = n % 3 == 0 ? on_sphere(q - CGAL::ORIGIN + 1e-6 * noise(), 0.97 + off) : on_sphere(d + unit * noise(), 0.97 + off);
+    const std::array<Point_3, 3> t = { p, q, r };
+    const bool proved = !CGAL::collinear(p, q, r)
+                     && predicates.values_within(t, shell().inner_threshold(), shell().outer_threshold()) == BS::Verdict::PROVED
+                     && predicates.crosses_upwards(t) == BS::Verdict::PROVED;
+    if(oracle()(p, q, r) == Placement_verdict::ACCEPTED) {
+      ++accepted;
+      CHECK(proved);
+    } else {
+      missed += proved;
+      ++rejected;
+    }
+  }
+  CHECK(accepted > 50);
+  CHECK(rejected > 50);
+  CHECK(missed <= accepted / 20);
+}
+
+TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, and every fan at one turn")
+{
+  const Mesh start = sphere(3);
+  for(auto f : start.faces()) {
+    const auto h = start.halfedge(f);
+    REQUIRE(oracle()(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
+              == Placement_verdict::ACCEPTED);
+  }
+  const BS::Shell_filter<Oracle> filter(oracle());
+  BS::Collapse_visitor<Mesh> visitor;
+  Mesh mesh = start;
+  const int removed = collapse(mesh, 6, filter, visitor);
+  CHECK(removed > 0);
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(mesh.number_of_faces() < start.number_of_faces() / 2);
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+            == Placement_verdict::ACCEPTED);
+  }
+  for(auto v : mesh.vertices()) CHECK(oracle().winding_number(mesh.point(v), link_of(mesh, v)) == 1);
+
+  // statistics are shared by the copies that CGAL makes; history is complete
+  const auto& statistics = filter.statistics();
+  CHECK(statistics.number(Placement_verdict::ACCEPTED) >= visitor.history().collapsed);
+  CHECK(statistics.rejected() > 0);
+  CHECK(visitor.history().collapsed == start.number_of_vertices() - mesh.number_of_vertices());
+  CHECK(visitor.history().selected >= visitor.history().collapsed);
+  std::size_t kept = 0;
+  for(auto v : start.vertices()) {
+    const auto image = visitor.history().image(v);
+    CHECK_FALSE(mesh.is_removed(image));
+    kept += image == v;
+  }
+  CHECK(kept == mesh.number_of_vertices());
+}
+
+TEST_CASE("Filter: it composes with other filters, and refuses what they refuse")
+{
+  typedef SMS::Bounded_normal_change_filter<> Normal;
+  const Mesh start = sphere(1);
+  Mesh mesh = start;
+  const BS::Shell_filter<Oracle, Normal> filter(oracle(), Normal());
+  collapse(mesh, 60, filter);
+  CHECK(mesh.number_of_faces() < start.number_of_faces());
+
+  mesh = start;
+  const BS::Shell_filter<Oracle, Refuse> refusing(oracle());
+  CHECK(collapse(mesh, 6, refusing) == 0);
+  CHECK(refusing.statistics().number(Placement_verdict::BASE_FILTER) == start.number_of_edges());
+  CHECK(refusing.statistics().number(Placement_verdict::ACCEPTED) == 0);
+}
+
+TEST_CASE("Filter: an envelope, or any other predicate on triangles, takes the place of the shell")
+{
+  const Mesh start = sphere(2);
+  const CGAL::Polyhedral_envelope<Kernel> envelope(start, 0.2);
+  const BS::Triangle_predicate_oracle<CGAL::Polyhedral_envelope<Kernel> > in_envelope(envelope);
+  Mesh mesh = start;
+  const BS::Shell_filter filter(in_envelope);
+  collapse(mesh, 6, filter);
+  CHECK(mesh.number_of_faces() < start.number_of_faces());
+  CHECK(envelope(mesh));
+  CHECK(filter.statistics().number(Placement_verdict::LEAVES_SHELL) > 0);
+
+  // with the shell's own containment, what the oracle of facets accepts is accepted
+  REQUIRE(shell());
+  const BS::Shell_containment_3<> contains(shell());
+  const BS::Triangle_predicate_oracle<BS::Shell_containment_3<> > contained(contains);
+  const Mesh small = sphere(1);
+  for(auto v : small.vertices()) {
+    BS::Triangle_predicate_oracle<BS::Shell_containment_3<> >::Memory memory;
+    CHECK(judge(small.point(v), link_of(small, v)) == Placement_verdict::ACCEPTED);
+    CHECK(contained(small.point(v), link_of(small, v), memory) == Placement_verdict::ACCEPTED);
+  }
+
+  const auto nothing = [](const Point_3&, const Point_3&, const Point_3&) { return false; };
+  mesh = start;
+  CHECK(collapse(mesh, 6, BS::Shell_filter(BS::Triangle_predicate_oracle(nothing))) == 0);
+}

@@ -1,0 +1,284 @@
+// simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller asks for
+// is honoured.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using BS::Placement_verdict;
+typedef BS::Edit_status Status;
+typedef CGAL::Bspline_shell_3<> Shell;
+
+// a shell with room around the mesh that it was built for
+Shell widened(const Shell& shell, double room)
+{
+  return Shell(shell.field(), BS::Level_range{ shell.inner_level() - room, shell.outer_level() + room },
+               std::vector<char>(shell.field().number_of_cells(), 1), shell.facet_ranges(), shell.report());
+}
+
+const Shell& sphere_shell()
+{
+  static const Shell shell = widened(CGAL::bspline_shell_3(sphere(2), P::resolution(12)), 0.08);
+  return shell;
+}
+
+const Shell& torus_shell()
+{
+  static const Shell shell = widened(CGAL::bspline_shell_3(torus(1, 0.4, 40, 20), P::resolution(20)), 0.03);
+  return shell;
+}
+
+bool is_certified(const Shell& shell, const Mesh& mesh)
+{
+  BS::Shell_certificate_3<> certificate(shell);
+  return certificate.verify<CGAL::Sequential_tag>(mesh);
+}
+
+template <typename NamedParameters>
+BS::Simplification_result<Mesh> simplify(Mesh& mesh, const Shell& shell, const NamedParameters& np)
+{
+  return BS::simplify_in_shell<CGAL::Sequential_tag>(mesh, shell, np);
+}
+
+// counts calls, and checks their order
+struct Counting_visitor : SMS::internal::Dummy_visitor
+{
+  std::string calls;        // s: started, o: selected, f: filter, c: collapsing, C: collapsed, n: not collapsable, e: finished
+
+  void OnStarted(Mesh&) { calls += 's'; }
+  void OnFinished(Mesh&) { calls += 'e'; }
+  template <typename Profile, typename Cost>
+  void OnSelected(const Profile&, const Cost&, std::size_t initial, std::size_t current)
+  {
+    calls += 'o';
+    CHECK(current <= initial);
+    initial_edges.insert(initial);
+  }
+  template <typename Profile, typename Point>
+  void OnCollapsing(const Profile&, const Point&) { calls += 'c'; }
+  template <typename Profile, typename Vertex>
+  void OnCollapsed(const Profile&, const Vertex&) { calls += 'C'; }
+  template <typename Profile>
+  void OnNonCollapsable(const Profile&) { calls += 'n'; }
+
+  std::set<std::size_t> initial_edges;
+};
+
+// notes its calls with those of a visitor, and cannot be copied
+struct Noting_filter
+{
+  Counting_visitor* visitor;
+  bool accepts;
+
+  Noting_filter(Counting_visitor& visitor, bool accepts) : visitor(&visitor), accepts(accepts) {}
+  Noting_filter(const Noting_filter&) = delete;
+  template <typename Profile, typename OptionalPoint>
+  OptionalPoint operator()(const Profile&, const OptionalPoint& p) const
+  {
+    visitor->calls += 'f';
+    return accepts ? p : OptionalPoint();
+  }
+};
+
+} // namespace
+
+TEST_CASE("Simplification: the result is certified, as coarse as asked for, and every vertex knows where it went")
+{
+  REQUIRE(sphere_shell());
+  const Mesh start = sphere(3);
+  Mesh mesh = start;
+  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(300)));
+  REQUIRE(result);
+  CHECK(result.status == Status::SUCCESS);
+  CHECK(result.facets_before == start.number_of_faces());
+  CHECK(result.facets == 300);
+  CHECK(mesh.number_of_faces() == 300);
+  CHECK(result.collapsed == start.number_of_vertices() - mesh.number_of_vertices());
+  for(BS::Verdict v : result.certificate.verdicts) CHECK(v == BS::Verdict::PROVED);
+  CHECK(is_certified(sphere_shell(), mesh));
+  CHECK_FALSE(PMP::does_self_intersect(mesh));
+  REQUIRE(result.images.size() == start.number_of_vertices());
+  std::set<Mesh::Vertex_index> images;
+  for(auto v : result.images) {
+    CHECK_FALSE(mesh.is_removed(v));
+    images.insert(v);
+  }
+  CHECK(images.size() == mesh.number_of_vertices());
+}
+
+TEST_CASE("Simplification: without a stop it ends where every collapse is refused; a second time does nothing")
+{
+  Mesh mesh = torus(1, 0.4, 40, 20);
+  const auto result = simplify(mesh, torus_shell(), CGAL::parameters::default_values());
+  REQUIRE(result);
+  CHECK(result.facets < 400);
+  CHECK(result.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
+  CHECK(is_certified(torus_shell(), mesh));
+  CHECK_FALSE(PMP::does_self_intersect(mesh));
+  // the incremental proofs say the same as the certificate, facet by facet
+  const BS::Shell_facet_oracle_3<> oracle(torus_shell());
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    CHECK(oracle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+            == Placement_verdict::ACCEPTED);
+  }
+}
+
+TEST_CASE("Simplification: nothing changes when every collapse is refused")
+{
+  const Mesh start = sphere(2);
+  Mesh mesh = start;
+  Counting_visitor visitor;
+  const Noting_filter filter(visitor, false);
+  const auto result = simplify(mesh, sphere_shell(), P::filter(std::cref(filter)));
+  CHECK(result);
+  CHECK(result.collapsed == 0);
+  CHECK(result.placements.number(Placement_verdict::BASE_FILTER) == result.placements.rejected());
+  CHECK(is_equal(mesh, start));
+  for(std::size_t n = 0; n < result.images.size(); ++n) CHECK(std::size_t(result.images[n]) == n);
+}
+
+TEST_CASE("Simplification: visitor and filter of the caller are called in the documented order")
+{
+  Mesh mesh = sphere(2);
+  Counting_visitor visitor;
+  const Noting_filter filter(visitor, true);
+  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(100)).visitor(std::ref(visitor))
+                                                       .filter(std::cref(filter)));
+  CHECK(result);
+  const std::string& calls = visitor.calls;
+  REQUIRE(calls.size() > 2);
+  CHECK(calls.front() == 's');
+  CHECK(calls.back() == 'e');
+  CHECK(std::count(calls.begin(), calls.end(), 's') == 1);
+  CHECK(std::count(calls.begin(), calls.end(), 'e') == 1);
+  CHECK(visitor.initial_edges == std::set<std::size_t>{ 480 });
+  CHECK(std::size_t(std::count(calls.begin(), calls.end(), 'C')) == result.collapsed);
+  CHECK(std::size_t(std::count(calls.begin(), calls.end(), 'o')) == result.selected);
+  for(std::size_t n = 1; n < calls.size(); ++n) {
+    const char before = calls[n - 1];
+    if(calls[n] == 'C') CHECK(before == 'c');
+    if(calls[n] == 'c') CHECK(before == 'f');
+    if(calls[n] == 'f') CHECK((before == 'o' || before == 'f'));
+  }
+}
+
+TEST_CASE("Simplification: edges that are constrained stay, with their vertices")
+{
+  Mesh mesh = torus(1, 0.4, 40, 20);
+  auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", false).first;
+  std::map<Mesh::Edge_index, std::set<Point_3> > ends;
+  for(auto e : mesh.edges()) {
+    const Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+    // the outer equator
+    if(p.z() == 0 && q.z() == 0 && p.x() * p.x() + p.y() * p.y() > 1 && q.x() * q.x() + q.y() * q.y() > 1) {
+      constrained[e] = true;
+      ends[e] = { p, q };
+    }
+  }
+  REQUIRE(ends.size() == 40);
+  const auto result = simplify(mesh, torus_shell(), P::edge_is_constrained_map(constrained));
+  REQUIRE(result);
+  CHECK(result.facets < 800);
+  for(const auto& e : ends) {
+    REQUIRE_FALSE(mesh.is_removed(e.first));
+    CHECK(std::set<Point_3>{ mesh.point(mesh.vertex(e.first, 0)), mesh.point(mesh.vertex(e.first, 1)) } == e.second);
+  }
+}
+
+TEST_CASE("Simplification: edges of length zero are collapsed, and the result is certified")
+{
+  Mesh mesh = sphere(2);
+  const std::size_t facets = mesh.number_of_faces();
+  // a vertex splits into two at the same place, with two facets that have no area between them
+  const auto h = *mesh.halfedges().begin();
+  const Point_3 p = mesh.point(mesh.target(h));
+  const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+  mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
+  PMP::triangulate_faces(mesh);
+  REQUIRE(mesh.number_of_faces() == facets + 2);
+  REQUIRE_FALSE(is_certified(sphere_shell(), mesh));
+  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(facets)));
+  CHECK(std::string(message(result.status)) == message(Status::SUCCESS));
+  CHECK(result.offending_simplices.facets.empty());
+  CHECK(result.facets == facets);
+  CHECK(result.images.size() == facets / 2 + 3);
+  CHECK(is_certified(sphere_shell(), mesh));
+}
+
+TEST_CASE("Simplification: what cannot be simplified is refused with a reason, and stays as it is")
+{
+  const auto refused = [](Mesh mesh, const Shell& shell) {
+    const Mesh before = mesh;
+    const auto result = simplify(mesh, shell, CGAL::parameters::default_values());
+    CHECK_FALSE(result);
+    CHECK(result.images.empty());
+    CHECK(result.facets == result.facets_before);
+    CHECK(is_equal(mesh, before));
+    CHECK(std::string(message(result.status)).size() > 20);
+    return result;
+  };
+  CHECK(refused(sphere(1), Shell()).status == Status::NO_SHELL);
+  CHECK(refused(Mesh(), sphere_shell()).status == Status::NOT_TRIANGULATED);
+  Mesh mesh = sphere(2);
+  CGAL::Euler::remove_face(*mesh.halfedges().begin(), mesh);
+  CHECK(refused(mesh, sphere_shell()).status == Status::OPEN_MESH);
+  mesh = sphere(2);
+  mesh.point(Mesh::Vertex_index(3)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  {
+    const auto result = simplify(mesh, sphere_shell(), CGAL::parameters::default_values());
+    CHECK(result.status == Status::NOT_FINITE);
+  }
+  mesh = sphere(2);
+  mesh.point(Mesh::Vertex_index(7)) = Point_3(0, 0, 0);
+  const auto outside = refused(mesh, sphere_shell());
+  CHECK(outside.status == Status::NOT_IN_SHELL);
+  CHECK(outside.offending_simplices.facets.size() >= 5);
+  // two spheres in one shell: each facet is good, but the mesh covers the shell twice
+  mesh = sphere(2);
+  CGAL::copy_face_graph(sphere(2, 0.98), mesh);
+  const auto twice = refused(mesh, sphere_shell());
+  CHECK(twice.status == Status::NOT_CERTIFIED);
+  CHECK(twice.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(twice.certificate.verdict(BS::Claim::ONE_SHEET) != BS::Verdict::PROVED);
+}
+
+TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop that cancels")
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Polyhedron mesh;
+  CGAL::copy_face_graph(sphere(2), mesh);
+  const std::size_t vertices = num_vertices(mesh);
+  std::size_t asked = 0;
+  const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++asked > 40; };
+  const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
+    mesh, sphere_shell(), P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>())
+                                         .get_placement(SMS::Midpoint_placement<Polyhedron>()));
+  REQUIRE(result);
+  CHECK(asked == 41);
+  CHECK(result.collapsed > 0);
+  CHECK(result.collapsed <= 40);
+  CHECK(num_vertices(mesh) == vertices - result.collapsed);
+  CHECK(result.images.size() == vertices);
+}

@@ -1,0 +1,382 @@
+// Fit_energy.h, fit_field.h, Unknown_blocks.h on cells of different sizes: each counts in units of its own.
+#include "fit_problem.h"
+#include "random_hierarchies.h"
+
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Fit/fit_field.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Sequential_tag Tag;
+typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
+typedef BS::Fit_energy<Hierarchical_field> Hierarchical_energy;
+typedef Hierarchical_field::Cell_index Index;
+
+constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
+constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL };
+
+// a mesh, and leaves that are refined at one point of it
+struct Problem
+{
+  BS::Input_mesh_3 input;
+  Hierarchical_field field;
+  BS::Clipped_mesh_3 clipped;
+  std::vector<double> samples;
+
+  Problem(const Mesh& mesh, double gamma, int rings, const Point_3& refined_at, int levels)
+  {
+    REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
+    const BS::Lattice_3 lattice(input.bbox(), input.unit() / gamma);
+    Hierarchy cells(Root_cells(lattice, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, lattice), -rings, rings)));
+    while(cells.number_of_levels() < levels) cells = cells.refined({ cells.locate(refined_at) });
+    field = Hierarchical_field(cells);
+    clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
+    samples = BS::sample_signed_distance<Tag>(BS::Mesh_signed_distance_3(input), cells);
+  }
+  Problem(const Problem&) = delete;      // energies refer to it
+
+  double root_width() const { return field.cells().lattice().spacing(); }
+  Hierarchical_energy energy(const Energy_weights& weights = all_terms_weighted()) const
+  {
+    return Hierarchical_energy(field, samples, clipped, input.unit() / root_width(), weights);
+  }
+
+  // One for each free function: `f` of its lattice point in user units, and of the spacing of its level. A function that is
+  // linear, or whose square has a third of the squared spacing taken off, is that very polynomial.
+  template <typename Function>
+  Eigen::VectorXd coefficients(const Function& f) const
+  {
+    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+    for(Index n = 0; n < field.number_of_coefficients(); ++n) {
+      const Index point = field.point_of_coefficient(n);
+      int l = field.number_of_levels() - 1;
+      while(point >= field.first_point(l) + field.points(l).size()) --l;
+      const Lattice_point& p = field.points(l).point(point - field.first_point(l));
+      const auto at = [&](int a) { return field.cells().coordinate(l, a, p[a]); };
+      x[n] = f(at(0), at(1), at(2), field.cells().level_width(l)) / root_width();
+    }
+    return x;
+  }
+
+  Hierarchical_field field_of(const Eigen::VectorXd& x) const
+  {
+    Hierarchical_field f = field;
+    f.set_coefficients(x * root_width());
+    return f;
+  }
+
+  template <typename Function>
+  void for_each_sample(const Function& f) const
+  {
+    for(Index c = 0; c < field.number_of_cells(); ++c) {
+      const std::array<double, 3> corner = field.cells().corner(c);
+      const double w = field.cells().width(c);
+      for(int s = 0; s < 8; ++s)
+        f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * w, corner[1] + (s & 2 ? 0.75 : 0.25) * w, corner[2] + (s & 4 ? 0.75 : 0.25) * w));
+    }
+  }
+};
+
+const Problem& sphere_problem()
+{
+  static const Problem problem(sphere(1), 5.3, 2, Point_3(0, 0.6, 0.8), 3);
+  return problem;
+}
+
+// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are large enough for
+// quadrature that is exact to degree two.
+const Problem& cube_problem()
+{
+  static const Problem problem(box(Point_3(-2.5, -2.5, -2.5), Point_3(2.5, 2.5, 2.5)), 5, 2, Point_3(2.4, -2.4, 0.1), 3);
+  return problem;
+}
+
+// |x|^2 / 2 with signs
+Eigen::VectorXd paraboloid(const Problem& problem, double sx, double sy, double sz)
+{
+  return problem.coefficients([&](double x, double y, double z, double w) {
+    return (sx * (x*x - w*w / 3) + sy * (y*y - w*w / 3) + sz * (z*z - w*w / 3)) / 2;
+  });
+}
+
+// the integral over the pieces in leaves of a level of a function that is quadratic on each
+template <typename Function>
+double integral(const Problem& problem, int level, const Function& f)
+{
+  double sum = 0;
+  for(const BS::Clipped_mesh_3::Piece& piece : problem.clipped.pieces()) {
+    if(problem.field.cells().level(piece.cell) != level) continue;
+    const auto at = [&](std::uint32_t v) {
+      const BS::Clipped_mesh_3::Point& p = problem.clipped.point(piece.first + v);
+      return Point_3(p[0], p[1], p[2]);
+    };
+    for(std::uint32_t v = 1; v + 1 < piece.size; ++v) {
+      const Point_3 p = at(0), q = at(v), r = at(v + 1);
+      const double area = std::sqrt(CGAL::cross_product(q - p, r - p).squared_length()) / 2;
+      sum += area / 3 * (f(CGAL::midpoint(p, q)) + f(CGAL::midpoint(q, r)) + f(CGAL::midpoint(r, p)));
+    }
+  }
+  return sum;
+}
+
+Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower)
+{
+  Eigen::MatrixXd A = lower;
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+  return A;
+}
+
+} // namespace
+
+TEST_CASE("On leaves of different size, E_SDF is the sum of squared differences, each in units of its leaf")
+{
+  const Problem& problem = sphere_problem();
+  REQUIRE(problem.field.number_of_levels() == 3);
+  const Eigen::VectorXd x = Deterministic_numbers(1).vector(problem.field.number_of_coefficients());
+  const Hierarchical_field field = problem.field_of(x);
+  double sum = 0;
+  std::size_t n = 0;
+  problem.for_each_sample([&](Index c, const Point_3& p) {
+    const double d = (field.cell(c).value(p) - problem.samples[n++]) / field.cells().width(c);
+    sum += d * d;
+  });
+  CHECK(n == problem.samples.size());
+  CHECK(problem.energy().value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
+}
+
+TEST_CASE("On leaves of different size, integrals over facets of linear functions are what one computes by hand")
+{
+  const Problem& problem = cube_problem();
+  const Hierarchical_energy energy = problem.energy();
+  const auto f = [](const Point_3& p) { return 0.3 * p.x() - 2 * p.y() + p.z() + 0.7; };
+  const Eigen::VectorXd x = problem.coefficients([&](double a, double b, double c, double) { return f(Point_3(a, b, c)); });
+  const Vector_3 gradient(0.3, -2, 1);
+  double surface = 0, angle = 0, normal = 0, area = 0;
+  for(int l = 0; l < 3; ++l) {
+    const double w = problem.root_width() / (1 << l);
+    const double squares = integral(problem, l, [&](const Point_3& p) { return f(p) * f(p); });
+    CHECK(squares > 0);       // all sizes count
+    surface += squares / (w * w) / (w * w);
+  }
+  for(const BS::Clipped_mesh_3::Piece& piece : problem.clipped.pieces()) {
+    const BS::Clipped_mesh_3::Point& n = problem.clipped.normal(piece.facet);
+    const double w = problem.field.cells().width(piece.cell), share = problem.clipped.area(piece) / (w * w);
+    const Vector_3 d = gradient - Vector_3(n[0], n[1], n[2]);
+    angle += share * d.squared_length();
+    normal += share * std::pow(d * Vector_3(n[0], n[1], n[2]), 2);
+    area += problem.clipped.area(piece);
+  }
+  CHECK(area == Approx(6 * 25).epsilon(1e-12));
+  CHECK(energy.value(Term::SURFACE, x) == Approx(energy.weight(Term::SURFACE) * surface).epsilon(1e-12));
+  CHECK(energy.value(Term::ANGLE, x) == Approx(energy.weight(Term::ANGLE) * angle).epsilon(1e-12));
+  CHECK(energy.value(Term::NORMAL, x) == Approx(energy.weight(Term::NORMAL) * normal).epsilon(1e-12));
+}
+
+TEST_CASE("On leaves of different size, the range on the mesh and the domain of E_singularH speak of the same values")
+{
+  const Problem& problem = cube_problem();
+  Hierarchical_energy energy = problem.energy();
+  // a linear function, in root cells
+  const Eigen::VectorXd linear = problem.coefficients([](double x, double y, double, double) { return x + 10 * y; });
+  const std::pair<double, double> range = energy.range_on_mesh(linear);
+  CHECK(range.second <= 27.5);
+  CHECK(range.second > 16.5);
+  CHECK(range.first >= -27.5);
+  CHECK(range.first < -16.5);
+
+  // The determinant of the Hessian is one, per user unit cubed, and these are root cells.
+  const Eigen::VectorXd x = paraboloid(problem, 1, 1, 1);
+  const Hierarchical_field field = problem.field_of(x);
+  for(const std::pair<double, double>& levels : { std::make_pair(-1e9, 1e9), std::make_pair(3., 5.) }) {
+    std::vector<char> domain(field.number_of_cells(), 0);
+    problem.for_each_sample([&](Index c, const Point_3& p) {
+      const double f = field.cell(c).value(p) / problem.root_width();
+      if(f >= levels.first && f <= levels.second) domain[c] = 1;
+    });
+    double sum = 0;
+    std::size_t chosen[3] = { 0, 0, 0 };
+    for(Index c = 0; c < field.number_of_cells(); ++c) {
+      // second derivatives of F = f / w with respect to x / w
+      if(domain[c]) sum += std::pow(field.cells().width(c), 3);
+      chosen[field.cells().level(c)] += domain[c];
+    }
+    for(std::size_t n : chosen) CHECK(n > 0);
+    energy.set_singular_hessian_domain(x, levels.first, levels.second);
+    CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(energy.weight(Term::SINGULAR_HESSIAN) * sum).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("On leaves of different size, gradients are the derivatives of the values")
+{
+  const Problem& problem = sphere_problem();
+  Hierarchical_energy energy = problem.energy();
+  Deterministic_numbers random(2);
+  const std::size_t size = problem.field.number_of_coefficients();
+  // determinants near one per root cell, so that |det H| is smooth
+  const double w = problem.root_width();
+  const Eigen::VectorXd x = paraboloid(problem, 1 / w, 1 / w, 1 / w) + 1e-3 * random.vector(size);
+  energy.set_singular_hessian_domain(x, -1e9, 1e9);
+  const double h = 1. / 4096;
+  for(int trial = 0; trial < 8; ++trial) {
+    const Eigen::VectorXd d = trial < 4 ? random.vector(size) : Eigen::VectorXd::Unit(size, Eigen::Index((1 + random()) / 2 * double(size - 1)));
+    for(Term term : all_terms) {
+      CAPTURE(int(term), trial);
+      const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
+      // exact but for rounding: the terms are polynomials of degree two, or three, along a line
+      const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
+      const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
+      CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
+      if(trial < 4) CHECK(std::abs(difference) > 10 * rounding);
+    }
+  }
+}
+
+TEST_CASE("On leaves of different size, the normal equations are those of the quadratic terms")
+{
+  const Problem problem(sphere(1), 3.3, 1, Point_3(0, 0.6, 0.8), 2);
+  const Hierarchical_energy energy = problem.energy();
+  const std::size_t size = problem.field.number_of_coefficients();
+  REQUIRE(size < problem.field.number_of_points());
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<Tag>(A, b);
+  const Eigen::MatrixXd full = symmetric(A);
+  const auto quadratic_value = [&](const Eigen::VectorXd& x) {
+    double sum = 0;
+    for(Term term : quadratic_terms) sum += energy.value(term, x);
+    return sum;
+  };
+  Deterministic_numbers random(3);
+  const double constant = quadratic_value(Eigen::VectorXd::Zero(Eigen::Index(size)));
+  for(int trial = 0; trial < 3; ++trial) {
+    const Eigen::VectorXd x = random.vector(size);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(Eigen::Index(size));
+    for(Term term : quadratic_terms) gradient += energy.gradient(term, x);
+    CHECK((2 * (full * x - b) - gradient).norm() <= 1e-12 * gradient.norm());
+    CHECK(x.dot(full * x) - 2 * b.dot(x) + constant == Approx(quadratic_value(x)).epsilon(1e-12));
+  }
+  // any number of threads
+  Eigen::SparseMatrix<double> parallel_A;
+  Eigen::VectorXd parallel_b;
+  energy.assemble<CGAL::Parallel_if_available_tag>(parallel_A, parallel_b);
+  REQUIRE(parallel_A.nonZeros() == A.nonZeros());
+  CHECK(std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), parallel_A.valuePtr()));
+  CHECK((b == parallel_b));
+}
+
+TEST_CASE("On leaves of different size, the fourth term's equations have the pattern of the others, and their solution lowers it")
+{
+  const Problem& problem = sphere_problem();
+  Hierarchical_energy energy = problem.energy();
+  const Eigen::VectorXd x = energy.initial_guess();
+  energy.set_singular_hessian_domain(x, -1, 1);
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<Tag>(A, b);
+  Eigen::SparseMatrix<double> more = A;
+  Eigen::VectorXd more_b = b;
+  energy.add_singular_hessian<Tag>(x, 1e-3, more, more_b);
+  REQUIRE(more.nonZeros() == A.nonZeros());
+  // the model's gradient at x: of w (row . d + det)^2 / |det|, two times that of the term where |det| is above eta
+  const Eigen::VectorXd model = 2 * ((more - A).selfadjointView<Eigen::Lower>() * x - (more_b - b));
+  const Eigen::VectorXd gradient = energy.gradient(Term::SINGULAR_HESSIAN, x);
+  CHECK(model.dot(gradient) > 0.9 * model.norm() * gradient.norm());
+}
+
+TEST_CASE("On leaves of different size, the solution is where the gradient vanishes")
+{
+  const Problem& problem = sphere_problem();
+  Energy_weights weights = all_terms_weighted();
+  weights.zeta = 100;
+  weights.singular_hessian = 0;
+  Hierarchical_energy energy = problem.energy(weights);
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<Tag>(A, b);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > factor(A);
+  REQUIRE(factor.info() == Eigen::Success);
+  const Eigen::VectorXd x = factor.solve(b);
+  const auto gradient = [&](const Eigen::VectorXd& y) {
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(y.size());
+    for(Term term : quadratic_terms) g += energy.gradient(term, y);
+    return g;
+  };
+  CHECK(gradient(x).norm() <= 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());
+  const double least = energy.value(x);
+  Deterministic_numbers random(4);
+  for(int trial = 0; trial < 3; ++trial) CHECK(energy.value(Eigen::VectorXd(x + 1e-3 * random.vector(std::size_t(x.size())))) > least);
+
+  // conjugate gradients with blocks find it as well
+  Hierarchical_field field = problem.field;
+  BS::Conjugate_gradient_solver<> solver(1e-10, 20000);
+  const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
+  REQUIRE(report.status == BS::Solver_status::SUCCESS);
+  CHECK((field.coefficients() / problem.root_width() - x).norm() <= 1e-4 * x.norm());      // condition numbers of about 1e6
+  CHECK(energy.value(Eigen::VectorXd(field.coefficients() / problem.root_width())) <= least * (1 + 1e-9));
+  for(Term term : quadratic_terms) CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-4));
+  CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
+  // and the sphere's distance is near
+  CHECK(*field.value(Point_3(0, 0.6, 0.8)) == Approx(0).margin(0.1));
+  CHECK(*field.gradient(Point_3(0, 0.6, 0.8)) * Vector_3(0, 0.6, 0.8) == Approx(1).margin(0.2));
+}
+
+TEST_CASE("On leaves of different size, samples of a linear function are fitted by it")
+{
+  const Problem& problem = cube_problem();
+  Energy_weights distance_only;
+  distance_only.mu = 0;
+  const auto f = [](double x, double y, double z) { return 0.3 * x - 2 * y + z + 0.7; };
+  std::vector<double> samples;
+  problem.for_each_sample([&](Index, const Point_3& p) { samples.push_back(f(p.x(), p.y(), p.z())); });
+  const Hierarchical_energy energy(problem.field, samples, problem.clipped, 5, distance_only);
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd b;
+  energy.assemble<Tag>(A, b);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > factor(A);
+  REQUIRE(factor.info() == Eigen::Success);
+  const Eigen::VectorXd x = factor.solve(b), expected = problem.coefficients([&](double a, double c, double d, double) { return f(a, c, d); });
+  CHECK(energy.value(x) < 1e-20);
+  CHECK(energy.value(expected) < 1e-20);
+  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-4);      // where functions act on a corner of the domain only
+  // a guess averages: constants are reproduced, and others are near
+  const std::vector<double> constant(samples.size(), 3.);
+  const Hierarchical_energy other(problem.field, constant, problem.clipped, 5, distance_only);
+  CHECK((other.initial_guess().array() - 3 / problem.root_width()).abs().maxCoeff() < 1e-12);
+  const Eigen::VectorXd guess = energy.initial_guess();
+  CHECK((guess - expected).cwiseAbs().maxCoeff() < 2.5 * 3.3);
+  CHECK((guess - expected).norm() < 0.2 * expected.norm());
+  CHECK((energy.initial_guess<CGAL::Parallel_if_available_tag>() == guess));
+}
+
+TEST_CASE("On leaves of different size, blocks of unknowns cover all of them and stay on one level")
+{
+  const Hierarchical_field& field = sphere_problem().field;
+  const BS::Unknown_blocks blocks = BS::overlapping_blocks(field);
+  std::vector<int> times(field.number_of_coefficients(), 0);
+  std::size_t wrong = 0;
+  const auto level = [&](std::uint32_t n) {
+    int l = field.number_of_levels() - 1;
+    while(field.point_of_coefficient(n) >= field.first_point(l) + field.points(l).size()) --l;
+    return l;
+  };
+  for(std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::size_t begin = blocks.first[b], end = blocks.first[b + 1];
+    wrong += end <= begin || end - begin > 125;
+    for(std::size_t n = begin; n < end; ++n) {
+      ++times[blocks.unknowns[n]];
+      wrong += n > begin && blocks.unknowns[n] <= blocks.unknowns[n-1];
+      wrong += level(blocks.unknowns[n]) != level(blocks.unknowns[begin]);
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(*std::min_element(times.begin(), times.end()) >= 1);
+  CHECK(*std::max_element(times.begin(), times.end()) == 8);
+}

@@ -1,0 +1,182 @@
+// condense.h, Normal_equations.h: equations for free coefficients, against the product of three matrices.
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
+#include "random_hierarchies.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef BS::Uniform_bspline_field_3<> Uniform_field;
+typedef Field::Cell_index Index;
+typedef Eigen::Matrix<double, 64, 64> Local_matrix;
+typedef Eigen::Matrix<double, 64, 1> Local_vector;
+typedef Eigen::SparseMatrix<double> Matrix;
+
+const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
+
+// The same numbers for a leaf whenever it is asked for; not those of any polynomial, so that no entry is zero by chance.
+struct Random_equations
+{
+  Local_matrix matrix;
+  Local_vector rhs;
+
+  explicit Random_equations(Index c)
+  {
+    CGAL::Random random(c + 1);
+    for(int n = 0; n < 64; ++n) {
+      rhs[n] = random.get_double(-1, 1);
+      for(int m = 0; m <= n; ++m) matrix(n, m) = matrix(m, n) = random.get_double(-1, 1);
+    }
+  }
+};
+
+template <typename AnyField>
+struct Assembled
+{
+  Matrix A;
+  Eigen::VectorXd b;
+
+  template <typename ConcurrencyTag>
+  Assembled(const AnyField& field, ConcurrencyTag)
+  {
+    const BS::internal::Normal_equations<AnyField> equations(field);
+    Matrix all;
+    Eigen::VectorXd all_rhs;
+    equations.set_zero(all, all_rhs);
+    equations.template for_each_cell<ConcurrencyTag>([&](Index c) {
+      const Random_equations local(c);
+      equations.add(c, local.matrix, local.rhs, all, all_rhs);
+    });
+    BS::internal::condense<ConcurrencyTag>(field, equations, all, all_rhs, A, b);
+  }
+};
+
+// the sum over the leaves, for all points, and then for what they depend on
+void expected_equations(const Field& field, Eigen::MatrixXd& A, Eigen::VectorXd& b)
+{
+  const Eigen::Index size = Eigen::Index(field.number_of_coefficients()), points = Eigen::Index(field.number_of_points());
+  std::vector<Eigen::Triplet<double> > entries;
+  for(Eigen::Index n = 0; n < size; ++n) {
+    const Eigen::VectorXd column = field.extend(Eigen::VectorXd::Unit(size, n));
+    for(Eigen::Index m = 0; m < points; ++m)
+      if(column[m] != 0) entries.emplace_back(m, n, column[m]);
+  }
+  Matrix P(points, size), all(points, points);
+  P.setFromTriplets(entries.begin(), entries.end());
+  entries.clear();
+  Eigen::VectorXd all_rhs = Eigen::VectorXd::Zero(points);
+  for(Index c = 0; c < field.number_of_cells(); ++c) {
+    const Random_equations local(c);
+    const std::array<Index, 16> rows = field.coefficient_rows(c);
+    for(int n = 0; n < 64; ++n) {
+      all_rhs[rows[n / 4] + n % 4] += local.rhs[n];
+      for(int m = 0; m < 64; ++m) entries.emplace_back(rows[n / 4] + n % 4, rows[m / 4] + m % 4, local.matrix(n, m));
+    }
+  }
+  all.setFromTriplets(entries.begin(), entries.end());
+  A = Eigen::MatrixXd(P.transpose() * all * P);
+  b = P.transpose() * all_rhs;
+}
+
+void check_lower_triangle(const Matrix& A)
+{
+  REQUIRE(A.isCompressed());
+  std::size_t wrong = 0;
+  for(int c = 0; c < A.outerSize(); ++c) {
+    int last = c - 1;
+    for(Matrix::InnerIterator it(A, c); it; ++it) {
+      wrong += it.row() <= last;        // rows ascend, from the diagonal on
+      wrong += last == c - 1 && it.row() != c;
+      last = int(it.row());
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+void check_condensed(const Field& field)
+{
+  REQUIRE(field.number_of_coefficients() < field.number_of_points());
+  const Assembled<Field> found(field, CGAL::Sequential_tag());
+  REQUIRE(std::size_t(found.A.rows()) == field.number_of_coefficients());
+  REQUIRE(std::size_t(found.A.cols()) == field.number_of_coefficients());
+  check_lower_triangle(found.A);
+  Eigen::MatrixXd A;
+  Eigen::VectorXd b;
+  expected_equations(field, A, b);
+  Eigen::MatrixXd lower = A.triangularView<Eigen::Lower>();
+  // entries are sums of some thousand products of size one
+  CHECK((Eigen::MatrixXd(found.A) - lower).cwiseAbs().maxCoeff() < 1e-12);
+  CHECK((found.b - b).cwiseAbs().maxCoeff() < 1e-12);
+  CHECK(lower.cwiseAbs().maxCoeff() > 1);
+  // coefficients of different levels are coupled
+  double between_levels = 0;
+  const Eigen::Index coarse = Eigen::Index(field.number_of_coefficients()) - 1;
+  for(Eigen::Index c = 0; c < coarse; ++c)
+    if(field.point_of_coefficient(Index(c)) < field.first_point(field.number_of_levels() - 2))
+      between_levels = (std::max)(between_levels, A.col(c).tail(coarse - c).cwiseAbs().maxCoeff());
+  CHECK(between_levels > 0.01);
+}
+
+} // namespace
+
+TEST_CASE("condensed equations: they are those of all points, restricted to what free coefficients can make")
+{
+  SECTION("two levels") {
+    CGAL::Random random(1);
+    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -5, -1, -1 }, { 3, 0, 0 }), 2)));
+  }
+  SECTION("two levels, with holes") {
+    CGAL::Random random(2);
+    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -4, -2, -1 }, { 3, 1, 1 }, 0.6), 2)));
+  }
+  SECTION("three levels") {
+    CGAL::Random random(3);
+    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -6, 0, -1 }, { 5, 1, 0 }), 3)));
+  }
+  SECTION("four levels, deep at one end") {
+    CGAL::Random random(4);
+    Hierarchy cells(some_cells(random, lattice, { -5, -1, 0 }, { 4, 0, 0 }));
+    const std::array<double, 3> end = cells.corner(0);
+    while(cells.number_of_levels() < 4) cells = cells.refined({ cells.locate(end) });
+    check_condensed(Field(cells));
+  }
+}
+
+TEST_CASE("condensed equations: the same with any number of threads, to the last bit")
+{
+  CGAL::Random random(5);
+  const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
+  REQUIRE(field.number_of_cells() > 1000);      // several chunks
+  const Assembled<Field> sequential(field, CGAL::Sequential_tag());
+  check_lower_triangle(sequential.A);
+  for(int run = 0; run < 3; ++run) {
+    const Assembled<Field> parallel(field, CGAL::Parallel_if_available_tag());
+    REQUIRE(parallel.A.nonZeros() == sequential.A.nonZeros());
+    CHECK(std::equal(sequential.A.valuePtr(), sequential.A.valuePtr() + sequential.A.nonZeros(), parallel.A.valuePtr()));
+    CHECK(std::equal(sequential.A.innerIndexPtr(), sequential.A.innerIndexPtr() + sequential.A.nonZeros(), parallel.A.innerIndexPtr()));
+    CHECK((sequential.b == parallel.b));
+  }
+}
+
+TEST_CASE("condensed equations: without dependent coefficients they are the equations of all points")
+{
+  CGAL::Random random(6);
+  const Root_cells roots = some_cells(random, lattice, { -4, -2, -2 }, { 3, 1, 1 }, 0.7);
+  const Uniform_field uniform(roots);
+  const Field field{ Hierarchy(roots) };
+  const Assembled<Uniform_field> a(uniform, CGAL::Sequential_tag());
+  const Assembled<Field> b(field, CGAL::Sequential_tag());
+  check_lower_triangle(a.A);
+  REQUIRE(a.A.nonZeros() == b.A.nonZeros());
+  CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()));
+  CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + a.A.nonZeros(), b.A.innerIndexPtr()));
+  CHECK((a.b == b.b));
+}

@@ -1,0 +1,315 @@
+// fit_field.h and the solvers: what a fit minimizes, what it reports, and what it does when a solver fails.
+#include "fit_problem.h"
+
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/fit_field.h>
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#ifdef HAVE_CHOLMOD
+#include <CGAL/Bspline_shell_3/Fit/Cholmod_solver.h>
+#endif
+
+#include <functional>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+using BS::Solver_status;
+typedef CGAL::Sequential_tag Tag;
+typedef BS::Conjugate_gradient_solver<> CG;
+
+const Fit_problem& sphere_problem()
+{
+  static const Fit_problem problem(sphere(2), 8);
+  return problem;
+}
+
+const Fit_problem& torus_problem()
+{
+  static const Fit_problem problem(torus(3, 1.2, 12, 7), 9);
+  return problem;
+}
+
+Energy_weights quadratic_terms_only(double zeta)
+{
+  Energy_weights weights;
+  weights.zeta = zeta;
+  weights.singular_hessian = 0;
+  return weights;
+}
+
+// a conjugate gradient solver that keeps what it is asked, and fails when told to
+struct Recording_solver
+{
+  typedef CG::Matrix Matrix;
+  typedef CG::Vector Vector;
+
+  CG solver = CG(1e-8);
+  std::vector<Vector> guesses;
+  std::size_t computes = 0, all_iterations = 0, fails_at_compute = 0, fails_at_solve = 0;     // counted from 1
+
+  Solver_status compute(const Matrix& lower, const BS::Unknown_blocks& blocks)
+  {
+    if(++computes == fails_at_compute) return Solver_status::NOT_POSITIVE_DEFINITE;
+    return solver.compute(lower, blocks);
+  }
+  Solver_status solve(const Vector& b, Vector& x)
+  {
+    guesses.push_back(x);
+    const Solver_status status = solver.solve(b, x);
+    all_iterations += solver.iterations();
+    return guesses.size() == fails_at_solve ? Solver_status::NOT_CONVERGED : status;
+  }
+  std::size_t iterations() const { return solver.iterations(); }
+  double residual() const { return solver.residual(); }
+};
+
+} // namespace
+
+TEST_CASE("Blocks of unknowns cover all of them, overlap, and are small")
+{
+  const Fit_problem& problem = sphere_problem();
+  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
+  std::vector<int> times(problem.field.number_of_coefficients(), 0);
+  for(std::size_t b = 0; b < blocks.size(); ++b) {
+    REQUIRE(blocks.first[b+1] > blocks.first[b]);
+    CHECK(blocks.first[b+1] - blocks.first[b] <= 125);
+    for(std::size_t n = blocks.first[b]; n < blocks.first[b+1]; ++n) {
+      ++times[blocks.unknowns[n]];
+      if(n > blocks.first[b]) CHECK(blocks.unknowns[n] > blocks.unknowns[n-1]);
+    }
+  }
+  CHECK(*std::min_element(times.begin(), times.end()) >= 1);
+  CHECK(*std::max_element(times.begin(), times.end()) == 8);
+}
+
+TEST_CASE("Blocks save most iterations, and change the solution by no more than the tolerance")
+{
+  const Fit_problem& problem = sphere_problem();
+  const Energy energy = problem.energy(quadratic_terms_only(1e5));
+  CG::Matrix A;
+  CG::Vector b;
+  energy.assemble<CGAL::Sequential_tag>(A, b);
+  CG diagonal(1e-8, 100000), schwarz(1e-8);
+  BS::Conjugate_gradient_solver<CGAL::Sequential_tag> sequential(1e-8);
+  CG::Vector x = CG::Vector::Zero(b.size()), y = x, z = x;
+  REQUIRE(diagonal.compute(A) == Solver_status::SUCCESS);
+  REQUIRE(diagonal.solve(b, x) == Solver_status::SUCCESS);
+  const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
+  REQUIRE(schwarz.compute(A, blocks) == Solver_status::SUCCESS);
+  REQUIRE(schwarz.solve(b, y) == Solver_status::SUCCESS);
+  CHECK(10 * schwarz.iterations() < diagonal.iterations());
+  CHECK((A.selfadjointView<Eigen::Lower>() * y - b).norm() <= 1.1e-8 * b.norm());
+  REQUIRE(sequential.compute(A, blocks) == Solver_status::SUCCESS);
+  REQUIRE(sequential.solve(b, z) == Solver_status::SUCCESS);
+  CHECK((y == z));      // whatever the number of threads
+}
+
+TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower triangle")
+{
+  // (4 1; 1 3) x = (1; 2) has the solution (1, 7) / 11
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = 4;
+  lower.insert(1, 0) = 1;
+  lower.insert(1, 1) = 3;
+  lower.makeCompressed();
+  Eigen::VectorXd b(2), x = Eigen::VectorXd::Zero(2);
+  b << 1, 2;
+  CG solver(1e-14);
+  REQUIRE(solver.compute(lower) == Solver_status::SUCCESS);
+  REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
+  CHECK(x[0] == Approx(1 / 11.).epsilon(1e-13));
+  CHECK(x[1] == Approx(7 / 11.).epsilon(1e-13));
+  CHECK(solver.residual() <= 1e-14);
+  CHECK(solver.iterations() <= 3);      // as many as unknowns, and one for a preconditioner in single precision
+  // from the solution there is nothing left to do
+  REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
+  CHECK(solver.iterations() <= 1);
+  // one iteration is not enough
+  CG impatient(1e-14, 1);
+  x.setZero();
+  REQUIRE(impatient.compute(lower) == Solver_status::SUCCESS);
+  CHECK(impatient.solve(b, x) == Solver_status::NOT_CONVERGED);
+  CHECK(impatient.residual() > 1e-14);
+}
+
+TEST_CASE("A fit is where the gradient of the energy vanishes")
+{
+  const Fit_problem& problem = torus_problem();
+  Energy_weights weights = quadratic_terms_only(1e3);
+  weights.surface = 10;
+  Energy energy = problem.energy(weights);
+  Field field = problem.field;
+  CG solver(1e-10, 20000);
+  const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
+  REQUIRE(report.status == Solver_status::SUCCESS);
+  CHECK(report.linear_solves == 1);
+  CHECK(report.iterations == solver.iterations());
+  CHECK(report.residual <= 1e-10);
+  CHECK(report.residual == solver.residual());
+
+  const Eigen::VectorXd x = field.coefficients() / problem.width();
+  const auto gradient = [&](const Eigen::VectorXd& y) {
+    return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::SURFACE, y)
+                           + energy.gradient(Term::ANGLE, y) + energy.gradient(Term::NORMAL, y));
+  };
+  // the gradient is 2 (A x - b), and 2 b is minus the gradient at zero; twice for rounding
+  CHECK(gradient(x).norm() <= 2 * 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());
+  // so that the energy grows in every direction, by the square of the step
+  const double least = energy.value(x);
+  Deterministic_numbers random(5);
+  for(int trial = 0; trial < 5; ++trial) {
+    const Eigen::VectorXd d = 1e-2 * random.vector(x.size());
+    const double plus = energy.value(Eigen::VectorXd(x + d)) - least, minus = energy.value(Eigen::VectorXd(x - d)) - least;
+    CHECK(plus > 0);
+    CHECK(plus == Approx(minus).epsilon(1e-4));
+  }
+  for(Term term : { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL })
+    CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-9));
+  CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
+}
+
+TEST_CASE("A fit of a sphere is near its distance")
+{
+  const Fit_problem& problem = sphere_problem();
+  Energy energy = problem.energy();
+  Field field = problem.field;
+  CG solver;
+  REQUIRE(BS::fit_field<Tag>(field, energy, solver, energy.initial_guess()).status == Solver_status::SUCCESS);
+  // the mesh is inscribed in the sphere and at most 0.04 below it; half a cell (0.125) for the smoothing of its edges
+  for(double r : { 0.8, 0.95, 1.1, 1.25 })
+    for(const Vector_3& d : { Vector_3(1, 0, 0), Vector_3(0.6, 0, -0.8), Vector_3(-0.48, 0.6, 0.64) }) {
+      const Point_3 p = CGAL::ORIGIN + r * d;
+      REQUIRE(field.value(p));
+      CHECK(std::abs(*field.value(p) - (r - 1)) < 0.165);
+      CHECK(*field.gradient(p) * d > 0.7);
+      CHECK(*field.gradient(p) * d < 1.3);
+    }
+}
+
+TEST_CASE("Steps on the singular Hessian never raise the energy, and lower that term")
+{
+  for(const Fit_problem* problem : { &sphere_problem(), &torus_problem() }) {
+    Energy energy = problem->energy();
+    Field field = problem->field;
+    Recording_solver solver;
+    const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
+    REQUIRE(report.status == Solver_status::SUCCESS);
+    CHECK(report.linear_solves == solver.guesses.size());
+    CHECK(report.linear_solves == solver.computes);
+    CHECK(report.iterations == solver.all_iterations);
+    REQUIRE(report.linear_solves >= 2);
+
+    // each step starts from the solution so far: the guesses, but for the first, are the steps
+    std::vector<Eigen::VectorXd> steps(solver.guesses.begin() + 1, solver.guesses.end());
+    steps.push_back(field.coefficients() / problem->width());
+    Energy judge = problem->energy();
+    const std::pair<double, double> range = judge.range_on_mesh(steps.front());
+    judge.set_singular_hessian_domain(steps.front(), range.first, range.second);
+    // the last point went through a multiplication and a division by the width: some units in the last place
+    for(std::size_t n = 1; n < steps.size(); ++n) CHECK(judge.value(steps[n]) <= judge.value(steps[n-1]) * (1 + 1e-12));
+    const double first = judge.value(Term::SINGULAR_HESSIAN, steps.front()),
+                 last = judge.value(Term::SINGULAR_HESSIAN, steps.back());
+    CHECK(last < 0.9 * first);
+    CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == Approx(last).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("A weight of zero leaves the singular Hessian out")
+{
+  Energy energy = sphere_problem().energy(quadratic_terms_only(1e5));
+  Field field = sphere_problem().field;
+  Recording_solver solver;
+  REQUIRE(BS::fit_field<Tag>(field, energy, solver, energy.initial_guess()).status == Solver_status::SUCCESS);
+  CHECK(solver.computes == 1);
+}
+
+TEST_CASE("When a solver fails, the report says how and the field stays as it was")
+{
+  const Fit_problem& problem = sphere_problem();
+  Energy energy = problem.energy();
+  Field field = problem.field;
+  const Eigen::VectorXd before = Deterministic_numbers(6).vector(field.number_of_coefficients());
+  field.set_coefficients(before);
+
+  CG impatient(1e-10, 1);
+  CHECK(BS::fit_field<Tag>(field, energy, impatient, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
+  CHECK((field.coefficients() == before));
+  CHECK(impatient.iterations() == 1);
+
+  Recording_solver no_factorization;
+  no_factorization.fails_at_compute = 1;
+  CHECK(BS::fit_field<Tag>(field, energy, no_factorization, energy.initial_guess()).status
+        == Solver_status::NOT_POSITIVE_DEFINITE);
+  CHECK(no_factorization.guesses.empty());
+  CHECK((field.coefficients() == before));
+
+  Recording_solver fails_later;      // in the first step on the singular Hessian
+  fails_later.fails_at_solve = 2;
+  CHECK(BS::fit_field<Tag>(field, energy, fails_later, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
+  CHECK(fails_later.guesses.size() == 2);
+  CHECK((field.coefficients() == before));
+}
+
+TEST_CASE("A fit that starts at the solution has nothing to do")
+{
+  Energy energy = sphere_problem().energy(quadratic_terms_only(1e3));
+  Field field = sphere_problem().field;
+  CG solver(1e-6);
+  const BS::Fit_report cold = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
+  REQUIRE(cold.status == Solver_status::SUCCESS);
+  REQUIRE(cold.iterations > 10);
+  const BS::Fit_report warm
+    = BS::fit_field<Tag>(field, energy, solver, field.coefficients() / sphere_problem().width());
+  REQUIRE(warm.status == Solver_status::SUCCESS);
+  CHECK(warm.iterations <= 2);      // the recurrence's residual and the true one differ by rounding
+}
+
+#ifdef HAVE_CHOLMOD
+TEST_CASE("Conjugate gradients and the direct solver find the same field")
+{
+  const Fit_problem problem(sphere(1), 5, 1);
+  for(double singular_hessian : { 0., 1. }) {
+    Energy_weights weights;
+    weights.zeta = 1e3;
+    weights.singular_hessian = singular_hessian;
+    Energy energy = problem.energy(weights);
+    Field direct = problem.field, iterative = problem.field;
+    BS::Cholmod_solver cholmod;
+    CG cg(1e-12, 20000);
+    const BS::Fit_report a = BS::fit_field<Tag>(direct, energy, cholmod, energy.initial_guess());
+    const BS::Fit_report b = BS::fit_field<Tag>(iterative, energy, cg, energy.initial_guess());
+    REQUIRE(a.status == Solver_status::SUCCESS);
+    REQUIRE(b.status == Solver_status::SUCCESS);
+    CHECK(a.residual < 1e-12);
+    CHECK(a.iterations == a.linear_solves);
+    // a residual of 1e-12 and condition numbers of about 1e7
+    const double scale = direct.coefficients().cwiseAbs().maxCoeff();
+    CHECK((direct.coefficients() - iterative.coefficients()).cwiseAbs().maxCoeff() < 1e-5 * scale);
+    for(std::size_t term = 0; term < a.energy.size(); ++term) CHECK(a.energy[term] == Approx(b.energy[term]).epsilon(1e-6));
+    const BS::Level_range levels = BS::facet_ranges<Tag>(direct, problem.clipped).mesh,
+                          others = BS::facet_ranges<Tag>(iterative, problem.clipped).mesh;
+    CHECK(std::abs(levels.min - others.min) < 1e-5 * problem.width());
+    CHECK(std::abs(levels.max - others.max) < 1e-5 * problem.width());
+  }
+}
+
+TEST_CASE("Cholmod_solver refuses a matrix that is not positive definite")
+{
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = 1;
+  lower.insert(1, 0) = 2;
+  lower.insert(1, 1) = 1;
+  lower.makeCompressed();
+  BS::Cholmod_solver solver;
+  CHECK(solver.compute(lower) == Solver_status::NOT_POSITIVE_DEFINITE);
+  lower.coeffRef(1, 1) = 8;
+  REQUIRE(solver.compute(lower) == Solver_status::SUCCESS);
+  Eigen::VectorXd b(2), x;
+  b << 1, 6;
+  REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
+  CHECK(x[0] == Approx(-1).epsilon(1e-14));
+  CHECK(x[1] == Approx(1).epsilon(1e-14));
+  CHECK(solver.residual() < 1e-15);
+}
+#endif

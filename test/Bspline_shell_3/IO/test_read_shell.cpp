@@ -1,0 +1,501 @@
+// read_shell.h, Shell_file_status.h: what is read is what was written, bit by bit, or nothing.
+#include <CGAL/Bspline_shell_3/IO/read_shell.h>
+#include "random_hierarchies.h"
+#include "shell_files.h"
+
+#include <CGAL/Bspline_shell_3/IO/checksum.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <CGAL/Random.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+TEST_CASE("files: a shell survives writing and reading, bit by bit")
+{
+  const auto check = [](const auto& shell) {
+    REQUIRE(shell);
+    for(Format format : { Format::BINARY, Format::ASCII }) {
+      const std::string bytes = written(shell, format);
+      std::decay_t<decltype(shell)> back;
+      REQUIRE(read(bytes, back) == Status::SUCCESS);
+      CHECK(same(shell, back));
+      CHECK(written(back, format) == bytes);
+    }
+    const std::string text = written(shell, Format::ASCII);
+    CHECK(text.substr(text.size() - 26) == "checksum " + BS::Checksum::text(BS::shell_checksum(shell)) + "\n");
+  };
+  namespace P = CGAL::Bspline_shells::parameters;
+  SECTION("of a mesh") { check(CGAL::bspline_shell_3(sphere(2), P::resolution(12))); }
+  SECTION("far from the origin, of polygons")
+  {
+    check(CGAL::bspline_shell_3(box(Point_3(1000.1, -70.3, 0.1), Point_3(1003.1, -68, 1.4), false), P::resolution(9.7)));
+  }
+  SECTION("of other sizes")
+  {
+    check(CGAL::bspline_shell_3(sphere(1, 1e-30), P::resolution(6)));
+    check(CGAL::bspline_shell_3(sphere(1, 1e30), P::resolution(6)));
+  }
+  SECTION("two components that are far from each other")
+  {
+    Mesh two = sphere(1);
+    CGAL::copy_face_graph(sphere(1, 1, Point_3(40, 50, 60)), two);
+    check(CGAL::bspline_shell_3(two, P::resolution(120)));
+  }
+  SECTION("a small one") { check(small_shell()); }
+  SECTION("cells of different sizes, thresholds that vary") { check(small_varying_shell()); }
+  SECTION("cells of many sizes")
+  {
+    CGAL::Random random(3);
+    const BS::Lattice_3 lattice(CGAL::Bbox_3(-3, -2, -1, 1, 2, 4), 0.7);
+    for(int levels = 1; levels < 6; ++levels) {
+      const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -3, -2, -1 }, { 1, 1, 2 }, 0.7), levels);
+      REQUIRE(cells.number_of_levels() == levels);
+      typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;      // between two levels
+      Levels_shell::Field field(cells);
+      Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+      for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = random.get_double(-1, 1);
+      field.set_coefficients(x);
+      BS::Shell_report report = small_shell().report();
+      report.cells = field.number_of_cells();
+      report.unknowns = field.number_of_coefficients();
+      report.gamma = report.unit / lattice.spacing();
+      check(Levels_shell(field, BS::Level_range{ -0.5, 0.25 }, std::vector<char>(field.number_of_cells(), 1), {}, report));
+    }
+  }
+  SECTION("extreme numbers")
+  {
+    typedef std::numeric_limits<double> Limits;
+    const double numbers[] = { -0., 0., 1. / 3, Limits::denorm_min(), -(Limits::min)(), 1e300, -1e300, 0.1, 5e-324,
+                               123456789.123456789, 1 + Limits::epsilon() };
+    check(shell_on(BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.7), { { 3, -4, 5 }, { 4, -4, 5 }, { 3, -3, 6 } },
+                   [&](std::size_t n) { return numbers[n % 11]; }));
+  }
+  SECTION("cells at the ends of the lattice")
+  {
+    const int last = BS::Lattice_key::max_coordinate;
+    const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
+    for(int end : { -last, last }) check(shell_on(lattice, { { end, end, end } }, [](std::size_t) { return 1.; }));
+  }
+  SECTION("without facet ranges, with levels that are equal")
+  {
+    const Shell some = small_shell();
+    BS::Level_range levels;
+    levels.min = levels.max = 0;
+    check(Shell(some.field(), levels, some.shell_cells(), {}, some.report()));
+  }
+}
+
+TEST_CASE("files: a shell that was read answers as the one that was written")
+{
+  const Mesh mesh = sphere(2);
+  const Shell shell = CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(10));
+  Shell back;
+  REQUIRE(read(written(shell, Format::BINARY), back) == Status::SUCCESS);
+  CGAL::Random random(3);
+  for(int n = 0; n < 1000; ++n) {
+    const Point_3 p(random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2));
+    REQUIRE(back.field().value(p) == shell.field().value(p));
+    REQUIRE(back.bounded_side(p) == shell.bounded_side(p));
+  }
+  CHECK(back.relative_thickness() == shell.relative_thickness());
+  CHECK(back.facet_ranges().size() == mesh.number_of_faces());
+}
+
+TEST_CASE("files: a certified shell that was read has the same certificate, and does not claim to have one")
+{
+  const Mesh mesh = box(Point_3(0.1, 0, 0), Point_3(1.1, 0.7, 0.3));
+  const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::resolution(8).relative_thickness(0.02));
+  REQUIRE(shell);
+  REQUIRE(shell.is_certified());
+  REQUIRE(shell.field().number_of_levels() > 1);
+  BS::Shell_certificate_3<Varying_shell::Field, Varying_shell::Threshold> before(shell);
+  CHECK(before.verify(mesh));
+  for(Format format : { Format::BINARY, Format::ASCII }) {
+    Varying_shell back;
+    REQUIRE(read(written(shell, format), back) == Status::SUCCESS);
+    CHECK(same(back, shell));
+    CHECK_FALSE(back.is_certified());
+    BS::Shell_certificate_3<Varying_shell::Field, Varying_shell::Threshold> after(back);
+    CHECK(after.verify(mesh));
+    CHECK(after.least_gradient() == before.least_gradient());
+    CHECK(after.least_angle() == before.least_angle());
+    REQUIRE(after.cover()->boxes().size() == before.cover()->boxes().size());
+    for(std::size_t n = 0; n < after.cover()->boxes().size(); ++n) {
+      const BS::Cover_box &a = after.cover()->boxes()[n], &b = before.cover()->boxes()[n];
+      REQUIRE((a.cell == b.cell && a.kind == b.kind && a.depth == b.depth && a.component == b.component && a.direction == b.direction));
+    }
+  }
+}
+
+TEST_CASE("files: a shell is read into one of its kind only")
+{
+  Shell uniform = other_shell();
+  Varying_shell varying = small_varying_shell();
+  CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > levels;
+  for(Format format : { Format::BINARY, Format::ASCII }) {
+    const std::string of_uniform = written(small_shell(), format), of_varying = written(small_varying_shell(), format);
+    CHECK(read(of_varying, uniform) == Status::OTHER_KIND);
+    CHECK(read(of_uniform, varying) == Status::OTHER_KIND);
+    CHECK(read(of_uniform, levels) == Status::OTHER_KIND);
+    CHECK(read(of_varying, levels) == Status::OTHER_KIND);
+  }
+  CHECK(same(uniform, other_shell()));
+  CHECK(same(varying, small_varying_shell()));
+}
+
+TEST_CASE("files: those of the first version are read")
+{
+  const Shell shell = small_shell();
+  Lines lines = lines_of(written(shell, Format::ASCII));
+  lines[0] = "cubic_bspline_shell 1 ascii";
+  const std::size_t functions = line_that_begins_with(lines, "functions"), leaves = line_that_begins_with(lines, "leaves"),
+                    facets = line_that_begins_with(lines, "facet_ranges");
+  std::string more;       // corner, width, error radius, Bernstein coefficients
+  for(int n = 0; n < 69; ++n) more += " 0.25";
+  for(std::size_t n = functions + 1; n < facets; ++n) {
+    if(n == leaves) continue;
+    lines[n].erase(0, 2);
+    if(n > leaves) lines[n] += more;
+  }
+  Shell back;
+  CHECK(read(text_of(lines), back) == Status::SUCCESS);
+  CHECK(same(back, shell));
+  lines[leaves + 1] += " 0";
+  CHECK(read(text_of(lines), back) == Status::DAMAGED);
+
+  std::string bytes = written(shell, Format::BINARY);
+  bytes.resize(bytes.size() - 8);
+  bytes[7] = '1';
+  bytes.erase(126, 1);
+  bytes.erase(112, 1);
+  Shell again;
+  CHECK(read(bytes + as_bytes(slow_checksum(bytes)), again) == Status::SUCCESS);
+  CHECK(same(again, shell));
+}
+
+TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell as it was")
+{
+  const auto check = [](const auto& shell, const auto& before, std::size_t step) {
+    for(Format format : { Format::BINARY, Format::ASCII }) {
+      const std::string bytes = written(shell, format);
+      auto target = before;
+      std::decay_t<decltype(before)> none;
+      std::size_t accepted = 0;
+      for(std::size_t size = 0; size < bytes.size(); size += step)
+        if(read(bytes.substr(0, size), target) == Status::SUCCESS) ++accepted;
+      CHECK(accepted == 0);
+      CHECK(same(target, before));
+      for(std::size_t size : { std::size_t(0), bytes.size() / 2, bytes.size() - 1 }) read(bytes.substr(0, size), none);
+      CHECK(none.status() == BS::Shell_status::NOT_BUILT);
+      // nor may anything follow
+      for(const std::string& more : { std::string("\n"), std::string(1, '\0'), std::string(" "), bytes })
+        CHECK(read(bytes + more, target) == Status::DAMAGED);
+      CHECK(read(bytes, target) == Status::SUCCESS);
+      CHECK(same(target, shell));
+    }
+  };
+  const Shell before = other_shell();
+  check(small_shell(), before, 1);
+  check(small_varying_shell(), Varying_shell(), 7);
+  // one that is read in several parts
+  const Shell larger = CGAL::bspline_shell_3(sphere(1), CGAL::Bspline_shells::parameters::resolution(8));
+  CGAL::Random random(11);
+  for(Format format : { Format::BINARY, Format::ASCII }) {
+    const std::string bytes = written(larger, format);
+    REQUIRE(bytes.size() > (1 << 15));
+    Shell target = before;
+    for(int n = 0; n < 60; ++n)
+      REQUIRE(read(bytes.substr(0, std::size_t(random.get_int(0, int(bytes.size())))), target) != Status::SUCCESS);
+    CHECK(same(target, before));
+  }
+}
+
+TEST_CASE("files: an altered byte is an error, whichever, and leaves the shell as it was")
+{
+  CGAL::Random random(13);
+  const auto check = [&](const auto& shell, const auto& before, std::size_t step) {
+    for(Format format : { Format::BINARY, Format::ASCII }) {
+      const std::string bytes = written(shell, format);
+      auto target = before;
+      std::size_t accepted = 0;
+      for(std::size_t n = 0; n < bytes.size(); n += step)
+        for(int flip : { 1, 0x20, 0x80, random.get_int(1, 256) }) {      // 0x20 turns capital letters into small ones
+          std::string altered = bytes;
+          altered[n] = char(altered[n] ^ flip);
+          if(read(altered, target) == Status::SUCCESS) ++accepted;
+        }
+      // bytes that are missing, doubled, exchanged
+      for(std::size_t n = 0; n + 1 < bytes.size(); n += 7 * step) {
+        std::string altered = bytes;
+        altered.erase(n, 1);
+        if(read(altered, target) == Status::SUCCESS) ++accepted;
+        altered = bytes;
+        altered.insert(n, 1, altered[n]);
+        if(read(altered, target) == Status::SUCCESS) ++accepted;
+        altered = bytes;
+        std::swap(altered[n], altered[n + 1]);
+        if(altered != bytes && read(altered, target) == Status::SUCCESS) ++accepted;
+      }
+      CHECK(accepted == 0);
+      CHECK(same(target, before));
+    }
+  };
+  check(small_shell(), other_shell(), 1);
+  check(small_varying_shell(), Varying_shell(), 7);
+}
+
+TEST_CASE("files: a text that contradicts itself is refused, though its checksum is right")
+{
+  const Shell shell = small_shell();
+  const Lines intact = lines_of(written(shell, Format::ASCII));
+  Shell target;
+  REQUIRE(read(text_of(intact), target) == Status::SUCCESS);
+  const std::size_t functions = line_that_begins_with(intact, "functions"), leaves = line_that_begins_with(intact, "leaves"),
+                    facets = line_that_begins_with(intact, "facet_ranges");
+  const auto check = [&](const std::string& what, const Lines& lines) {
+    INFO(what);
+    Shell left = shell;
+    CHECK(read(text_of(lines), left) == Status::DAMAGED);
+    CHECK(same(left, shell));
+  };
+  const auto altered = [&](const std::string& what, std::size_t line, std::size_t word, const std::string& by) {
+    Lines lines = intact;
+    lines.at(line) = with_word(lines[line], word, by);
+    check(what, lines);
+  };
+  altered("a mark", leaves + 1, 4, "2");
+  altered("a leaf elsewhere", leaves + 1, 1, "-2");
+  altered("a leaf far away", leaves + 2, 3, "1000000");
+  altered("a leaf beyond all lattices", leaves + 2, 3, "2000000000");
+  altered("a leaf that is no integer", leaves + 2, 3, "2.5");
+  altered("a function elsewhere", functions + 1, 1, "-3");
+  for(std::size_t line : { functions + 1, leaves + 1, leaves + 2 })
+    for(const char* level : { "1", "-1", "31", "2147483647" }) altered("a level of a lattice", line, 0, level);
+  for(const char* number : { "nan", "inf", "-inf", "1e999", "0x10", "1,5", "+1", "", "1e", "--1", "1e308" }) {
+    altered("a coefficient", functions + 5, 4, number);
+    altered("a level", 2, 1, number);
+    altered("the spacing", 4, 5, number);
+    if(std::string(number) != "1e308") altered("a facet", facets + 1, 1, number);
+  }
+  altered("levels out of order", 2, 1, "0.34");
+  altered("a facet's range out of order", facets + 1, 0, "0.31");
+  altered("a negative unit", 1, 1, "-1");
+  altered("a spacing of too many bits", 4, 5, "0.10000000000000001");
+  altered("no spacing", 4, 5, "0");
+  altered("an origin of too many bits", 4, 2, "1e-20");
+  altered("another kind of field", 4, 1, "dense");
+  altered("a count of triangles", 3, 1, "-1");
+  for(const char* count : { "0", "1", "79", "81", "4294967295", "4294967376", "18446744073709551615",
+                            "18446744073709551616" }) {
+    altered("the number of functions", functions, 1, count);
+    altered("the number of leaves", leaves, 1, count);
+    altered("the number of facets", facets, 1, count);
+  }
+
+  Lines lines = intact;
+  lines.erase(lines.begin() + std::ptrdiff_t(functions) + 1);
+  check("a missing line", lines);
+  lines[functions] = "functions 79";
+  check("a missing function", lines);
+  lines = intact;
+  lines.insert(lines.begin() + std::ptrdiff_t(functions) + 1, "0 -5 -1 1 0");
+  lines[functions] = "functions 81";
+  check("a function that acts on no cell", lines);
+  lines = intact;
+  std::swap(lines[functions + 1], lines[functions + 2]);
+  check("functions out of order", lines);
+  lines = intact;
+  std::swap(lines[leaves + 1], lines[leaves + 2]);
+  check("leaves out of order", lines);
+  lines = intact;
+  lines[leaves + 2] = lines[leaves + 1];
+  check("a leaf twice", lines);
+  lines = intact;
+  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 1);
+  lines[leaves] = "leaves 1";
+  check("a missing leaf", lines);
+  lines = intact;
+  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3);
+  lines.erase(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(leaves));
+  lines[functions] = "functions 0";
+  lines[functions + 1] = "leaves 0";
+  check("no leaf", lines);
+  for(std::size_t line : { std::size_t(1), functions, functions + 1, leaves, leaves + 1, facets, facets + 1 }) {
+    for(const char* more : { " ", " 1", "\r", "\t" }) {
+      lines = intact;
+      lines[line] += more;
+      check("something after a line", lines);
+    }
+    lines = intact;
+    lines[line].insert(lines[line].find(' '), " ");
+    check("two blanks", lines);
+    lines = intact;
+    lines[line] = " " + lines[line];
+    check("a blank first", lines);
+    lines = intact;
+    lines.insert(lines.begin() + std::ptrdiff_t(line), "");
+    check("an empty line", lines);
+  }
+  lines = intact;
+  lines[1] = "unit " + std::string(100000, '0') + "1";
+  check("a line longer than any should be", lines);
+
+  // what has no other side may differ: it is another shell then
+  lines = intact;
+  lines[3] = "triangles 21 components 2";
+  Shell other;
+  CHECK(read(text_of(lines), other) == Status::SUCCESS);
+  CHECK(other.report().triangles == 21);
+}
+
+TEST_CASE("files: leaves that are no graded hierarchy are refused, though the checksum is right")
+{
+  const Varying_shell shell = small_varying_shell();
+  const Lines intact = lines_of(written(shell, Format::ASCII));
+  const std::size_t functions = line_that_begins_with(intact, "functions"), leaves = line_that_begins_with(intact, "leaves");
+  const auto check = [&](const std::string& what, const Lines& lines) {
+    INFO(what);
+    Varying_shell left = shell;
+    CHECK(read(text_of(lines), left) == Status::DAMAGED);
+    CHECK(same(left, shell));
+  };
+  Varying_shell back;
+  REQUIRE(read(text_of(intact), back) == Status::SUCCESS);
+  Lines lines = intact;
+  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 5);
+  lines[leaves] = "leaves 25";
+  check("an eighth of a cell is missing", lines);
+  lines = intact;
+  lines.insert(lines.begin() + std::ptrdiff_t(leaves) + 1, "0 0 1 0 1");
+  lines[leaves] = "leaves 27";
+  check("a leaf that is split", lines);
+  lines = intact;
+  std::rotate(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3, lines.begin() + std::ptrdiff_t(leaves) + 27);
+  check("fine leaves first", lines);
+  lines = intact;
+  std::rotate(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(functions) + 2, lines.begin() + std::ptrdiff_t(leaves));
+  check("functions out of order", lines);
+  lines = intact;
+  lines[functions + 1] = with_word(lines[functions + 1], 0, "0");
+  check("a function of another level", lines);
+  for(std::size_t word : { 4, 5, 6 })
+    for(const char* number : { "nan", "inf", "1e308", "x" }) {
+      lines = intact;
+      lines[functions + 3] = with_word(lines[functions + 3], word, number);
+      check("a coefficient of the field or of a threshold", lines);
+    }
+  lines = intact;
+  lines[functions + 3].erase(lines[functions + 3].rfind(' '));
+  check("no coefficient of the outer threshold", lines);
+  for(const char* text : { "thickness -1", "thickness nan", "thickness", "levels -1 1" }) {
+    lines = intact;
+    lines[2] = text;
+    check(text, lines);
+  }
+
+  // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbours are not
+  typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
+  lines = { "cubic_bspline_shell 2 ascii", "unit 1", "levels -1 1", "triangles 1 components 1", intact[4], "functions 0", "leaves 17" };
+  for(const char* roots : { "0 1 0 0 1", "0 2 0 0 1" }) lines.push_back(roots);
+  for(int level = 1; level < 3; ++level)
+    for(int o = level == 1 ? 1 : 0; o < 8; ++o)
+      lines.push_back(std::to_string(level) + " " + std::to_string(o & 1) + " " + std::to_string(o >> 1 & 1) + " " + std::to_string(o >> 2) + " 1");
+  lines.push_back("facet_ranges 0");
+  Levels_shell none;
+  CHECK(read(text_of(lines), none) == Status::DAMAGED);
+  BS::Lattice_3 lattice = shell.field().cells().lattice();
+  std::vector<std::vector<std::uint64_t> > keys(3);
+  for(std::size_t n = 7; n < lines.size() - 1; ++n) {
+    int level, i, j, k;
+    std::istringstream(lines[n]) >> level >> i >> j >> k;
+    keys[std::size_t(level)].push_back(BS::Lattice_key::encode(i, j, k));
+  }
+  CHECK_FALSE(Hierarchy::from_leaves(lattice, keys));      // for this reason
+}
+
+TEST_CASE("files: bytes that contradict themselves are refused, though their checksum is right")
+{
+  const Shell shell = small_shell();
+  const std::string intact = written(shell, Format::BINARY);
+  const auto check = [&](const std::string& what, std::string bytes) {
+    INFO(what);
+    bytes += as_bytes(slow_checksum(bytes));
+    Shell left = shell;
+    CHECK(read(bytes, left) == Status::DAMAGED);
+    CHECK(same(left, shell));
+  };
+  const std::string body = intact.substr(0, intact.size() - 8);
+  const auto altered = [&](const std::string& what, std::size_t offset, const std::string& by) {
+    std::string bytes = body;
+    bytes.replace(offset, by.size(), by);
+    check(what, bytes);
+  };
+  Shell back;
+  REQUIRE(read(body + as_bytes(slow_checksum(body)), back) == Status::SUCCESS);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for(double x : { nan, infinity, -infinity })
+    for(std::size_t offset : { 8, 16, 24, 48, 56, 64, 72, 140, 140 + 79 * 8, 140 + 80 * 8, 140 + 80 * 8 + 40 })
+      altered("a number", offset, as_bytes(x));
+  // far more than the file holds: found out before the memory is taken
+  for(std::uint64_t count : { 0ull, 1ull, 1ull << 31, 1ull << 40, 1ull << 63, ~0ull })
+    for(std::size_t offset : { 80, 88, 96 }) altered("a count", offset, as_bytes(count));
+  altered("no kind of shell", 104, as_bytes(std::uint64_t(4)));
+  altered("another level", 112, "\x01");
+  altered("another cell", 113, std::string("\x02\0\0\0", 4));
+  altered("the same cell twice", 127, std::string("\xff\xff\xff\xff", 4));
+  altered("a mark", 125, "\x02");
+  check("a number more", body + as_bytes(1.));
+}
+
+TEST_CASE("files: a few cells far from each other take little memory")
+{
+  const int last = BS::Lattice_key::max_coordinate;
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
+  const Shell shell = shell_on(lattice, { { -last, -last, -last }, { last, last, last } }, [](std::size_t) { return 0.5; });
+  Shell back;
+  CHECK(read(written(shell, Format::BINARY), back) == Status::SUCCESS);
+  CHECK(same(back, shell));
+}
+
+TEST_CASE("files: foreign files, later versions, no file at all")
+{
+  const Shell before = small_shell();
+  Shell shell = before;
+  const std::string text = written(before, Format::ASCII), bytes = written(before, Format::BINARY);
+  for(const char* foreign : { "", "\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "cubic_bspline_shell_certificate 1\n",
+                              "BSHELF01", "cubic_bspline_shell\n", "cubic_bspline_shell 1 binary\n" })
+    CHECK(read(foreign, shell) == Status::NOT_A_SHELL);
+  CHECK(read(std::string(100000, '\0'), shell) == Status::NOT_A_SHELL);
+  CHECK(read("cubic_bspline_shell 3 ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(read("cubic_bspline_shell 3 something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(read("BSHELL03" + bytes.substr(8), shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(BS::read_shell("no_such_file.shell", shell) == Status::CANNOT_OPEN);
+  CHECK(BS::read_shell(".", shell) == Status::CANNOT_OPEN);
+  std::ifstream missing("no_such_file.shell");
+  CHECK(BS::read_shell(missing, shell) == Status::CANNOT_OPEN);
+  CHECK(same(shell, before));
+  for(Status status : { Status::SUCCESS, Status::CANNOT_OPEN, Status::CANNOT_WRITE, Status::NOT_A_SHELL,
+                        Status::VERSION_NOT_SUPPORTED, Status::OTHER_KIND, Status::DAMAGED })
+    CHECK_FALSE(std::string(BS::message(status)).empty());
+}
+
+TEST_CASE("files: reading throws nothing, even from a stream that is set to")
+{
+  const std::string bytes = written(small_shell(), Format::BINARY);
+  for(std::size_t size : { std::size_t(0), std::size_t(50), bytes.size() }) {
+    std::istringstream in(bytes.substr(0, size));
+    in.exceptions(std::ios::badbit | std::ios::failbit | std::ios::eofbit);
+    Shell shell;
+    Status status = Status::CANNOT_OPEN;
+    CHECK_NOTHROW(status = BS::read_shell(in, shell));
+    CHECK((status == Status::SUCCESS) == (size == bytes.size()));
+  }
+}

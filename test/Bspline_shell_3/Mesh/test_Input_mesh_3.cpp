@@ -1,0 +1,509 @@
+// Input_mesh_3.h, vertex_cone.h: what is refused, for which reason and where; what is kept of the user's mesh.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace {
+
+using CGAL::Bspline_shells::Input_mesh_3;
+using CGAL::Bspline_shells::vertex_cone;
+typedef CGAL::Bspline_shells::Shell_status Status;
+typedef std::vector<std::size_t> Positions;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+template <typename M>
+Status check(Input_mesh_3& input, const M& mesh, const Input_mesh_3::Tolerated_defects& tolerated = {})
+{
+  return input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), tolerated);
+}
+
+template <typename Range, typename Descriptor>
+std::size_t position(const Range& range, Descriptor d)
+{
+  const auto it = std::find(range.begin(), range.end(), d);
+  REQUIRE(it != range.end());
+  return std::size_t(std::distance(range.begin(), it));
+}
+
+// the positions of a mesh's facets that satisfy a condition, ascending
+template <typename Condition>
+Positions facets_where(const Mesh& mesh, const Condition& condition)
+{
+  Positions found;
+  std::size_t n = 0;
+  for(auto f : mesh.faces()) {
+    if(condition(f)) found.push_back(n);
+    ++n;
+  }
+  return found;
+}
+
+bool has_corner(const Mesh& mesh, Mesh::Face_index f, Mesh::Vertex_index v)
+{
+  for(auto w : mesh.vertices_around_face(mesh.halfedge(f)))
+    if(w == v) return true;
+  return false;
+}
+
+Mesh::Vertex_index vertex_at(const Mesh& mesh, const Point_3& p)
+{
+  for(auto v : mesh.vertices())
+    if(mesh.point(v) == p) return v;
+  FAIL("no vertex there");
+  return Mesh::null_vertex();
+}
+
+Mesh reversed(Mesh mesh)
+{
+  PMP::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+Mesh both(Mesh a, const Mesh& b)
+{
+  CGAL::copy_face_graph(b, a);
+  return a;
+}
+
+Mesh tetrahedron(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s)
+{
+  Mesh mesh;
+  CGAL::make_tetrahedron(p, q, r, s, mesh);
+  if(!PMP::is_outward_oriented(mesh)) PMP::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+// A mesh whose ranges have holes and whose elements are in no simple order: a tetrahedron comes first and is removed
+// again, so that descriptors and positions differ.
+Mesh with_garbage(const Mesh& mesh)
+{
+  Mesh garbage = tetrahedron(Point_3(50, 0, 0), Point_3(51, 0, 0), Point_3(50, 1, 0), Point_3(50, 0, 1));
+  const std::vector<Mesh::Vertex_index> doomed(garbage.vertices().begin(), garbage.vertices().end());
+  CGAL::copy_face_graph(mesh, garbage);
+  CGAL::Euler::remove_face(garbage.halfedge(*garbage.faces().begin()), garbage);
+  while(!garbage.is_removed(doomed[0]) && garbage.degree(doomed[0]) > 0)
+    CGAL::Euler::remove_face(garbage.is_border(garbage.halfedge(doomed[0]))
+                             ? garbage.opposite(garbage.halfedge(doomed[0])) : garbage.halfedge(doomed[0]), garbage);
+  for(auto f : std::vector<Mesh::Face_index>(garbage.faces().begin(), garbage.faces().begin() + 4))
+    if(!garbage.is_removed(f) && garbage.point(garbage.target(garbage.halfedge(f))).x() >= 50)
+      CGAL::Euler::remove_face(garbage.halfedge(f), garbage);
+  REQUIRE(garbage.has_garbage());
+  REQUIRE(garbage.number_of_faces() == mesh.number_of_faces());
+  REQUIRE(garbage.number_of_vertices() == mesh.number_of_vertices());
+  return garbage;
+}
+
+// A pyramid over a simple polygon in the plane z = 0, given counterclockwise. The facets at the apex face a common
+// direction if and only if the polygon's kernel (the points that see all of it) has an interior.
+Mesh pyramid(const std::vector<std::pair<double, double> >& base, const Point_3& apex)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(const auto& p : base) v.push_back(mesh.add_vertex(Point_3(p.first, p.second, 0)));
+  const Mesh::Vertex_index top = mesh.add_vertex(apex);
+  for(std::size_t i = 0; i < v.size(); ++i) mesh.add_face(v[i], v[(i + 1) % v.size()], top);
+  mesh.add_face(std::vector<Mesh::Vertex_index>(v.rbegin(), v.rend()));
+  return mesh;
+}
+
+// Two arms of that width, in the shape of an L; the kernel is the square in its corner. One side of an arm is cut into
+// many facets, which draw the mean of the normals away from that of the other side.
+Mesh pyramid_over_L(double width)
+{
+  return pyramid({ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 }, { 6, 0 }, { 7, 0 }, { 8, 0 },
+                   { 8, width }, { width, width }, { width, 8 }, { 0, 8 } }, Point_3(0.25, 0.25, 2));
+}
+
+// nothing sees both arms of a U
+Mesh pyramid_over_U()
+{
+  return pyramid({ { 0, 0 }, { 5, 0 }, { 5, 4 }, { 4, 4 }, { 4, 1 }, { 1, 1 }, { 1, 4 }, { 0, 4 } }, Point_3(2, 0.5, 3));
+}
+
+// the smallest of n . g over the facets at a vertex, n and g exact
+CGAL::Exact_rational least_exact_product(const Mesh& mesh, Mesh::Vertex_index v, const Vector_3& g)
+{
+  typedef CGAL::Exact_rational ET;
+  typedef CGAL::Simple_cartesian<ET> Exact;
+  const auto exact = [](const Point_3& p) { return Exact::Point_3(ET(p.x()), ET(p.y()), ET(p.z())); };
+  const Exact::Vector_3 e(ET(g.x()), ET(g.y()), ET(g.z()));
+  bool first = true;
+  ET least = 0;
+  for(auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Exact::Point_3 p = exact(mesh.point(v)), q = exact(mesh.point(mesh.target(mesh.next(h)))),
+                         r = exact(mesh.point(mesh.source(h)));
+    const ET product = CGAL::cross_product(q - p, r - p) * e;
+    if(first || product < least) least = product;
+    first = false;
+  }
+  return least;
+}
+
+// the mean of the unit normals at a vertex
+Vector_3 mean_normal(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  Vector_3 mean = CGAL::NULL_VECTOR;
+  for(auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Vector_3 n = CGAL::cross_product(mesh.point(mesh.target(mesh.next(h))) - mesh.point(v),
+                                           mesh.point(mesh.source(h)) - mesh.point(v));
+    mean = mean + n / std::sqrt(n.squared_length());
+  }
+  return mean;
+}
+
+} // namespace
+
+TEST_CASE("Input_mesh_3 accepts a closed mesh and tells what it is")
+{
+  Input_mesh_3 input;
+  const Mesh mesh = box(Point_3(1, 2, 3), Point_3(3, 7, 4));
+  REQUIRE(check(input, mesh) == Status::SUCCESS);
+  CHECK(input.mesh().number_of_faces() == 12);
+  CHECK(input.bbox() == CGAL::Bbox_3(1, 2, 3, 3, 7, 4));
+  CHECK(input.unit() == 5);
+  CHECK(input.number_of_components() == 1);
+  CHECK(input.faces_outwards());
+  CHECK(input.offending_simplices().facets.empty());
+  CHECK(input.offending_simplices().vertices.empty());
+}
+
+TEST_CASE("EMPTY_MESH: no facet at all, whatever else there is")
+{
+  Input_mesh_3 input;
+  CHECK(check(input, Mesh()) == Status::EMPTY_MESH);
+  Mesh points;
+  points.add_vertex(Point_3(0, 0, 0));
+  CHECK(check(input, points) == Status::EMPTY_MESH);
+  Mesh removed;
+  const auto p = removed.add_vertex(Point_3(0, 0, 0)), q = removed.add_vertex(Point_3(1, 0, 0)),
+             r = removed.add_vertex(Point_3(0, 1, 0));
+  const auto f = removed.add_face(p, q, r);
+  CGAL::Euler::remove_face(removed.halfedge(f), removed);
+  CHECK(check(input, removed) == Status::EMPTY_MESH);
+  CHECK(input.mesh().number_of_faces() == 0);
+}
+
+TEST_CASE("NOT_FINITE: names the vertices with infinite coordinates or none")
+{
+  typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Plain_mesh;
+  Plain_mesh mesh;
+  CGAL::copy_face_graph(sphere(1), mesh);
+  const std::vector<Plain_mesh::Vertex_index> v(mesh.vertices().begin(), mesh.vertices().end());
+  Input_mesh_3 input;
+  REQUIRE(check(input, mesh) == Status::SUCCESS);
+  typedef CGAL::Simple_cartesian<double>::Point_3 Plain_point;
+  mesh.point(v[7]) = Plain_point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  mesh.point(v[30]) = Plain_point(0, 0, std::numeric_limits<double>::infinity());
+  mesh.point(v[11]) = Plain_point(-std::numeric_limits<double>::infinity(), 0, 0);
+  REQUIRE(check(input, mesh) == Status::NOT_FINITE);
+  CHECK(input.offending_simplices().vertices == Positions{ 7, 11, 30 });
+  CHECK(input.offending_simplices().facets.empty());
+}
+
+TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after removals")
+{
+  Input_mesh_3 input;
+  for(bool triangulated : { false, true }) {
+    Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1), triangulated);
+    const Mesh::Face_index gone = *std::next(mesh.faces().begin(), 2);
+    Positions neighbours;
+    std::vector<Mesh::Face_index> faces;
+    for(auto h : mesh.halfedges_around_face(mesh.halfedge(gone))) faces.push_back(mesh.face(mesh.opposite(h)));
+    CGAL::Euler::remove_face(mesh.halfedge(gone), mesh);
+    for(auto f : faces) neighbours.push_back(position(mesh.faces(), f));
+    std::sort(neighbours.begin(), neighbours.end());
+    REQUIRE(check(input, mesh) == Status::OPEN_MESH);
+    CHECK(neighbours.size() == (triangulated ? 3 : 4));
+    CHECK(input.offending_simplices().facets == neighbours);
+    CHECK(input.offending_simplices().vertices.empty());
+  }
+}
+
+TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
+{
+  // two tetrahedra, the apex of the one glued to that of the other; the unused vertex goes, so that positions shift
+  const Mesh lower = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, -1), Point_3(0, 1, -1), Point_3(-1, -1, -1));
+  const Mesh upper = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 1), Point_3(0, 1, 1), Point_3(-1, -1, 1));
+  Mesh mesh = both(upper, lower);
+  Mesh::Vertex_index keep = Mesh::null_vertex(), drop = Mesh::null_vertex();
+  for(auto v : mesh.vertices())
+    if(mesh.point(v) == CGAL::ORIGIN) { (drop == Mesh::null_vertex() ? drop : keep) = v; }
+  const auto around = mesh.halfedges_around_target(mesh.halfedge(drop));
+  const std::vector<Mesh::Halfedge_index> halfedges(around.begin(), around.end());
+  for(auto h : halfedges) mesh.set_target(h, keep);
+  mesh.remove_vertex(drop);
+  Input_mesh_3 input;
+  REQUIRE(check(input, mesh) == Status::NON_MANIFOLD);
+  CHECK(input.offending_simplices().vertices == Positions{ position(mesh.vertices(), keep) });
+  CHECK(input.offending_simplices().facets.empty());
+}
+
+TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only these")
+{
+  // an edge pq of a tetrahedron gets `cuts` points; on its left side the facet is cut along pq
+  for(int cuts : { 1, 2 }) {
+    Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
+    const auto p = vertex_at(mesh, Point_3(0, 0, 0)), q = vertex_at(mesh, Point_3(1, 0, 0));
+    Mesh::Halfedge_index h = mesh.halfedge(p, q);       // to q
+    const Mesh::Halfedge_index before = mesh.prev(h);   // to p
+    for(int c = 1; c <= cuts; ++c) {
+      const auto first_half = CGAL::Euler::split_edge(h, mesh);
+      mesh.point(mesh.target(first_half)) = Point_3(c / 4., 0, 0);
+    }
+    // A corner of 180 degrees is no defect: two polygons with such corners, and all is well.
+    Input_mesh_3 input;
+    REQUIRE(check(input, mesh) == Status::SUCCESS);
+    CHECK(input.mesh().number_of_faces() == std::size_t(4 + 2 * cuts));
+
+    CGAL::Euler::split_face(before, h, mesh);
+    const Positions flat = facets_where(mesh, [&](Mesh::Face_index f) {
+      for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+        if(mesh.point(v).y() != 0 || mesh.point(v).z() != 0) return false;
+      return true;
+    });
+    REQUIRE(flat.size() == 1);
+    REQUIRE(check(input, mesh) == Status::DEGENERATE_FACET);
+    CHECK(input.offending_simplices().facets == flat);
+    CHECK(input.mesh().number_of_faces() == 0);
+  }
+}
+
+TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doubles")
+{
+  const auto scaled = [](double s) {
+    return tetrahedron(Point_3(0, 0, 0), Point_3(s, 0, 0), Point_3(0, s, 0), Point_3(0, 0, s));
+  };
+  Input_mesh_3 input;
+  for(double s : { 1.1e60, 1e90, 1e300, 0.9e-60, 1e-100, 1e-300 }) {
+    CAPTURE(s);
+    CHECK(check(input, scaled(s)) == Status::COORDINATES_OUT_OF_RANGE);
+  }
+  for(double s : { 0.9e60, 1.1e-60 }) {
+    CAPTURE(s);
+    CHECK(check(input, scaled(s)) == Status::SUCCESS);
+  }
+}
+
+TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it may intersect itself")
+{
+  // two triangles back to back, and a folded flat octahedron that no axis is orthogonal to
+  Mesh flat = tetrahedron(Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(1, 1, 0));
+  Input_mesh_3 input;
+  CHECK(check(input, flat) == Status::SELF_INTERSECTION);
+  Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = true;
+  CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
+  CHECK(input.offending_simplices().facets == Positions{ 0 });
+  for(auto v : flat.vertices()) {
+    const Point_3 p = flat.point(v);
+    flat.point(v) = Point_3(p.x(), p.y(), p.x() / 3 + p.y() / 7);
+  }
+  CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
+}
+
+TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
+{
+  const double tiny = std::ldexp(1., -1000);
+  Input_mesh_3 input;
+  Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
+  mesh.point(vertex_at(mesh, Point_3(0, 0, 1))) = Point_3(0, tiny, tiny);     // thin, but nothing is flat
+  CHECK(check(input, mesh) == Status::SUCCESS);
+  mesh.point(vertex_at(mesh, Point_3(0, tiny, tiny))) = Point_3(0.5, 0, 0);
+  REQUIRE(check(input, mesh) == Status::DEGENERATE_FACET);
+  const auto moved = vertex_at(mesh, Point_3(0.5, 0, 0)), off = vertex_at(mesh, Point_3(0, 1, 0));
+  CHECK(input.offending_simplices().facets
+        == facets_where(mesh, [&](Mesh::Face_index f) { return has_corner(mesh, f, moved) && !has_corner(mesh, f, off); }));
+}
+
+TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygons")
+{
+  // a spike from inside a box of quadrangles pierces its top
+  const Point_3 tip(0.5, 0.3, 3);
+  Mesh mesh = both(box(Point_3(-1, -1, -1), Point_3(1, 1, 1), false),
+                   tetrahedron(tip, Point_3(0.4, 0.2, 0), Point_3(0.6, 0.2, 0), Point_3(0.5, 0.4, 0)));
+  for(bool garbage : { false, true }) {
+    if(garbage) mesh = with_garbage(mesh);
+    const auto at_tip = vertex_at(mesh, tip);
+    const Positions crossing = facets_where(mesh, [&](Mesh::Face_index f) {
+      if(has_corner(mesh, f, at_tip)) return true;
+      for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+        if(mesh.point(v).z() != 1) return false;
+      return true;
+    });
+    REQUIRE(crossing.size() == 4);
+    Input_mesh_3 input;
+    REQUIRE(check(input, mesh) == Status::SELF_INTERSECTION);
+    CHECK(input.offending_simplices().facets == crossing);
+    CHECK(input.offending_simplices().vertices.empty());
+
+    Input_mesh_3::Tolerated_defects tolerated;
+    tolerated.self_intersections = true;
+    CHECK(check(input, mesh, tolerated) == Status::SUCCESS);
+    CHECK(input.number_of_components() == 2);
+    CHECK(input.offending_simplices().facets.empty());
+  }
+}
+
+TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be turned")
+{
+  Input_mesh_3 input;
+  const Mesh left = box(Point_3(0, 0, 0), Point_3(1, 1, 1)), right = box(Point_3(2, 0, 0), Point_3(3, 1, 1), false),
+             far = box(Point_3(4, 0, 0), Point_3(5, 1, 1));
+  REQUIRE(check(input, both(both(left, right), far)) == Status::SUCCESS);
+  CHECK(input.number_of_components() == 3);
+
+  // turning the named components must mend the mesh, whichever side is taken for the right one
+  const auto mend = [&input](Mesh mesh, std::size_t components) {
+    REQUIRE(check(input, mesh) == Status::INCONSISTENT_ORIENTATION);
+    const Positions named = input.offending_simplices().facets;
+    CHECK(named.size() == components);
+    CHECK(input.offending_simplices().vertices.empty());
+    for(std::size_t n : named) {
+      std::vector<Mesh::Face_index> component;
+      PMP::connected_component(*std::next(mesh.faces().begin(), n), mesh, std::back_inserter(component));
+      PMP::reverse_face_orientations(component, mesh);
+    }
+    CHECK(check(input, mesh) == Status::SUCCESS);
+  };
+  mend(both(left, reversed(right)), 1);
+  mend(both(both(left, reversed(right)), reversed(far)), 2);
+  mend(with_garbage(both(left, reversed(right))), 1);
+  // a cavity must face the other way than what is around it, and what floats in the cavity as that again
+  const Mesh outer = sphere(1, 4), cavity = sphere(1, 2), core = sphere(1, 1);
+  mend(both(outer, cavity), 1);
+  mend(both(both(outer, reversed(cavity)), reversed(core)), 1);
+}
+
+TEST_CASE("A mesh may be inside out, if all of it is")
+{
+  Input_mesh_3 input;
+  const Mesh hollow = both(sphere(1, 4), reversed(sphere(1, 2)));
+  REQUIRE(check(input, hollow) == Status::SUCCESS);
+  CHECK(input.faces_outwards());
+  CHECK(input.number_of_components() == 2);
+  REQUIRE(check(input, reversed(hollow)) == Status::SUCCESS);
+  CHECK_FALSE(input.faces_outwards());
+  CHECK(input.number_of_components() == 2);
+  REQUIRE(check(input, reversed(sphere(1))) == Status::SUCCESS);
+  CHECK_FALSE(input.faces_outwards());
+  // the order of the components does not matter
+  REQUIRE(check(input, both(reversed(sphere(1, 2)), sphere(1, 4))) == Status::SUCCESS);
+  CHECK(input.faces_outwards());
+}
+
+TEST_CASE("SINGULAR_VERTEX: names the apex over a polygon without kernel")
+{
+  Mesh mesh = pyramid_over_U();
+  for(bool garbage : { false, true }) {
+    if(garbage) mesh = with_garbage(mesh);
+    const auto apex = vertex_at(mesh, Point_3(2, 0.5, 3));
+    Input_mesh_3 input;
+    REQUIRE(check(input, mesh) == Status::SINGULAR_VERTEX);
+    CHECK(input.offending_simplices().vertices == Positions{ position(mesh.vertices(), apex) });
+    CHECK(input.offending_simplices().facets.empty());
+
+    Input_mesh_3::Tolerated_defects tolerated;
+    tolerated.singular_vertices = true;
+    CHECK(check(input, mesh, tolerated) == Status::SUCCESS);
+  }
+}
+
+TEST_CASE("A vertex with the least positive cone margin is not singular")
+{
+  for(int exponent : { 3, 20, 40 }) {
+    CAPTURE(exponent);
+    const Mesh mesh = pyramid_over_L(std::ldexp(1., -exponent));
+    const auto apex = vertex_at(mesh, Point_3(0.25, 0.25, 2));
+    // the mean of the normals is no answer here, so that the linear program has to find one
+    REQUIRE(least_exact_product(mesh, apex, mean_normal(mesh, apex)) <= 0);
+    const std::optional<Vector_3> g = vertex_cone(mesh, apex);
+    REQUIRE(g);
+    CHECK(g->squared_length() == Approx(1).epsilon(1e-15));
+    CHECK(least_exact_product(mesh, apex, *g) > 0);
+    Input_mesh_3 input;
+    CHECK(check(input, mesh) == Status::SUCCESS);
+  }
+  // at width zero the arms of the L would have no area; a kernel that is a segment is none
+  const Mesh flat_kernel = pyramid({ { 0, 0 }, { 4, 0 }, { 4, 2 }, { 8, 2 }, { 8, 4 }, { 4, 4 }, { 4, 6 }, { 0, 6 } },
+                                   Point_3(2, 3, 2));
+  const Mesh no_kernel = pyramid({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 8, 4 }, { 8, 8 }, { 2, 8 }, { 2, 4 }, { 0, 4 } },
+                                 Point_3(3, 4, 2));
+  CHECK(vertex_cone(flat_kernel, vertex_at(flat_kernel, Point_3(2, 3, 2))));
+  CHECK_FALSE(vertex_cone(no_kernel, vertex_at(no_kernel, Point_3(3, 4, 2))));
+}
+
+TEST_CASE("vertex_cone finds a direction at every vertex of ordinary meshes, at any scale")
+{
+  for(double scale : { 1., std::ldexp(1., -400), std::ldexp(1., 300) }) {
+    CAPTURE(scale);
+    Mesh mesh = torus(3, 1, 7, 5);
+    for(auto v : mesh.vertices())
+      mesh.point(v) = Point_3(scale * mesh.point(v).x(), scale * mesh.point(v).y(), scale * mesh.point(v).z());
+    bool all = true;
+    for(auto v : mesh.vertices()) {
+      const std::optional<Vector_3> g = vertex_cone(mesh, v);
+      all = all && g && std::abs(g->squared_length() - 1) < 1e-15 * 4 && least_exact_product(mesh, v, *g) > 0;
+    }
+    CHECK(all);
+  }
+}
+
+TEST_CASE("Triangles of a polygon keep their facet of origin")
+{
+  Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3), false), sphere(0, 1, Point_3(5, 5, 5)));
+  for(bool garbage : { false, true }) {
+    if(garbage) mesh = with_garbage(mesh);
+    Input_mesh_3 input;
+    REQUIRE(check(input, mesh) == Status::SUCCESS);
+    REQUIRE(input.mesh().number_of_faces() == 6 * 2 + 20);
+    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    std::vector<int> triangles(faces.size(), 0);
+    for(auto f : input.mesh().faces()) {
+      const std::size_t origin = input.facet_of_origin(f);
+      REQUIRE(origin < faces.size());
+      ++triangles[origin];
+      for(const Point_3& p : input.triangle(f)) CHECK(has_corner(mesh, faces[origin], vertex_at(mesh, p)));
+    }
+    for(std::size_t n = 0; n < faces.size(); ++n) CHECK(triangles[n] == int(mesh.degree(faces[n])) - 2);
+  }
+}
+
+TEST_CASE("Isolated vertices do not count")
+{
+  Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  mesh.add_vertex(Point_3(100, 100, 100));
+  Input_mesh_3 input;
+  REQUIRE(check(input, mesh) == Status::SUCCESS);
+  CHECK(input.bbox() == CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
+  CHECK(input.number_of_components() == 1);
+}
+
+TEST_CASE("The points are those of the vertex point map")
+{
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  std::unordered_map<Mesh::Vertex_index, Point_3> points;
+  for(auto v : mesh.vertices()) points[v] = Point_3(2 * mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() - 5);
+  Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, boost::make_assoc_property_map(points), {}) == Status::SUCCESS);
+  CHECK(input.bbox() == CGAL::Bbox_3(0, 0, -5, 2, 1, -4));
+}
+
+TEST_CASE("A refusal leaves nothing behind for the next mesh")
+{
+  Input_mesh_3 input;
+  REQUIRE(check(input, pyramid_over_U()) == Status::SINGULAR_VERTEX);
+  CHECK(input.mesh().number_of_faces() == 0);
+  REQUIRE(check(input, sphere(1)) == Status::SUCCESS);
+  CHECK(input.offending_simplices().vertices.empty());
+  CHECK(input.mesh().number_of_faces() == 80);
+}

@@ -1,0 +1,453 @@
+// The signed distance to a mesh against a search through all facets in exact arithmetic, winding numbers and closed
+// forms; the side told by the closest point, and samples on cells, against one exact query each.
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Random.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_rational Rational;
+typedef std::array<Rational, 3> Exact_vector;
+
+const double eps = std::numeric_limits<double>::epsilon();
+
+BS::Input_mesh_3 input_of(const Mesh& mesh)
+{
+  BS::Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.singular_vertices = tolerated.self_intersections = true;
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
+  return input;
+}
+
+Mesh turned_inside_out(Mesh mesh)
+{
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+Mesh both(Mesh a, const Mesh& b)
+{
+  a.join(b);
+  return a;
+}
+
+Exact_vector exact(const Point_3& p) { return { Rational(p.x()), Rational(p.y()), Rational(p.z()) }; }
+Exact_vector minus(const Exact_vector& p, const Exact_vector& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
+Exact_vector cross(const Exact_vector& u, const Exact_vector& v)
+{
+  return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+}
+Rational dot(const Exact_vector& u, const Exact_vector& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+
+// the least over all facets: over the plane where the foot of the perpendicular is in the facet, and over the sides
+double brute_force_distance(const BS::Input_mesh_3& input, const Point_3& point)
+{
+  const Exact_vector p = exact(point);
+  Rational least(-1);
+  const auto include = [&](const Rational& d) { if(least < 0 || d < least) least = d; };
+  for(auto f : input.mesh().faces()) {
+    const auto t = input.triangle(f);
+    const Exact_vector v[3] = { exact(t[0]), exact(t[1]), exact(t[2]) };
+    const Exact_vector n = cross(minus(v[1], v[0]), minus(v[2], v[0]));
+    bool above = true;
+    for(int e = 0; e < 3; ++e) {
+      const Exact_vector edge = minus(v[(e + 1) % 3], v[e]), to_p = minus(p, v[e]);
+      above = above && dot(n, cross(edge, to_p)) >= 0;
+      Rational s = dot(edge, to_p) / dot(edge, edge);
+      if(s < 0) s = 0;
+      if(s > 1) s = 1;
+      const Exact_vector d = minus(to_p, { s * edge[0], s * edge[1], s * edge[2] });
+      include(dot(d, d));
+    }
+    if(above) {
+      const Rational height = dot(n, minus(p, v[0]));
+      include(height * height / dot(n, n));
+    }
+  }
+  return std::sqrt(CGAL::to_double(least));
+}
+
+// how often the mesh winds around a point: the sum of its facets' solid angles
+double winding_number(const BS::Input_mesh_3& input, const Point_3& p)
+{
+  double sum = 0;
+  for(auto f : input.mesh().faces()) {
+    const auto t = input.triangle(f);
+    const Vector_3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+    const double la = std::sqrt(a.squared_length()), lb = std::sqrt(b.squared_length()), lc = std::sqrt(c.squared_length());
+    sum += 2 * std::atan2(CGAL::determinant(a, b, c), la*lb*lc + (a*b)*lc + (b*c)*la + (c*a)*lb);
+  }
+  return sum / (4 * std::acos(-1.));
+}
+
+// coordinates of size one; what rounding does to a closest point is some bits of them
+const double rounding = 32 * eps;
+
+void check_against_brute_force(const Mesh& mesh, int points, double reach)
+{
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  CGAL::Random random(1);
+  int negative = 0, positive = 0;
+  for(int n = 0; n < points; ++n) {
+    const Point_3 p(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
+    const double distance = brute_force_distance(input, p), winding = winding_number(input, p);
+    REQUIRE(std::abs(winding - std::round(winding)) < 1e-9);
+    // facets that face outwards wind once around the inside; facets that face inwards, -1 times: then the outside is behind
+    const bool behind = input.faces_outwards() ? std::round(winding) == 1 : std::round(winding) == 0;
+    CHECK(oracle.distance(p) == Approx(distance).epsilon(0).margin(rounding * reach));
+    CHECK(oracle.sign(p) == (behind ? -1 : 1));
+    CHECK(oracle(p) == oracle.sign(p) * oracle.distance(p));
+    ++(behind ? negative : positive);
+  }
+  CHECK(negative > points / 20);
+  CHECK(positive > points / 20);
+}
+
+double distance_to_box(const Point_3& p, const Point_3& a, const Point_3& b)
+{
+  double outside = 0, inside = -std::numeric_limits<double>::infinity();
+  for(int n = 0; n < 3; ++n) {
+    const double d = (std::max)(a[n] - p[n], p[n] - b[n]);
+    inside = (std::max)(inside, d);
+    if(d > 0) outside += d * d;
+  }
+  return inside > 0 ? std::sqrt(outside) : inside;
+}
+
+BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
+{
+  const BS::Lattice_3 lattice(input.bbox(), spacing);
+  return BS::Cell_complex_3(lattice, BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
+}
+
+// samples that are made together, and one query each
+struct Comparison { std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0; };
+
+template <typename Cells>
+Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells, const std::vector<double>& samples)
+{
+  Comparison c;
+  c.samples = samples.size();
+  for(std::size_t n = 0; n < samples.size(); ++n) {
+    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, typename Cells::Index(n / 8), int(n % 8));
+    const double expected = oracle(p);
+    ++(expected < 0 ? c.negative : c.positive);
+    c.wrong_sign += (expected < 0) != (samples[n] < 0);
+    c.wrong_distance += !(std::abs(std::abs(expected) - std::abs(samples[n])) <= 4 * rounding);
+  }
+  return c;
+}
+
+template <typename Cells>
+void check_samples(const BS::Mesh_signed_distance_3& oracle, const Cells& cells)
+{
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells);
+  REQUIRE(samples.size() == 8 * cells.number_of_cells());
+  const Comparison c = compare(oracle, cells, samples);
+  CHECK(c.negative > c.samples / 20);
+  CHECK(c.positive > c.samples / 20);
+  CHECK(c.wrong_sign == 0);
+  CHECK(c.wrong_distance == 0);
+  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(oracle, cells) == samples);
+}
+
+void check_samples(const Mesh& mesh, double spacing, int rings)
+{
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
+  check_samples(oracle, cells);
+  // and on leaves of different size
+  CGAL::Random random(7);
+  check_samples(oracle, random_hierarchy(random, cells, 2));
+}
+
+// Two fans over a ring, whose radii and heights alternate: creases that are convex and concave, saddles where they end.
+Mesh star(int points, double inner, double outer, double zigzag, double height)
+{
+  Mesh mesh;
+  const auto top = mesh.add_vertex(Point_3(0, 0, height)), bottom = mesh.add_vertex(Point_3(0, 0, -height));
+  std::vector<Mesh::Vertex_index> ring;
+  for(int n = 0; n < 2 * points; ++n) {
+    const double angle = std::acos(-1.) * n / points + 0.1, r = n % 2 ? inner : outer;
+    ring.push_back(mesh.add_vertex(Point_3(r * std::cos(angle), r * std::sin(angle), n % 2 ? zigzag : -zigzag)));
+  }
+  for(int n = 0; n < 2 * points; ++n) {
+    mesh.add_face(ring[n], ring[(n + 1) % (2 * points)], top);
+    mesh.add_face(ring[(n + 1) % (2 * points)], ring[n], bottom);
+  }
+  return mesh;
+}
+
+// a facet gets a vertex next to the middle of one of its sides: two facets and a needle of that width, relative to it
+void add_needle(Mesh& mesh, Mesh::Face_index f, double width)
+{
+  const auto h = mesh.halfedge(f);
+  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+  const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+  mesh.point(center) = CGAL::midpoint(p, q) + width * (r - CGAL::midpoint(p, q));
+}
+
+Mesh with_needles(Mesh mesh, double width)
+{
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  for(std::size_t n = 0; n < faces.size(); n += 2) add_needle(mesh, faces[n], width);
+  return mesh;
+}
+
+// The side of points at all distances from vertices, edges and facets, told by the closest point, and exactly.
+void check_sides(const Mesh& mesh)
+{
+  for(bool inside_out : { false, true }) {
+    const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(mesh) : mesh);
+    const BS::Mesh_signed_distance_3 oracle(input);
+    BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+    CGAL::Random random(8);
+    const auto direction = [&] { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
+    int wrong = 0, negative = 0, positive = 0;
+    for(auto f : input.mesh().faces()) {
+      const auto t = input.triangle(f);
+      for(int n = 0; n < 100; ++n) {
+        // of a corner, of an edge, or of the inside
+        double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0., n % 4 > 1 ? random.get_double() : 0. };
+        const double sum = b[0] + b[1] + b[2];
+        Point_3 p = CGAL::barycenter(t[n % 3], b[0] / sum, t[(n + 1) % 3], b[1] / sum, t[(n + 2) % 3], b[2] / sum);
+        p = p + std::pow(10, random.get_double(-9, 0)) * direction();
+        const double signed_distance = oracle.signed_distance(p, hint), distance = oracle.distance(p);
+        if(!(distance > 1e-12)) continue;       // rounding of a closest point decides
+        wrong += (signed_distance > 0 ? 1 : -1) != oracle.sign(p);
+        wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding);
+        ++(signed_distance > 0 ? positive : negative);
+      }
+    }
+    CAPTURE(inside_out);
+    CHECK(wrong == 0);
+    CHECK(negative > 20);
+    CHECK(positive > 20);
+  }
+}
+
+// a user's oracle: no mesh at all
+struct Ball
+{
+  typedef ::Point_3 Point_3;
+  typedef double FT;
+  double radius;
+  FT operator()(const Point_3& p) const { return std::sqrt((p - CGAL::ORIGIN).squared_length()) - radius; }
+};
+
+} // namespace
+
+TEST_CASE("signed distance: the distance is the least over all facets, the sign tells who sees their backs")
+{
+  SECTION("torus") { check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5); }
+  SECTION("inside out") { check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5); }
+  SECTION("with a cavity") { check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.); }
+  SECTION("two components") {
+    check_against_brute_force(both(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80, 1.5);
+  }
+}
+
+TEST_CASE("signed distance: of a box, in closed form")
+{
+  const Point_3 a(-1, -0.5, -0.25), b(1, 0.75, 0.5);
+  const BS::Input_mesh_3 input = input_of(box(a, b));
+  const BS::Mesh_signed_distance_3 oracle(input);
+  CGAL::Random random(2);
+  for(int n = 0; n < 2000; ++n) {
+    const Point_3 p(random.get_double(-2, 2), random.get_double(-1, 1), random.get_double(-1, 1));
+    CHECK(oracle(p) == Approx(distance_to_box(p, a, b)).epsilon(0).margin(rounding));
+  }
+}
+
+TEST_CASE("signed distance: of a sphere's mesh, between those of its inscribed and circumscribed sphere")
+{
+  const Mesh mesh = sphere(3);
+  double inscribed = 1;
+  for(auto f : mesh.faces()) {
+    auto h = mesh.halfedge(f);
+    const Kernel::Plane_3 plane(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                mesh.point(mesh.target(mesh.next(h))));
+    inscribed = (std::min)(inscribed, std::sqrt(CGAL::squared_distance(plane, Point_3(0, 0, 0))));
+  }
+  REQUIRE(inscribed > 0.98);
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  CGAL::Random random(3);
+  for(int n = 0; n < 1000; ++n) {
+    const Point_3 p(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
+    const double r = std::sqrt((p - CGAL::ORIGIN).squared_length());
+    CHECK(oracle(p) >= r - 1 - rounding);
+    CHECK(oracle(p) <= r - inscribed + rounding);
+  }
+}
+
+TEST_CASE("signed distance: points of the mesh have none, the next double has a sign")
+{
+  const Point_3 a(-1, -0.5, -0.3), b(1, 0.7, 0.5);
+  for(bool inside_out : { false, true }) {
+    const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(box(a, b)) : box(a, b));
+    const BS::Mesh_signed_distance_3 oracle(input);
+    CGAL::Random random(4);
+    for(int n = 0; n < 200; ++n) {
+      const int axis = n % 3;
+      const double side = n % 2 ? a[axis] : b[axis];
+      const auto at = [&](double x, const Point_3& p) {
+        return Point_3(axis == 0 ? x : p.x(), axis == 1 ? x : p.y(), axis == 2 ? x : p.z());
+      };
+      // on a side, on its edges, on its corners
+      const auto coordinate = [&](int d) { return n % 5 == 4 ? a[d] : n % 7 == 6 ? b[d] : random.get_double(a[d], b[d]); };
+      const Point_3 p = at(side, Point_3(coordinate(0), coordinate(1), coordinate(2)));
+      CHECK(oracle.sign(p) == 0);
+      CHECK(oracle(p) == 0);
+      CHECK(oracle.distance(p) <= rounding);
+      const double out = n % 2 ? -10 : 10;
+      CHECK(oracle.sign(at(std::nextafter(side, out), p)) == (inside_out ? -1 : 1));
+      if(n % 5 < 4 && n % 7 < 6) CHECK(oracle.sign(at(std::nextafter(side, -out), p)) == (inside_out ? 1 : -1));
+    }
+  }
+  const Mesh mesh = sphere(2);
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  for(auto v : mesh.vertices()) CHECK(oracle(mesh.point(v)) == 0);
+}
+
+TEST_CASE("signed distance: a mesh that is turned inside out has the opposite one")
+{
+  const Mesh mesh = torus(1, 0.5, 16, 12);
+  const BS::Input_mesh_3 input = input_of(mesh), reversed = input_of(turned_inside_out(mesh));
+  REQUIRE(input.faces_outwards());
+  REQUIRE_FALSE(reversed.faces_outwards());
+  const BS::Mesh_signed_distance_3 oracle(input), opposite(reversed);
+  CGAL::Random random(5);
+  for(int n = 0; n < 500; ++n) {
+    const Point_3 p(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-1, 1));
+    CHECK(opposite.sign(p) == -oracle.sign(p));
+    CHECK(opposite(p) == Approx(-oracle(p)).epsilon(0).margin(rounding));
+  }
+}
+
+TEST_CASE("signed distance: where the search starts does not change what it finds")
+{
+  const BS::Input_mesh_3 input = input_of(torus(1, 0.5, 24, 16));
+  const BS::Mesh_signed_distance_3 oracle(input);
+  CGAL::Random random(6);
+  BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+  Point_3 p(0, 0, 0);
+  for(int n = 0; n < 2000; ++n) {
+    // short steps, as the samples of a cell make them, and some jumps, for which the hint is poor
+    const double step = n % 10 == 0 ? 1.5 : 0.05;
+    p = Point_3(random.get_double(-step, step), random.get_double(-step, step), random.get_double(-step, step))
+        + (n % 10 == 0 ? Vector_3(0, 0, 0) : p - CGAL::ORIGIN);
+    CHECK(oracle.signed_distance(p, hint) == Approx(oracle(p)).epsilon(0).margin(rounding));
+    // and the new hint is the closest point
+    CHECK(std::sqrt(CGAL::squared_distance(Point_3(hint.first.x(), hint.first.y(), hint.first.z()), p))
+          == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
+  }
+}
+
+TEST_CASE("signed distance: the closest point tells the side, also at creases, saddles, needles and in thin parts")
+{
+  SECTION("smooth") { check_sides(sphere(1)); }
+  SECTION("saddles") { check_sides(torus(1, 0.5, 8, 6)); }
+  SECTION("creases of all kinds") { check_sides(star(5, 0.3, 1, 0.2, 0.5)); }
+  SECTION("sharp creases") { check_sides(star(7, 0.2, 1, 0, 0.01)); }
+  SECTION("very sharp creases") { check_sides(star(4, 0.9, 1, 0, 1e-4)); }
+  SECTION("spikes") { check_sides(star(3, 0.01, 1, 0.01, 0.02)); }
+  SECTION("deep folds") { check_sides(star(6, 0.1, 1, 0.3, 0.05)); }
+  SECTION("a plate") { check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3))); }
+  SECTION("a thin plate") { check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6))); }
+  SECTION("a rod") { check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4))); }
+  SECTION("needles") { check_sides(with_needles(sphere(1), 1e-4)); }
+  SECTION("thin needles") { check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8)); }
+  SECTION("needles at creases") { check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6)); }
+  SECTION("thin needles at sharp creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8)); }
+  SECTION("needles as thin as rounding, at creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14)); }
+  SECTION("a cavity") { check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99)))); }
+}
+
+TEST_CASE("signed distance: where a mesh intersects itself, the side is that of the closest facet")
+{
+  // two boxes, and a part of each inside of the other
+  const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Mesh_signed_distance_3 oracle(input);
+  BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+  CGAL::Random random(9);
+  int differ = 0;
+  for(int n = 0; n < 3000; ++n) {
+    const Point_3 p(random.get_double(-0.3, 1.9), random.get_double(-0.3, 1.3), random.get_double(-0.3, 1.3));
+    const double first = distance_to_box(p, Point_3(0, 0, 0), Point_3(1, 1, 1)),
+                 second = distance_to_box(p, Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8));
+    if(std::abs(std::abs(first) - std::abs(second)) < 1e-9) continue;
+    const double expected = std::abs(first) < std::abs(second) ? first : second;
+    CHECK(oracle.signed_distance(p, hint) == Approx(expected).epsilon(0).margin(rounding));
+    differ += first < 0 && second < 0;
+  }
+  CHECK(differ > 50);       // where an odd number of facets would say something else
+}
+
+TEST_CASE("samples of the distance: together they are a uniform lattice, two to a cell and axis")
+{
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
+  const BS::Cell_complex_3 cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1));
+  std::vector<std::array<double, 3> > expected, points;
+  for(double z : { 1, 3, 5, 7 })
+    for(double y : { 1, 3, 5, 7 })
+      for(double x : { 1, 3, 5, 7 }) expected.push_back({ x / 8, y / 8, z / 8 });
+  for(BS::Cell_complex_3::Index c = 0; c < 8; ++c)
+    for(int s = 0; s < BS::Distance_samples::per_cell; ++s) {
+      const Point_3 p = BS::Distance_samples::point<Point_3>(cells, c, s);
+      CHECK(cells.locate(p) == c);
+      points.push_back({ p.x(), p.y(), p.z() });
+    }
+  std::sort(expected.begin(), expected.end());
+  std::sort(points.begin(), points.end());
+  CHECK(points == expected);
+}
+
+TEST_CASE("samples of the distance: made together they are those of single queries")
+{
+  SECTION("a torus") { check_samples(torus(1, 0.5, 24, 16), 0.13, 2); }
+  SECTION("inside out") { check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2); }
+  SECTION("a mesh with a cavity") { check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2); }
+  SECTION("two components") {
+    check_samples(both(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
+  }
+  SECTION("a box in the planes between cells") { check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2); }
+  SECTION("cells that do not touch the mesh") { check_samples(sphere(3), 0.11, 4); }
+  SECTION("folds") { check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2); }
+}
+
+TEST_CASE("samples of the distance: from a user's oracle")
+{
+  const BS::Input_mesh_3 input = input_of(sphere(1));
+  const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
+  const Ball ball = { 0.9 };
+  const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(ball, cells);
+  REQUIRE(samples.size() == 8 * cells.number_of_cells());
+  int wrong = 0;
+  for(std::size_t n = 0; n < samples.size(); ++n) {
+    const std::array<double, 3> corner = cells.corner(BS::Cell_complex_3::Index(n / 8));
+    const double w = cells.width();
+    wrong += samples[n] != ball(Point_3(corner[0] + (n & 1 ? .75 : .25) * w, corner[1] + (n & 2 ? .75 : .25) * w,
+                                        corner[2] + (n & 4 ? .75 : .25) * w));
+  }
+  CHECK(wrong == 0);
+  CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(ball, cells) == samples);
+}

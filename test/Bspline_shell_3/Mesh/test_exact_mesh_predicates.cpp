@@ -1,0 +1,164 @@
+// fan_winding.h, Crossing_counter_3.h, vertex_cone.h (margins), arithmetic_self_test.h: exact counts with known answers.
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
+#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <cfenv>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+
+// a double pyramid over a polygon whose corners are visited every `step`-th
+Mesh bipyramid(int corners, int step, double height = 1)
+{
+  Mesh mesh;
+  const auto north = mesh.add_vertex(Point_3(0, 0, height)), south = mesh.add_vertex(Point_3(0, 0, -height));
+  std::vector<Mesh::Vertex_index> link;
+  for(int n = 0; n < corners; ++n) {
+    const double angle = 2 * CGAL_PI * ((n * step) % corners) / corners;
+    link.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
+  }
+  for(int n = 0; n < corners; ++n) {
+    mesh.add_face(link[n], link[(n + 1) % corners], north);
+    mesh.add_face(link[(n + 1) % corners], link[n], south);
+  }
+  return mesh;
+}
+
+} // namespace
+
+TEST_CASE("Fan winding: as often as the link goes round")
+{
+  for(int corners : { 3, 4, 5, 7, 12 })
+    for(int step = 1; 2 * step < corners; ++step) {
+      if(corners == 12 && step != 1 && step != 5) continue;       // otherwise the polygon closes early
+      CAPTURE(corners, step);
+      const Mesh mesh = bipyramid(corners, step);
+      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, 2)) == std::size_t(step));
+      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
+      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);      // the facets face the other way
+    }
+  // at every vertex of ordinary meshes, whatever halfedge the walk begins with
+  Mesh mesh = torus(3, 1, 9, 7);
+  for(auto v : mesh.vertices()) {
+    const auto g = BS::vertex_cone(mesh, v);
+    REQUIRE(g);
+    for(auto h : CGAL::halfedges_around_target(v, mesh)) {
+      mesh.set_halfedge(v, h);
+      CHECK(BS::fan_winding_number(mesh, v, mesh.point(v) + *g) == 1);
+    }
+  }
+}
+
+TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
+{
+  for(double height : { 1e-3, 0.5, 1., 20. })
+    for(int corners : { 3, 4, 9 }) {
+      CAPTURE(height, corners);
+      const Mesh mesh = bipyramid(corners, 1, height);
+      const double apothem = std::cos(CGAL_PI / corners);
+      CHECK(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0)) == Approx(apothem == 0 ? 0 : height / std::hypot(height, apothem) * apothem / height)
+                                                                    .epsilon(1e-9));
+    }
+  // in a plane it is one, at the corner of a cube 1 / sqrt(3)
+  const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  for(auto v : cube.vertices()) CHECK(BS::vertex_cone_margin(cube, v) == Approx(1 / std::sqrt(3.)));
+}
+
+TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge, a vertex or ends on a facet")
+{
+  Mesh mesh = sphere(2);
+  CGAL::copy_face_graph(sphere(1, 0.5), mesh);
+  const BS::Crossing_counter_3 counter(mesh);
+  const auto count = [&](const Point_3& p, const Point_3& q) {
+    const auto crossings = counter.crossings(p, q);
+    REQUIRE(crossings);
+    int sum = 0;
+    for(const auto& c : *crossings) sum += c.second;
+    return sum;
+  };
+  CHECK(count(Point_3(0.013, 0.021, 0.007), Point_3(3, 1, 0.5)) == 2);
+  CHECK(count(Point_3(3, 1, 0.5), Point_3(0.013, 0.021, 0.007)) == -2);
+  CHECK(count(Point_3(0.5, 0.4, 0.45), Point_3(3, 1, 0.5)) == 1);
+  CHECK(count(Point_3(-3, 0.11, 0.12), Point_3(3, 0.13, 0.14)) == 0);
+  CHECK(counter.crossings(Point_3(-3, 0.11, 0.12), Point_3(3, 0.13, 0.14))->size() == 4);
+  CHECK(counter.crossings(Point_3(3, 3, 3), Point_3(4, 3, 3))->empty());
+
+  const Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
+  const BS::Crossing_counter_3 of_cube(cube);
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 0)));                  // an edge
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 2)));                  // a vertex
+  CHECK_FALSE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1)));          // ends on a facet
+  CHECK_FALSE(of_cube.crossings(Point_3(-2, 0.25, 1), Point_3(2, 0.5, 1)));            // lies in one
+  CHECK_FALSE(of_cube.crossings(Point_3(0.5, 1, 3), Point_3(0.5, 1, 0.5)));            // runs along a side
+  REQUIRE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15)));
+  CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15))->size() == 1);
+  CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, std::nextafter(1., 0.)))->empty());
+}
+
+TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, which it leaves alone")
+{
+  CHECK(BS::arithmetic_self_test() == BS::Arithmetic_status::SOUND);
+  for(int n = 0; n <= int(BS::Arithmetic_status::NO_DIRECTED_ROUNDING); ++n)
+    CHECK_FALSE(std::string(BS::message(BS::Arithmetic_status(n))).empty());
+  for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    REQUIRE(std::fesetround(mode) == 0);
+    const BS::Arithmetic_status status = BS::arithmetic_self_test();
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    CHECK(after == mode);
+    CHECK(status == BS::Arithmetic_status::SOUND);
+  }
+}
+
+TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first; so is a facet on which an end lies")
+{
+  Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
+  for(int turn = 0; turn < 3; ++turn) {
+    for(auto f : cube.faces()) cube.set_halfedge(f, cube.next(cube.halfedge(f)));
+    const BS::Crossing_counter_3 counter(cube);
+    for(double x : { -1., 1. })
+      for(double y : { -1., 1. }) {
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5)));       // an edge along z
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 0.5, 2 * y)));
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(0.5, 2 * x, 2 * y)));
+        for(double z : { -1., 1. }) CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 2 * z)));
+      }
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 1), Point_3(0.1, 0.2, 0)));
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 1), Point_3(0.1, 0.2, 2)));
+    CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 2), Point_3(0.1, 0.2, 1)));
+  }
+  // one end at a vertex at which each facet has another of its corners first
+  for(int corner = 0; corner < 3; ++corner) {
+    Mesh pyramid = bipyramid(5, 1);
+    for(auto f : pyramid.faces())
+      for(int n = 0; n < 3; ++n) {
+        auto h = pyramid.halfedge(f);
+        const Mesh::Vertex_index of_corner = corner == 0 ? pyramid.source(h) : corner == 1 ? pyramid.target(h) : pyramid.target(pyramid.next(h));
+        if(of_corner != Mesh::Vertex_index(0) && of_corner != Mesh::Vertex_index(1)) pyramid.set_halfedge(f, pyramid.next(h));
+      }
+    const BS::Crossing_counter_3 counter(pyramid);
+    CHECK_FALSE(counter.crossings(Point_3(0.01, 0.02, 0), Point_3(-0.01, -0.02, 2)));
+    CHECK_FALSE(counter.crossings(Point_3(0.01, 0.02, 0), Point_3(-0.01, -0.02, -2)));
+  }
+}
+
+TEST_CASE("Fan winding: an axis in the plane of a facet is faced by none, one just beside it by all")
+{
+  const std::vector<Point_3> link = { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) };
+  const Point_3 apex(0, 0, 1);
+  for(std::size_t n = 0; n < 4; ++n) {
+    const Vector_3 back = 0.5 * ((link[n] - apex) + (link[(n + 1) % 4] - apex));
+    CHECK(BS::link_winding_number(apex, apex - back, link) == 0);
+    CHECK(BS::link_winding_number(apex, apex - back + Vector_3(0, 0, 1e-12), link) == 1);
+    CHECK(BS::link_winding_number(apex, apex - back - Vector_3(0, 0, 1e-12), link) == 0);
+  }
+}

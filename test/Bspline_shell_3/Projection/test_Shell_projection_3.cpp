@@ -1,0 +1,576 @@
+// Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, found again in other ways,
+// and what has no image has a status that says why.
+#include "polynomial_fields.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Projection/project_points.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <set>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+using BS::Flow_status;
+typedef CGAL::Bspline_shell_3<Uniform_field> Shell;
+typedef BS::Shell_projection_3<Shell, Mesh> Projection;
+typedef Projection::Image Image;
+typedef CGAL::Exact_rational Exact;
+typedef std::array<Exact, 3> Exact_vector;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+template <typename Shell, typename TriangleMesh>
+BS::Shell_projection_3<Shell, TriangleMesh> projection(const Shell& shell, const TriangleMesh& target, double tolerance = 0)
+{
+  return { shell, std::make_shared<const BS::Projection_target_3<TriangleMesh> >(target, get(CGAL::vertex_point, target)), tolerance };
+}
+
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+// f = |x|^2: curves are the rays from the origin
+const Shell& radial_shell()
+{
+  static const Shell shell = shell_of(uniform_field(squared_distance), 0.3, 0.9);
+  return shell;
+}
+
+// f = z: curves are vertical
+const Shell& slab()
+{
+  static const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.9, 0.9);
+  return shell;
+}
+
+Exact_vector exact(const Point_3& p) { return { Exact(p.x()), Exact(p.y()), Exact(p.z()) }; }
+Exact dot(const Exact_vector& a, const Exact_vector& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
+Exact_vector cross(const Exact_vector& a, const Exact_vector& b)
+{
+  return { a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0] };
+}
+Exact_vector minus(const Exact_vector& a, const Exact_vector& b) { return { a[0] - b[0], a[1] - b[1], a[2] - b[2] }; }
+
+std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
+}
+
+// where the ray from the origin through p meets the mesh, a polyhedron that is star-shaped, in exact arithmetic
+Point_3 hit_of_ray(const Mesh& mesh, const Point_3& p)
+{
+  const Exact_vector d = exact(p);
+  for(auto f : mesh.faces()) {
+    const std::array<Point_3, 3> t = triangle(mesh, f);
+    const Exact_vector a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
+    if(dot(d, cross(a, b)) < 0 || dot(d, cross(b, c)) < 0 || dot(d, cross(c, a)) < 0) continue;
+    const Exact_vector n = cross(minus(b, a), minus(c, a));
+    const Exact s = dot(n, a) / dot(n, d);
+    return Point_3(CGAL::to_double(s * d[0]), CGAL::to_double(s * d[1]), CGAL::to_double(s * d[2]));
+  }
+  FAIL("the mesh has holes");
+  return p;
+}
+
+// location, point and value of an image are those of one and the same point of the mesh
+template <typename Shell>
+void check_consistent(const Shell& shell, const Mesh& mesh, const Image& image, double tolerance)
+{
+  REQUIRE(image.status == Flow_status::SUCCESS);
+  double sum = 0;
+  for(double w : image.location.second) {
+    CHECK(w >= 0);
+    sum += w;
+  }
+  CHECK(sum == Approx(1).epsilon(1e-15));
+  CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(image.location, mesh), image.point) <= 1e-15 * shell.report().unit);
+  const double g = std::sqrt(shell.field().gradient(image.point)->squared_length());
+  CHECK(std::abs(*shell.field().value(image.point) - image.value) <= 2 * tolerance * g);
+}
+
+// in the radial shell
+std::vector<Point_3> random_points(int number, int seed = 1)
+{
+  CGAL::Random random(seed);
+  std::vector<Point_3> points;
+  while(int(points.size()) < number) {
+    const Point_3 p(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
+    const double f = (p - CGAL::ORIGIN).squared_length();
+    if(f > 0.3 && f < 0.9) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Point_3> vertices_midpoints_and_centroids(const Mesh& mesh)
+{
+  std::vector<Point_3> points;
+  for(auto v : mesh.vertices()) points.push_back(mesh.point(v));
+  for(auto e : mesh.edges()) points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  for(auto f : mesh.faces()) {
+    const std::array<Point_3, 3> t = triangle(mesh, f);
+    points.push_back(CGAL::centroid(t[0], t[1], t[2]));
+  }
+  return points;
+}
+
+// a new vertex on an edge, and triangles around it; returns the halfedge to it
+Mesh::Halfedge_index split(Mesh& mesh, Mesh::Halfedge_index h, const Point_3& p)
+{
+  const auto to_new = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(to_new)) = p;
+  for(auto g : { to_new, mesh.prev(mesh.opposite(to_new)) }) CGAL::Euler::split_face(g, mesh.next(mesh.next(g)), mesh);
+  return to_new;
+}
+
+// An icosahedron with a very short edge in the middle of each edge that crosses an axis, as coordinates that are nearly zero allow it, and
+// needles on both sides: corefinement leaves such edges where a vertex of one mesh almost lies on an edge of the other.
+Mesh icosahedron_with_needles(double length)
+{
+  Mesh mesh = sphere(0, 0.9);
+  const std::vector<Mesh::Edge_index> edges(mesh.edges_begin(), mesh.edges_end());
+  for(auto e : edges) {
+    const auto h = mesh.halfedge(e);
+    const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), m = CGAL::midpoint(p, q);
+    if((m.x() == 0) + (m.y() == 0) + (m.z() == 0) != 2) continue;
+    split(mesh, h, m);
+    // not along the edge, so that differences to other vertices are rounded
+    const Vector_3 along = (q - p) / distance(p, q), across = CGAL::cross_product(m - CGAL::ORIGIN, along) / distance(m, CGAL::ORIGIN);
+    split(mesh, h, m + length * (0.8 * along + 0.6 * across));
+  }
+  return mesh;
+}
+
+// all that can be seen of an image is the same
+template <typename Image>
+bool same(const Image& a, const Image& b)
+{
+  return a.status == b.status && (!a || (a.point == b.point && a.value == b.value && a.location == b.location));
+}
+
+} // namespace
+
+TEST_CASE("Projection: from a sphere to a polyhedron, images are where exact rays meet it")
+{
+  const Mesh mesh = sphere(1, 0.85);
+  for(double tolerance : { 0., 1e-6, 1e-12 }) {
+    const Projection project = projection(radial_shell(), mesh, tolerance);
+    if(tolerance == 0) CHECK(project.tolerance() == 2e-9);       // 1e-9 of the box
+    else CHECK(project.tolerance() == tolerance);
+    std::vector<Point_3> points = random_points(300);
+    // in the rays through what is on edges and at vertices of the target, exactly or nearly
+    for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
+      points.push_back(p);
+      points.push_back(CGAL::ORIGIN + 0.75 * (p - CGAL::ORIGIN));
+      points.push_back(CGAL::ORIGIN + 1.0625 * (p - CGAL::ORIGIN));
+    }
+    for(const Point_3& p : points) {
+      const Image image = project(p);
+      INFO(p << ", tolerance " << tolerance);
+      check_consistent(radial_shell(), mesh, image, project.tolerance());
+      CHECK(distance(image.point, hit_of_ray(mesh, p)) <= project.tolerance());
+    }
+  }
+}
+
+TEST_CASE("Projection: points on the thresholds have images")
+{
+  const Mesh mesh = sphere(1, 0.85);
+  const Projection project = projection(radial_shell(), mesh);
+  for(const Point_3& p : random_points(200, 2))
+    for(double level : { 0.3, 0.9 }) {
+      const Vector_3 d = p - CGAL::ORIGIN;
+      const Point_3 q = CGAL::ORIGIN + std::sqrt(level / d.squared_length()) * d;
+      const Image image = project(q);
+      REQUIRE(image.status == Flow_status::SUCCESS);
+      // from up to two cells away: see the tests of the flow
+      CHECK(distance(image.point, hit_of_ray(mesh, q)) <= 2 * project.tolerance());
+    }
+  // exactly, and a target that is in part the threshold itself
+  const Mesh top = sheet({ -0.5, 0, 0.5 }, { -0.5, 0, 0.5 }, [](double, double) { return 0.875; });
+  const Shell exact_slab = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.75, 0.875);
+  for(const Point_3& p : { Point_3(0, 0, -0.75), Point_3(0.25, 0.3, -0.75), Point_3(-0.5, 0.5, -0.75), Point_3(0.1, 0.2, 0.875) }) {
+    const Image image = projection(exact_slab, top)(p);
+    REQUIRE(image.status == Flow_status::SUCCESS);
+    CHECK(distance(image.point, Point_3(p.x(), p.y(), 0.875)) < 1e-13);
+  }
+}
+
+TEST_CASE("Projection: a mesh is mapped to itself by the identity")
+{
+  for(const Mesh& mesh : { sphere(0, 0.9), sphere(2, 0.8), box(Point_3(-0.5, -0.5, -0.5), Point_3(0.5, 0.5, 0.5)) }) {
+    const Projection project = projection(radial_shell(), mesh);
+    std::size_t n = 0;
+    for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
+      if((p - CGAL::ORIGIN).squared_length() <= 0.3) continue;        // of the box's sides
+      const Image image = project(p);
+      check_consistent(radial_shell(), mesh, image, project.tolerance());
+      CHECK(distance(image.point, p) <= 1e-14);
+      ++n;
+    }
+    CHECK(n > 20);
+    for(auto f : mesh.faces()) {
+      const std::array<Point_3, 3> t = triangle(mesh, f);
+      const Point_3 c = CGAL::centroid(t[0], t[1], t[2]);
+      if((c - CGAL::ORIGIN).squared_length() > 0.3) CHECK(project(c).location.first == f);
+      for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        // at a vertex, one of the facets there
+        const auto found = mesh.vertices_around_face(mesh.halfedge(project(mesh.point(mesh.target(h))).location.first));
+        CHECK(std::count(found.begin(), found.end(), mesh.target(h)) == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("Projection: needles, caps and facets of very different sizes are targets as others are")
+{
+  // x in steps from 1e-7 to 0.1, and rows of needles
+  const std::vector<double> xs = { -0.8, -0.5, -0.5 + 1e-7, -0.5 + 3e-7, -0.1, 0, 1e-6, 1e-4, 0.01, 0.8 }, ys = { -0.8, -1e-7, 0, 0.3, 0.8 };
+  const auto plane = [](double x, double y) { return 0.25 * x - 0.5 * y + 0.0625; };
+  Mesh mesh = sheet(xs, ys, plane);
+  // caps: a point next to the middle of an edge, on either side of it
+  std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
+  for(std::size_t n = 0; n < facets.size(); n += 3) {
+    const std::array<Point_3, 3> t = triangle(mesh, facets[n]);
+    if(CGAL::squared_area(t[0], t[1], t[2]) < 1e-8) continue;       // caps of needles would be as thin as coordinates' last digits
+    const Point_3 p = CGAL::barycenter(t[0], 0.5, t[1], 0.5 - 1e-9, t[2], 1e-9);
+    const auto h = CGAL::Euler::add_center_vertex(mesh.halfedge(facets[n]), mesh);
+    mesh.point(mesh.target(h)) = Point_3(p.x(), p.y(), plane(p.x(), p.y()));
+  }
+  REQUIRE(CGAL::is_triangle_mesh(mesh));
+  const Projection project = projection(slab(), mesh);
+  CGAL::Random random(4);
+  for(int n = 0; n < 2000; ++n) {
+    double x = random.get_double(-0.79, 0.79), y = random.get_double(-0.79, 0.79);
+    if(n % 4 == 1) x = -0.5 + random.get_double(-1e-7, 4e-7);
+    if(n % 4 == 2) x = xs[std::size_t(random.get_int(1, int(xs.size()) - 1))];
+    if(n % 8 == 3) x = random.get_double(-1e-6, 1e-5);
+    if(n % 3 == 1) y = ys[std::size_t(random.get_int(1, int(ys.size()) - 1))];
+    if(n % 3 == 2) y = random.get_double(-2e-7, 1e-7);
+    const Image image = project(Point_3(x, y, random.get_double(-0.85, 0.85)));
+    INFO(x << " " << y);
+    REQUIRE(image.status == Flow_status::SUCCESS);
+    CHECK(distance(image.point, Point_3(x, y, plane(x, y))) <= project.tolerance());
+  }
+  // and the vertices themselves, inner ones
+  for(auto v : mesh.vertices())
+    if(!mesh.is_border(v)) CHECK(distance(project(mesh.point(v)).point, mesh.point(v)) <= project.tolerance());
+}
+
+TEST_CASE("Projection: the image is on the sheet that the curve meets, not on the nearest one")
+{
+  // f = z^2 grows away from the plane z = 0, and the shell has two parts
+  const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
+  const std::vector<double> grid = { -0.5, 0.1, 0.5 };
+  for(bool lower_faces_down : { true, false }) {
+    Mesh mesh = sheet(grid, grid, [](double, double) { return -0.2; });
+    if(lower_faces_down) CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+    CGAL::copy_face_graph(sheet(grid, grid, [](double, double) { return 0.5; }), mesh);
+    const Projection project = projection(shell, mesh);
+    for(double z : { 0.11, 0.14, 0.85 }) {
+      const Image image = project(Point_3(0.2, 0.3, z));
+      REQUIRE(image.status == Flow_status::SUCCESS);
+      CHECK(distance(image.point, Point_3(0.2, 0.3, 0.5)) <= project.tolerance());
+    }
+    const Image below = project(Point_3(0.2, 0.3, -0.3));
+    CHECK(below.status == (lower_faces_down ? Flow_status::SUCCESS : Flow_status::FACES_WRONG_WAY));
+    CHECK(project(Point_3(0.2, 0.3, 0.01)).status == Flow_status::STARTS_OUTSIDE);
+    CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE);       // even though there is no curve
+  }
+}
+
+TEST_CASE("Projection: what has no image has a status, and nothing else")
+{
+  const Point_3 p(0.1, 0.2, 0.8);
+  const auto check = [](const Image& image, Flow_status status) {
+    CHECK(image.status == status);
+    CHECK_FALSE(image);
+    CHECK(image.location.first == Mesh::null_face());
+    CHECK(image.value == 0);
+  };
+  const Mesh good = sphere(1, 0.85);
+  const Projection project = projection(radial_shell(), good);
+  CHECK(project(p));
+  check(project(Point_3(0, 0, 0)), Flow_status::STARTS_OUTSIDE);
+  check(project(Point_3(0.1, 0.1, 0.1)), Flow_status::STARTS_OUTSIDE);
+  check(project(Point_3(0.9, 0.9, 0.9)), Flow_status::STARTS_OUTSIDE);
+  check(project(Point_3(1e9, 0, 0)), Flow_status::STARTS_OUTSIDE);
+  check(project(Point_3(0.1, std::numeric_limits<double>::quiet_NaN(), 0)), Flow_status::NOT_FINITE);
+  check(project(Point_3(0.1, infinity, 0)), Flow_status::NOT_FINITE);
+
+  // outside of the shell, on either side
+  for(double radius : { 0.3, 1.5 }) check(projection(radial_shell(), sphere(1, radius))(p), Flow_status::LEAVES_SHELL);
+
+  Mesh turned = good;
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  for(const Point_3& q : random_points(50)) check(projection(radial_shell(), turned)(q), Flow_status::FACES_WRONG_WAY);
+
+  const Mesh empty;
+  CHECK(projection(radial_shell(), empty).target().is_valid());
+  check(projection(radial_shell(), empty)(p), Flow_status::LEAVES_SHELL);
+
+  Mesh polygons = box(Point_3(-0.5, -0.5, -0.5), Point_3(0.5, 0.5, 0.5), false);
+  CHECK_FALSE(projection(radial_shell(), polygons).target().is_valid());
+  check(projection(radial_shell(), polygons)(p), Flow_status::INVALID_MESH);
+  check(projection(radial_shell(), polygons)(Point_3(0, 0, 0)), Flow_status::INVALID_MESH);
+
+  for(double bad : { infinity, std::numeric_limits<double>::quiet_NaN() }) {
+    Mesh mesh = good;
+    mesh.point(Mesh::Vertex_index(7)) = Point_3(0, bad, 0);
+    check(projection(radial_shell(), mesh)(p), Flow_status::INVALID_MESH);
+    // but a vertex without facets is nowhere
+    Mesh with_vertex = good;
+    with_vertex.add_vertex(Point_3(0, bad, 0));
+    CHECK(projection(radial_shell(), with_vertex)(p));
+  }
+}
+
+TEST_CASE("Projection: through holes curves leave the shell, beside them they do not")
+{
+  Mesh mesh = sphere(1, 0.85);
+  std::vector<Point_3> removed;
+  std::set<Mesh::Face_index> holes;
+  for(std::size_t n : { 0, 7, 33, 60 }) holes.insert(Mesh::Face_index(Mesh::size_type(n)));
+  const Mesh closed = mesh;
+  for(auto f : holes) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  REQUIRE(mesh.has_garbage());
+  const Projection project = projection(radial_shell(), mesh), to_closed = projection(radial_shell(), closed);
+  std::size_t lost = 0;
+  for(const Point_3& p : random_points(3000)) {
+    const Image image = project(p), whole = to_closed(p);
+    if(holes.count(whole.location.first)) {
+      CHECK(image.status == Flow_status::LEAVES_SHELL);
+      ++lost;
+    }
+    else CHECK(same(image, whole));
+  }
+  CHECK(lost > 50);
+  // a facet without area is not met, whichever way it may face
+  const auto h = std::find_if(mesh.halfedges_begin(), mesh.halfedges_end(), [&](auto e) { return mesh.is_border(e); });
+  const std::array<Point_3, 3> t = triangle(closed, Mesh::Face_index(0));
+  const auto a = mesh.add_vertex(t[0]), b = mesh.add_vertex(CGAL::midpoint(t[1], t[2])),
+             c = mesh.add_vertex(CGAL::midpoint(t[0], CGAL::midpoint(t[1], t[2])));
+  mesh.add_face(a, b, c);
+  REQUIRE(h != mesh.halfedges_end());
+  CHECK(projection(radial_shell(), mesh)(CGAL::centroid(t[0], t[1], t[2])).status == Flow_status::LEAVES_SHELL);
+}
+
+TEST_CASE("Projection: with one thread and with several, images are the same, bit by bit")
+{
+  const Mesh mesh = sphere(2, 0.85);
+  std::vector<Point_3> points = random_points(40000);
+  points[3] = Point_3(0, 0, 0);        // without an image
+  const Projection project = projection(radial_shell(), mesh);
+  const std::vector<Image> one = project.project<CGAL::Sequential_tag>(points), several = project.project<CGAL::Parallel_tag>(points),
+                           by_function = BS::project_points<CGAL::Parallel_tag>(radial_shell(), points, mesh);
+  REQUIRE(one.size() == points.size());
+  REQUIRE(several.size() == points.size());
+  REQUIRE(by_function.size() == points.size());
+  bool equal = true;
+  for(std::size_t n = 0; n < points.size(); ++n) equal = equal && same(one[n], several[n]) && same(one[n], by_function[n]);
+  CHECK(equal);
+  // and the same as that of a point alone, in whatever company
+  for(std::size_t n : { 0, 3, 12345, 39999 }) CHECK(same(one[n], project(points[n])));
+  CHECK(one[3].status == Flow_status::STARTS_OUTSIDE);
+  CHECK(BS::project_points(radial_shell(), std::vector<Point_3>(), mesh).empty());
+  // a looser tolerance, passed on
+  const auto loose = BS::project_points(radial_shell(), points, mesh, P::tolerance(1e-3));
+  CHECK_FALSE(same(loose[0], one[0]));
+  CHECK(same(loose[0], projection(radial_shell(), mesh, 1e-3)(points[0])));
+}
+
+TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
+{
+  struct Visitor
+  {
+    std::vector<std::pair<std::size_t, std::size_t> > calls;
+    std::size_t stop = std::size_t(-1);         // as soon as so many are done
+    bool advance(std::size_t done, std::size_t total) { calls.emplace_back(done, total); return done < stop; }
+  };
+  const Mesh mesh = sphere(1, 0.85);
+  const std::vector<Point_3> points = random_points(50000);
+  Visitor visitor;
+  const auto images = BS::project_points<CGAL::Sequential_tag>(radial_shell(), points, mesh, P::visitor(std::ref(visitor)));
+  REQUIRE(visitor.calls.size() > 1);
+  for(std::size_t n = 0; n < visitor.calls.size(); ++n) {
+    CHECK(visitor.calls[n].second == points.size());
+    if(n > 0) CHECK(visitor.calls[n].first > visitor.calls[n-1].first);
+  }
+  CHECK(visitor.calls.back().first == points.size());
+
+  Visitor hasty;
+  hasty.stop = 1;
+  const auto some = BS::project_points<CGAL::Parallel_tag>(radial_shell(), points, mesh, P::visitor(std::ref(hasty)));
+  REQUIRE(some.size() == points.size());
+  REQUIRE(hasty.calls.size() == 1);
+  const std::size_t done = hasty.calls[0].first;
+  CHECK(done < points.size());
+  // which ones are dealt with first is left open
+  std::size_t canceled = 0;
+  bool equal = true;
+  for(std::size_t n = 0; n < points.size(); ++n)
+    if(some[n].status == Flow_status::CANCELED) ++canceled;
+    else equal = equal && same(some[n], images[n]);
+  CHECK(equal);
+  CHECK(canceled == points.size() - done);
+}
+
+TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points elsewhere are targets")
+{
+  const Mesh mesh = sphere(1, 0.85);
+  const std::vector<Point_3> points = random_points(500);
+  const std::vector<Image> expected = BS::project_points(radial_shell(), points, mesh);
+
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  const auto on_polyhedron = BS::project_points(radial_shell(), points, polyhedron);
+  Mesh garbage = mesh;
+  CGAL::copy_face_graph(sphere(1, 0.7), garbage);
+  for(std::size_t n = 0; n < mesh.number_of_faces(); ++n)         // leaves the second one
+    CGAL::Euler::remove_face(garbage.halfedge(Mesh::Face_index(Mesh::size_type(n))), garbage);
+  for(auto v : garbage.vertices()) {
+    const Vector_3 d = garbage.point(v) - CGAL::ORIGIN;
+    garbage.point(v) = CGAL::ORIGIN + 0.85 / std::sqrt(d.squared_length()) * d;
+  }
+  REQUIRE(garbage.has_garbage());
+  const auto on_garbage = BS::project_points(radial_shell(), points, garbage);
+  // elsewhere, and with coordinates of another type
+  Mesh nowhere = mesh;
+  auto elsewhere = nowhere.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_3>("v:elsewhere").first;
+  for(auto v : nowhere.vertices()) {
+    const Point_3 q = nowhere.point(v);
+    elsewhere[v] = CGAL::Simple_cartesian<float>::Point_3(float(q.x()), float(q.y()), float(q.z()));
+    nowhere.point(v) = Point_3(0, 0, 0);
+  }
+  const auto on_floats = BS::project_points(radial_shell(), points, nowhere, P::vertex_point_map(elsewhere));
+  std::vector<std::array<double, 3> > arrays;
+  for(const Point_3& p : points) arrays.push_back({ p.x(), p.y(), p.z() });
+  const auto of_arrays = BS::project_points(radial_shell(), arrays, mesh);
+
+  const double tolerance = 2e-9;
+  for(std::size_t n = 0; n < points.size(); ++n) {
+    REQUIRE(expected[n]);
+    REQUIRE(on_polyhedron[n]);
+    REQUIRE(on_garbage[n]);
+    REQUIRE(on_floats[n]);
+    CHECK(distance(on_polyhedron[n].point, expected[n].point) <= 2 * tolerance);
+    CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(on_polyhedron[n].location, polyhedron), on_polyhedron[n].point) < 1e-14);
+    CHECK(distance(on_garbage[n].point, expected[n].point) <= 2 * tolerance);
+    CHECK_FALSE(garbage.is_removed(on_garbage[n].location.first));
+    CHECK(distance(on_floats[n].point, expected[n].point) <= 1e-6);      // as floats are
+    CHECK(same(of_arrays[n], expected[n]));
+  }
+}
+
+TEST_CASE("Projection: facets thinner than rounding may have no images, but none that are wrong")
+{
+  // heights down to 1e-18: vertices are where their last digits allow, and facets may face any way
+  CGAL::Random random(8);
+  std::vector<double> xs = { -0.8, 0.8 }, ys = { -0.8, 0.8 };
+  for(int n = 0; n < 12; ++n) xs.push_back(0.3 + std::pow(10., -n - 6));
+  std::sort(xs.begin(), xs.end());
+  xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+  const auto plane = [](double x, double y) { return 0.3 * x - 0.7 * y + 0.1; };
+  Mesh mesh = sheet(xs, ys, plane);
+  const std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
+  for(auto f : facets) {
+    const std::array<Point_3, 3> t = triangle(mesh, f);
+    const auto h = CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh);
+    mesh.point(mesh.target(h)) = CGAL::barycenter(t[0], 0.4, t[1], 0.6 - 1e-7, t[2], 1e-7);
+  }
+  const Projection project = projection(slab(), mesh);
+  std::size_t found = 0;
+  for(int n = 0; n < 1000; ++n) {
+    const double x = n % 2 ? 0.3 + std::pow(10., random.get_double(-18, -5)) : random.get_double(-0.79, 0.79), y = random.get_double(-0.79, 0.79);
+    const Image image = project(Point_3(x, y, random.get_double(-0.85, 0.85)));
+    found += bool(image);
+    if(image) CHECK(distance(image.point, Point_3(x, y, plane(x, y))) <= project.tolerance());
+  }
+  CHECK(found > 900);
+}
+
+TEST_CASE("Projection: points next to edges shorter than rounding, on needles, are not lost")
+{
+  for(double length : { 1e-15, 3.8e-17, 1e-20 }) {
+    const Mesh mesh = icosahedron_with_needles(length);
+    REQUIRE(mesh.number_of_vertices() == 12 + 12);
+    REQUIRE(CGAL::is_triangle_mesh(mesh));
+    const Projection project = projection(radial_shell(), mesh);
+    std::size_t lost = 0;
+    for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
+      INFO(p << ", edges of " << length);
+      for(const Vector_3& aside : { Vector_3(0, 0, 0), Vector_3(1e-17, 0, 0), Vector_3(0, -1e-17, 0), Vector_3(0, 0, 1e-17) }) {
+        const Image image = project(p + aside);
+        lost += !image;
+        CHECK(distance(image.point, p) <= 1e-15);
+      }
+      for(double factor : { 0.85, 1.03 }) {
+        const Point_3 q = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
+        const Image image = project(q);
+        lost += !image;
+        CHECK(distance(image.point, hit_of_ray(mesh, q)) <= project.tolerance());
+      }
+    }
+    CHECK(lost == 0);
+  }
+}
+
+TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
+{
+  CGAL::Random random(12);
+  const auto coordinate = [&]() { return random.get_double(-1, 1); };
+  for(int n = 0; n < 2000; ++n) {
+    // two vertices near the origin, where there are digits left for what they differ by
+    const double length = std::pow(10., random.get_double(-30, 0)), t = random.get_double(0, 1), u = random.get_double(0, 1 - t);
+    const Point_3 p(length * coordinate(), length * coordinate(), length * coordinate()), r(coordinate(), coordinate(), coordinate()),
+                  q(length * coordinate(), length * coordinate(), length * coordinate());
+    Mesh mesh;
+    mesh.add_face(mesh.add_vertex(p), mesh.add_vertex(q), mesh.add_vertex(r));
+    const BS::Projection_target_3<Mesh> target(mesh, mesh.points());
+    const Point_3 x = CGAL::barycenter(p, t, q, u, r, 1 - t - u);
+    const auto position = target.position(0, { x.x(), x.y(), x.z() });
+    const auto found = target.point(0, position.nearest);
+    INFO("the shortest edge is about " << length << " long");
+    CHECK(distance(Point_3(found[0], found[1], found[2]), x) <= 1e-15);
+  }
+}
+
+TEST_CASE("Projection: the differential is that of finite differences within a facet")
+{
+  const Shell shell = shell_of(uniform_field({ { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } }), -0.9, 0.9);      // curved
+  const Mesh mesh = sheet({ -0.6, -0.2, 0.1, 0.6 }, { -0.6, 0, 0.3, 0.6 }, [](double x, double y) { return 0.2 * x + 0.1 * y * y; });
+  const Projection project = projection(shell, mesh, 1e-13);
+  CGAL::Random random(6);
+  int checked = 0;
+  for(int n = 0; n < 200; ++n) {
+    const Point_3 p(random.get_double(-0.4, 0.4), random.get_double(-0.4, 0.4), random.get_double(-0.2, 0.2));
+    const Image image = project(p);
+    if(!image) continue;
+    const BS::Flow_differential d = project.differential(p, image);
+    REQUIRE(d);
+    const auto& normal = project.target().normal(project.target().facet_of(image.location.first));
+    const Eigen::Matrix3d onto = d.onto_plane({ normal[0], normal[1], normal[2] });
+    const double h = 1e-4;
+    for(int a = 0; a < 3; ++a) {
+      const Vector_3 step(a == 0 ? h : 0, a == 1 ? h : 0, a == 2 ? h : 0);
+      const Image up = project(p + step), down = project(p - step);
+      if(!up || !down || up.location.first != image.location.first || down.location.first != image.location.first) continue;
+      const Vector_3 difference = (up.point - down.point) / (2*h);
+      const Eigen::Vector3d column(difference.x(), difference.y(), difference.z());
+      CHECK((column - onto.col(a)).norm() < 1e-6);       // h^2 times third derivatives of some tens, and 1e-13 / h
+      ++checked;
+    }
+  }
+  CHECK(checked > 300);
+}

@@ -1,0 +1,578 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
+#include "random_hierarchies.h"
+
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using CGAL::Bspline_shells::Level_set_status;
+using CGAL::Bspline_shells::extract_level_set;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef Kernel::Vector_3 Vector_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef CGAL::Bspline_shells::Uniform_bspline_field_3<Kernel> Field;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
+typedef CGAL::Bspline_shells::Cell_complex_3 Cells;
+typedef CGAL::Bspline_shells::Lattice_3 Lattice;
+
+const double pi = 3.14159265358979323846;
+
+// the cells with corners from -size to size, in numbers of cells, around the centre; `coefficient` is a function of the
+// lattice point, relative to the centre
+template <typename Coefficient>
+Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
+{
+  const Lattice lattice(center.bbox(), width);
+  REQUIRE(lattice.is_exact());
+  REQUIRE(lattice.spacing() == width);
+  std::vector<std::uint64_t> keys;
+  for(int k = -size; k < size; ++k)
+    for(int j = -size; j < size; ++j)
+      for(int i = -size; i < size; ++i) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
+  Field field{ Cells(lattice, keys) };
+  Eigen::VectorXd x(field.number_of_coefficients());
+  for(Eigen::Index n = 0; n < x.size(); ++n) {
+    const Lattice::Point& p = field.functions().point(Cells::Index(n));
+    x[n] = coefficient(Vector_3(p[0] * width, p[1] * width, p[2] * width));
+  }
+  field.set_coefficients(x);
+  return field;
+}
+
+// |x|^2, which cubic splines reproduce
+Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
+{
+  return make_field(size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
+}
+
+// The same cells, some of them split, up to a number of levels; `coefficient` is a function of the point and the width of cells of
+// its level.
+template <typename Coefficient>
+Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels, const Coefficient& coefficient)
+{
+  CGAL::Random random(seed);
+  const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
+  REQUIRE(lattice.spacing() == width);
+  Hierarchical_field field(random_hierarchy(random, some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
+  REQUIRE(field.number_of_levels() == levels);
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  Eigen::Index n = 0;
+  for(int l = levels - 1; l >= 0; --l)
+    for(Hierarchy::Index p = 0; p < field.points(l).size(); ++p) {
+      if(field.coefficient_of_point(field.first_point(l) + p) == Hierarchical_field::npos) continue;
+      const double h = field.cells().level_width(l);
+      const Lattice_point& g = field.points(l).point(p);
+      x[n++] = coefficient(Vector_3(g[0] * h, g[1] * h, g[2] * h), h);
+    }
+  field.set_coefficients(x);
+  return field;
+}
+
+Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
+{
+  return make_hierarchical_field(seed, size, width, levels, [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
+}
+
+// a field whose polynomials are off by up to a given error, in every cell another one
+template <typename Field>
+class Rough_field
+{
+public:
+  typedef typename Field::Cell Cell;
+  typedef typename Field::Cell_index Cell_index;
+  static constexpr Cell_index npos = Field::npos;
+
+  Rough_field(const Field& field, double error) : m_field(field), m_error(error)
+  {
+    std::mt19937 random(0);
+    std::uniform_real_distribution<double> any(-error, error);
+    for(Cell_index c = 0; c < field.number_of_cells(); ++c)
+      for(int n = 0; n < 64; ++n) m_coefficients.push_back(field.cell(c).coefficients()[n] + any(random));
+  }
+  std::size_t number_of_cells() const { return m_field.number_of_cells(); }
+  const auto& cells() const { return m_field.cells(); }
+  Cell cell(Cell_index c) const
+  {
+    const Cell exact = m_field.cell(c);
+    return Cell(exact.corner(), exact.width(), &m_coefficients[64 * c], m_error + exact.error_radius());
+  }
+
+private:
+  const Field& m_field;
+  double m_error;
+  std::vector<double> m_coefficients;
+};
+
+double torus_distance(const Vector_3& g)
+{
+  return std::hypot(std::hypot(g.x(), g.y()) - 1, g.z()) - 0.4;
+}
+
+template <typename TriangleMesh>
+int euler_characteristic(const TriangleMesh& mesh)
+{
+  return int(vertices(mesh).size()) - int(halfedges(mesh).size() / 2) + int(faces(mesh).size());
+}
+
+template <typename TriangleMesh>
+void check_closed_manifold(const TriangleMesh& mesh)
+{
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(CGAL::is_closed(mesh));
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> non_manifold;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(non_manifold));
+  CHECK(non_manifold.empty());
+  for(auto f : faces(mesh))
+    if(PMP::is_degenerate_triangle_face(f, mesh)) FAIL("a facet without area");
+}
+
+template <typename TriangleMesh, typename Field>
+double largest_error(const TriangleMesh& mesh, const Field& field, double level)
+{
+  double largest = 0;
+  for(auto v : vertices(mesh))
+    largest = (std::max)(largest, std::abs(*field.value(get(CGAL::vertex_point, mesh, v)) - level));
+  return largest;
+}
+
+// the least cosine of the angle between a facet's normal and the gradient at its centre
+template <typename TriangleMesh, typename Field>
+double least_cosine(const TriangleMesh& mesh, const Field& field)
+{
+  double least = 1;
+  for(auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const Point_3 c = CGAL::centroid(get(CGAL::vertex_point, mesh, source(h, mesh)),
+                                     get(CGAL::vertex_point, mesh, target(h, mesh)),
+                                     get(CGAL::vertex_point, mesh, target(next(h, mesh), mesh)));
+    const Vector_3 g = *field.gradient(c);
+    least = (std::min)(least, PMP::compute_face_normal(f, mesh) * g / std::sqrt(g.squared_length()));
+  }
+  return least;
+}
+
+} // namespace
+
+TEST_CASE("Level set: of |x|^2 it is a sphere of the right radius whose facets face outwards")
+{
+  for(const Point_3& center : { Point_3(0, 0, 0), Point_3(1000, -500, 0.25) })
+    for(int ratio : { 1, 2, 3 }) {
+      CAPTURE(center, ratio);
+      const Field field = squared_norm(6, 0.25, center);
+      const double radius = 1.1;
+      REQUIRE(*field.value(center + Vector_3(0.3, 0.4, 1.2)) == Approx(1.69));
+      Mesh mesh;
+      REQUIRE(extract_level_set(field, radius * radius, mesh, CGAL::parameters::subdivision_ratio(ratio))
+              == Level_set_status::SUCCESS);
+      check_closed_manifold(mesh);
+      CHECK(euler_characteristic(mesh) == 2);
+      CHECK(PMP::is_outward_oriented(mesh));
+      CHECK(least_cosine(mesh, field) > 0.9);
+      const double rounding = 1e-16 * (1 + std::abs(center.x()));
+      CHECK(largest_error(mesh, field, radius * radius) < 1e-11 + 1e4 * rounding);
+      for(auto v : mesh.vertices())
+        if(std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), center)) - radius) > 1e-11 + 1e4 * rounding)
+          FAIL("a vertex off the sphere");
+    }
+}
+
+TEST_CASE("Level set: more subcells approach a sphere quadratically")
+{
+  const Field field = squared_norm(6, 0.25);
+  double last = 0;
+  for(int ratio : { 1, 2, 4 }) {
+    Mesh mesh;
+    REQUIRE(extract_level_set(field, 1.2, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+    const double error = 4. / 3 * pi * std::pow(1.2, 1.5) - PMP::volume(mesh);
+    CHECK(error > 0);
+    if(ratio > 1) CHECK(error < 0.3 * last);
+    last = error;
+  }
+}
+
+TEST_CASE("Level set: of the distance to a circle it is a torus")
+{
+  const Field field = make_field(13, 0.125, torus_distance);
+  for(double level : { -0.1, 0., 0.1 }) {
+    CAPTURE(level);
+    Mesh mesh;
+    REQUIRE(extract_level_set(field, level, mesh) == Level_set_status::SUCCESS);
+    check_closed_manifold(mesh);
+    CHECK(euler_characteristic(mesh) == 0);
+    CHECK(PMP::is_outward_oriented(mesh));
+    CHECK(least_cosine(mesh, field) > 0.5);
+    CHECK(largest_error(mesh, field, level) < 1e-12);
+    CHECK_FALSE(PMP::does_self_intersect(mesh));
+  }
+}
+
+TEST_CASE("Level set: facets face the way the field grows, also inwards")
+{
+  const Field field = make_field(5, 0.25, [](const Vector_3& g) { return 1 - g.squared_length(); });
+  Mesh mesh;
+  REQUIRE(extract_level_set(field, 0.3, mesh) == Level_set_status::SUCCESS);
+  check_closed_manifold(mesh);
+  CHECK_FALSE(PMP::is_outward_oriented(mesh));
+  CHECK(least_cosine(mesh, field) > 0.5);
+}
+
+TEST_CASE("Level set: one that runs into the end of the cells is refused, and the mesh is left alone")
+{
+  const Field field = make_field(3, 0.5, [](const Vector_3& g) { return g.x() + 2 * g.y(); });
+  Mesh mesh;
+  mesh.add_vertex(Point_3(1, 2, 3));
+  for(double level : { 0., 0.1, 3. }) {
+    CHECK(extract_level_set(field, level, mesh) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+    CHECK(mesh.number_of_vertices() == 1);
+    CHECK(mesh.number_of_faces() == 0);
+  }
+  // a cap of the sphere sticks out
+  CHECK(extract_level_set(squared_norm(3, 0.5), 2.3, mesh) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+}
+
+TEST_CASE("Level set: a level that the field does not take has none")
+{
+  const Field field = squared_norm(3, 0.5);
+  Mesh mesh;
+  for(double level : { -1., 100., std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<double>::quiet_NaN() })
+    CHECK(extract_level_set(field, level, mesh) == Level_set_status::LEVEL_SET_EMPTY);
+  CHECK(extract_level_set(Field(), 0, mesh) == Level_set_status::LEVEL_SET_EMPTY);
+  CHECK(mesh.is_empty());
+}
+
+TEST_CASE("Level set: a level that the field has at corners of cells changes nothing")
+{
+  // 3 |x|^2 with cells of size one: all values at corners are integers, and exact
+  const Field field = make_field(6, 1, [](const Vector_3& g) { return 3 * g.squared_length() - 3; });
+  REQUIRE(field.cell(field.locate(Point_3(2, 2, 1))).value(Point_3(2, 2, 1)) == 27);
+  for(int ratio : { 1, 2, 3 })
+    for(int squared_radius : { 1, 2, 3, 4, 5, 6, 8, 9, 14, 17, 18, 21, 25 }) {
+      CAPTURE(ratio, squared_radius);
+      Mesh mesh;
+      REQUIRE(extract_level_set(field, 3 * squared_radius, mesh, CGAL::parameters::subdivision_ratio(ratio))
+              == Level_set_status::SUCCESS);
+      check_closed_manifold(mesh);
+      CHECK(euler_characteristic(mesh) == 2);
+      CHECK(PMP::is_outward_oriented(mesh));
+      CHECK(largest_error(mesh, field, 3 * squared_radius) < 1e-9);
+      CHECK_FALSE(PMP::does_self_intersect(mesh));
+    }
+  // at the minimum, a corner, nothing is below the level; slightly above it, the set lies around a single corner
+  Mesh mesh;
+  CHECK(extract_level_set(field, 0, mesh) == Level_set_status::LEVEL_SET_EMPTY);
+  CHECK(extract_level_set(field, 1e-9, mesh) == Level_set_status::SUCCESS);
+  check_closed_manifold(mesh);
+}
+
+TEST_CASE("Level set: of a field without any order it is still a closed manifold")
+{
+  for(unsigned seed = 0; seed < 8; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> any(-3, 3);
+    // large at the end of the cells; multiples of 216 make all values at corners exact, and many of them equal
+    const Field field = make_field(5, 1, [&](const Vector_3& g) {
+      const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
+      return m > 3 ? 216. * 4 : 216. * any(random);
+    });
+    for(int ratio : { 1, 2 }) {
+      for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
+        const double level = *field.value(p);
+        CAPTURE(seed, ratio, p, level);
+        Mesh mesh;
+        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio))
+                == Level_set_status::SUCCESS);
+        check_closed_manifold(mesh);
+        CHECK(euler_characteristic(mesh) % 2 == 0);
+        CHECK_FALSE(PMP::does_self_intersect(mesh));
+        CHECK(largest_error(mesh, field, level) < 1e-8);
+      }
+    }
+  }
+}
+
+TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
+{
+  // whatever the error radius is, what neighbours know of the field is consistent with it and with nothing else
+  const Field field = squared_norm(6, 0.25);
+  for(double error : { 1e-15, 1e-6, 1e-2, 0.2 })
+    for(int ratio : { 1, 2, 3 }) {
+      CAPTURE(error, ratio);
+      const Rough_field rough(field, error);
+      Mesh mesh;
+      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+      check_closed_manifold(mesh);
+      if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
+      CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
+      CHECK_FALSE(PMP::does_self_intersect(mesh));
+    }
+}
+
+TEST_CASE("Level set: across cells of different sizes it is closed, and on the level")
+{
+  for(unsigned seed = 0; seed < 6; ++seed) {
+    const int levels = 2 + int(seed) % 3;
+    // with level changes at the sphere: cells of two sizes pass it
+    const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
+    REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
+    for(double level : { 1.21, 1., 1.5625, 2.1 })      // some through corners of cells
+      for(int ratio : { 1, 2, 3 }) {
+        CAPTURE(seed, level, ratio);
+        Mesh mesh;
+        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+        check_closed_manifold(mesh);
+        CHECK(euler_characteristic(mesh) == 2);
+        CHECK(PMP::is_outward_oriented(mesh));
+        CHECK(largest_error(mesh, field, level) < 1e-11);
+        CHECK_FALSE(PMP::does_self_intersect(mesh));
+      }
+  }
+}
+
+TEST_CASE("Level set: of a field without any order, on cells of different sizes, it is still a closed manifold")
+{
+  std::size_t passed = 0;
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> any(-3, 3);
+    // large at the end of the cells, so that it does not leave them
+    const Hierarchical_field field = make_hierarchical_field(seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
+      const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
+      return m > 3 ? 216. * 4 : 216. * any(random);
+    });
+    for(int ratio : { 1, 2 })
+      for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
+        const double level = *field.value(p);
+        CAPTURE(seed, ratio, p, level);
+        Mesh mesh;
+        const Level_set_status status = extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio));
+        REQUIRE((status == Level_set_status::SUCCESS || level >= 216 * 4));
+        if(status != Level_set_status::SUCCESS) continue;
+        ++passed;
+        check_closed_manifold(mesh);
+        CHECK(euler_characteristic(mesh) % 2 == 0);
+        CHECK_FALSE(PMP::does_self_intersect(mesh));
+        CHECK(largest_error(mesh, field, level) < 1e-8);
+      }
+  }
+  CHECK(passed > 60);
+}
+
+TEST_CASE("Level set: cells of different sizes that disagree on their common faces do not tear it")
+{
+  const Hierarchical_field field = hierarchical_squared_norm(3, 10, 0.25, 3);
+  for(double error : { 1e-15, 1e-6, 1e-2, 0.1 })
+    for(int ratio : { 1, 2, 3 }) {
+      CAPTURE(error, ratio);
+      const Rough_field rough(field, error);
+      Mesh mesh;
+      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+      check_closed_manifold(mesh);
+      if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
+      CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
+    }
+}
+
+TEST_CASE("Level set: on cells of different sizes, selected cells must hold all of it")
+{
+  const Hierarchical_field field = hierarchical_squared_norm(5, 10, 0.25, 4);
+  Mesh mesh;
+  const Hierarchical_field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
+  std::vector<char> passed(field.number_of_cells(), 0);
+  std::size_t refused = 0, all = 0;
+  for(Hierarchical_field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+    const auto range = field.cell(c).coefficient_range();
+    if(range.first > 0.98 || range.second < 0.98) continue;
+    const CGAL::Bbox_3 box = field.cell(c).bbox();
+    double least = 0, most = 0;
+    for(int a = 0; a < 3; ++a) {
+      least += std::pow((std::max)({ 0., (box.min)(a), -(box.max)(a) }), 2);
+      most += std::pow((std::max)(std::abs((box.min)(a)), std::abs((box.max)(a))), 2);
+    }
+    if(least > 0.9 || most < 1.1) continue;       // the sphere does not go through the middle of it
+    ++all;
+    if(all % 40 != 0 && c != last) continue;
+    refused += extract_level_set(field, 0.98, mesh, CGAL::parameters::filter([c](auto other) { return other != c; }))
+            == Level_set_status::LEVEL_SET_LEAVES_CELLS;
+    ++passed[c];
+  }
+  CHECK(refused == std::size_t(std::count(passed.begin(), passed.end(), 1)));
+  CHECK(refused > 5);
+  CHECK(mesh.is_empty());
+}
+
+TEST_CASE("Level set: of a threshold that varies it is where the field equals it")
+{
+  // |x|^2 = 1 + x / 2 is a sphere around (1/4, 0, 0)
+  const Hierarchical_field field = hierarchical_squared_norm(2, 10, 0.25, 3);
+  const CGAL::Bspline_shells::Spline_threshold<Hierarchical_field> threshold(
+    make_hierarchical_field(2, 10, 0.25, 3, [](const Vector_3& g, double) { return 1 + g.x() / 2; }));
+  Mesh mesh;
+  REQUIRE(extract_level_set(field, threshold, mesh) == Level_set_status::SUCCESS);
+  check_closed_manifold(mesh);
+  CHECK(euler_characteristic(mesh) == 2);
+  CHECK(PMP::is_outward_oriented(mesh));
+  double largest = 0;
+  for(auto v : mesh.vertices())
+    largest = (std::max)(largest, std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), Point_3(0.25, 0, 0))) - std::sqrt(1.0625)));
+  CHECK(largest < 1e-11);
+  Mesh by_number, by_constant;
+  REQUIRE(extract_level_set(field, 1, by_number) == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set(field, CGAL::Bspline_shells::Constant_threshold(1), by_constant) == Level_set_status::SUCCESS);
+  CHECK(by_number.number_of_faces() == by_constant.number_of_faces());
+}
+
+TEST_CASE("Level set: the surfaces of a certified shell are closed, on either side of the mesh, and like it")
+{
+  const Mesh mesh = [] {
+    Mesh box;
+    CGAL::make_hexahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 0.6, 0), Point_3(0, 0.6, 0), Point_3(0, 0.6, 0.3), Point_3(0, 0, 0.3),
+                          Point_3(1, 0, 0.3), Point_3(1, 0.6, 0.3), box);
+    return box;
+  }();
+  const CGAL::Certified_bspline_shell_3 shell =
+    CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12).relative_thickness(0.02));
+  REQUIRE(shell.is_certified());
+  REQUIRE(shell.field().number_of_levels() > 1);
+  const auto in_shell = [&](auto c) { return shell.shell_cells()[c] != 0; };
+  double volume[2];
+  for(bool outer : { false, true }) {
+    const auto& threshold = outer ? shell.outer_threshold() : shell.inner_threshold();
+    Mesh surface;
+    REQUIRE(extract_level_set(shell.field(), threshold, surface, CGAL::parameters::filter(in_shell)) == Level_set_status::SUCCESS);
+    check_closed_manifold(surface);
+    CHECK(euler_characteristic(surface) == 2);
+    CHECK_FALSE(PMP::does_self_intersect(surface));
+    double largest = 0;
+    for(auto v : surface.vertices())
+      largest = (std::max)(largest, std::abs(*shell.field().value(surface.point(v)) - threshold.value(surface.point(v))));
+    CHECK(largest < 1e-11);
+    volume[outer] = PMP::volume(surface);
+  }
+  CHECK(volume[0] < 0.18);
+  CHECK(volume[1] > 0.18);
+}
+
+TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all of it")
+{
+  const auto distance = [](const Vector_3& g) {
+    const double x = std::abs(g.x()) - 1.25;
+    return std::sqrt(x * x + g.y() * g.y() + g.z() * g.z()) - 0.7;
+  };
+  const Field field = make_field(10, 0.25, distance);
+  Mesh both;
+  REQUIRE(extract_level_set(field, 0, both) == Level_set_status::SUCCESS);
+  check_closed_manifold(both);
+  CHECK(euler_characteristic(both) == 4);
+
+  std::vector<char> is_left(field.number_of_cells()), is_low(field.number_of_cells());
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+    is_left[c] = field.cell(c).corner()[0] < 0;
+    is_low[c] = field.cell(c).corner()[2] < 0;
+  }
+  Mesh left;
+  REQUIRE(extract_level_set(field, 0, left, CGAL::parameters::filter([&](Field::Cell_index c) { return is_left[c] != 0; }))
+          == Level_set_status::SUCCESS);
+  check_closed_manifold(left);
+  CHECK(euler_characteristic(left) == 2);
+  CHECK(2 * left.number_of_faces() == both.number_of_faces());
+  for(auto v : left.vertices()) CHECK(left.point(v).x() < 0);
+
+  // the cells of the left one and some of the other
+  const auto most = [&](Field::Cell_index c) { return is_left[c] || is_low[c]; };
+  namespace P = CGAL::Bspline_shells::parameters;
+  Mesh closed;
+  CHECK(extract_level_set(field, 0, closed, P::filter(most)) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+  REQUIRE(extract_level_set(field, 0, closed, P::filter(most).skip_open_components(true)) == Level_set_status::SUCCESS);
+  check_closed_manifold(closed);
+  CHECK(closed.number_of_vertices() == left.number_of_vertices());
+  CHECK(closed.number_of_faces() == left.number_of_faces());
+  for(auto v : closed.vertices()) CHECK(closed.point(v).x() < 0);
+
+  Mesh low;
+  CHECK(extract_level_set(field, 0, low, P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS);      // all of it is open
+  CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([&](Field::Cell_index c) { return is_low[c] != 0; }))
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+  CHECK(low.is_empty());
+  CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([](Field::Cell_index) { return false; }))
+        == Level_set_status::LEVEL_SET_EMPTY);
+
+  // a second one is added to the first
+  REQUIRE(extract_level_set(field, 0.1, left) == Level_set_status::SUCCESS);
+  check_closed_manifold(left);
+  CHECK(euler_characteristic(left) == 6);
+}
+
+TEST_CASE("Level set: the output may be a Polyhedron_3, or have points of its own")
+{
+  const Field field = make_field(13, 0.125, torus_distance);
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  REQUIRE(extract_level_set(field, 0.05, polyhedron) == Level_set_status::SUCCESS);
+  check_closed_manifold(polyhedron);
+  CHECK(euler_characteristic(polyhedron) == 0);
+
+  Mesh mesh, other;
+  auto points = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:other_point", CGAL::ORIGIN).first;
+  REQUIRE(extract_level_set(field, 0.05, mesh, CGAL::parameters::vertex_point_map(points)) == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set(field, 0.05, other) == Level_set_status::SUCCESS);
+  REQUIRE(mesh.number_of_vertices() == other.number_of_vertices());
+  CHECK(polyhedron.size_of_vertices() == other.number_of_vertices());
+  bool same = true;
+  for(auto v : mesh.vertices()) same = same && get(points, v) == other.point(v);
+  CHECK(same);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("Level set: several threads make the same mesh, vertex by vertex")
+{
+  const Field field = make_field(13, 0.125, torus_distance);
+  Mesh one, several;
+  REQUIRE(extract_level_set<CGAL::Sequential_tag>(field, 0.05, one) == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set<CGAL::Parallel_tag>(field, 0.05, several) == Level_set_status::SUCCESS);
+  REQUIRE(one.number_of_vertices() == several.number_of_vertices());
+  REQUIRE(one.number_of_faces() == several.number_of_faces());
+  bool same = true;
+  for(auto v : one.vertices()) same = same && one.point(v) == several.point(v);
+  for(auto h : one.halfedges()) same = same && one.target(h) == several.target(h);
+  CHECK(same);
+}
+#endif
+
+TEST_CASE("Level set: every status has a message")
+{
+  for(Level_set_status s : { Level_set_status::SUCCESS, Level_set_status::LEVEL_SET_EMPTY,
+                             Level_set_status::LEVEL_SET_LEAVES_CELLS })
+    CHECK_FALSE(std::string(CGAL::Bspline_shells::message(s)).empty());
+}

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Fails if a header of the package includes one of a storey above its own, or of another folder's internal/.
+
+   include_order_test.py ROOT_OF_THE_PROJECT
+
+The storeys, from the ground up, are the folders of include/CGAL/Bspline_shell_3 in the order below. Tests include internal headers only
+where they test them; examples and benchmarks name nothing internal.
+"""
+import os
+import re
+import sys
+
+STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
+           "IO", "Construction"]
+PACKAGE = "CGAL/Bspline_shell_3/"
+
+
+def files(top):
+    for folder, _, names in os.walk(top):
+        for name in names:
+            if name.endswith((".h", ".cpp")):
+                yield os.path.relpath(os.path.join(folder, name), top)
+
+
+def read(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read()
+
+
+def includes(text):
+    return re.findall(r'^#include <' + PACKAGE + r'([^>]+)>', text, re.MULTILINE)
+
+
+def storey(header):
+    """the number of its folder; headers beside the folder stand above all of them"""
+    return STOREYS.index(header.split("/")[0]) if "/" in header else len(STOREYS)
+
+
+def is_internal(header):
+    return "/internal/" in header
+
+
+def circles(graph):
+    """headers that include themselves, by others"""
+    done, found = set(), []
+
+    def visit(header, path):
+        if header in path:
+            found.append(" -> ".join(path[path.index(header):] + [header]))
+        elif header not in done:
+            for other in graph.get(header, []):
+                visit(other, path + [header])
+            done.add(header)
+
+    for header in graph:
+        visit(header, [])
+    return found
+
+
+def main(root):
+    top = os.path.join(root, "include", PACKAGE)
+    wrong = [f"{f} is no storey" for f in sorted(os.listdir(top)) if f not in STOREYS]
+    if not wrong:
+        graph = {header: includes(read(top, header)) for header in files(top)}
+        for header, others in sorted(graph.items()):
+            for other in others:
+                if not os.path.exists(os.path.join(top, other)):
+                    wrong.append(f"{header} includes {other}, which does not exist")
+                elif storey(other) > storey(header):
+                    wrong.append(f"{header} includes {other}, from a storey above")
+                elif is_internal(other) and storey(other) != storey(header):
+                    wrong.append(f"{header} includes {other}, which is internal to another folder")
+        wrong += [f"circle of includes: {circle}" for circle in circles(graph)]
+    for name in files(os.path.join(root, "test")):
+        tested = re.sub(r"^.*/([A-Za-z]+)/test_(\w+)\.cpp$", r"\1/internal/\2.h", name)
+        others = [header for header in includes(read(root, "test", name)) if is_internal(header)]
+        if others and tested not in others:
+            wrong.append(f"{name} includes {', '.join(others)}, and tests no internal header")
+    for place in ("examples", "benchmark"):
+        for name in files(os.path.join(root, place)):
+            text = read(root, place, name)
+            if re.search(r"(\bBS|Bspline_shells)::internal::", text) or any(map(is_internal, includes(text))):
+                wrong.append(f"{place}/{name} names something internal")
+    print("\n".join(wrong) if wrong else "all includes point down")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
