@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev python3 python3-vtk9 xvfb xauth
+install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev doxygen libjs-mathjax python3 python3-vtk9 xvfb xauth
 
 options=(-DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON)
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

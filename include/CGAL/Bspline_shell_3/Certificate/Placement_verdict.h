@@ -12,7 +12,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Editing
+/// \ingroup PkgBsplineShell3Certificate
 /// what becomes of a facet, or of the place where an edge is to be collapsed to
 enum class Placement_verdict
 {
@@ -23,7 +23,7 @@ enum class Placement_verdict
   WINDS_TWICE        ///< all facets at the vertex face along the gradient, but their fan does not wind around it once
 };
 
-/// \ingroup PkgBsplineShell3Editing
+/// \ingroup PkgBsplineShell3Certificate
 inline const char* name(Placement_verdict verdict)
 {
   switch(verdict) {
@@ -37,7 +37,7 @@ inline const char* name(Placement_verdict verdict)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Editing
+ * \ingroup PkgBsplineShell3Certificate
  *
  * \brief how many placements were judged, by verdict.
  */

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Certificate
  *
  * \brief whether triangles are in a shell and face along the gradient, by what is known at their corners and of the second derivatives on
  * the cells that they meet: rigorous, and fast for most triangles. `Field_predicates_3` has the last word on what is left open.

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Editing
+ * \ingroup PkgBsplineShell3Certificate
  *
  * \brief accepts the triangles that provably lie in a shell and face along the gradient, as containment and transversality,
  * the first two claims of the certificate, ask of facets.

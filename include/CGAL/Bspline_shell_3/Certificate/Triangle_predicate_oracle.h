@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Editing
+ * \ingroup PkgBsplineShell3Certificate
  *
  * \brief accepts facets that are contained in something else than a shell, as `CGAL::Polyhedral_envelope` tells. It
  * knows no direction that facets should face, and so says nothing about foldings.

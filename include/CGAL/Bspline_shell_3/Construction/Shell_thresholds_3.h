@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief thresholds of a shell that vary in space: as wide as asked for, narrower where that is needed, never narrower than
  * the mesh needs.

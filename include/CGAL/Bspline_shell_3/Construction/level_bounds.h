@@ -53,7 +53,7 @@ struct Piece_in_cell
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief the extrema of a field on the edges of the clipped mesh, as the paper computes them (Section 4.2).
  *
@@ -86,7 +86,7 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief bounds of a field on whole facets, and on the mesh.
  */
@@ -98,7 +98,7 @@ struct Facet_ranges
 };
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief encloses a field on the facets: Bernstein coefficients of degree nine on triangles, with a derived allowance
  * for rounding.
@@ -176,7 +176,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 }
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief rounds a range outwards to multiples of `quantum` (the paper's \f$\tau\f$, Section 5.2, is the unit of length
  * divided by the quantum), and never inwards by the rounding of the multiples themselves.

@@ -49,7 +49,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief what refinement aims at, and how far it may go.
  */
@@ -72,7 +72,7 @@ struct Refinement_parameters
 };
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *

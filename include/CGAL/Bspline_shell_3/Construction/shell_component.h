@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief the cells that the shell may meet: a cover of those connected components of
  * \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that hang together with the mesh.
@@ -29,7 +29,7 @@ struct Shell_component
 };
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Construction
  *
  * \brief finds the shell's cells by flooding from the cells that the mesh enters, through all faces on which the range
  * of the Bernstein coefficients meets the levels.

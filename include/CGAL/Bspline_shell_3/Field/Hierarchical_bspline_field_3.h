@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Fields
+ * \ingroup PkgBsplineShell3Field
  *
  * \brief a piecewise tricubic \f$C^2\f$ function on cells of different sizes: truncated hierarchical B-splines.
  *

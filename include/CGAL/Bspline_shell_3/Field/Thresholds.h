@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Field
  *
  * \brief a threshold that is the same everywhere, as in the paper.
  *
@@ -54,7 +54,7 @@ private:
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Field
  *
  * \brief a threshold that varies in space: a field on the same leaf cells, shared by copies.
  *
@@ -99,7 +99,7 @@ private:
   std::shared_ptr<const Field> m_field;
 };
 
-/// \ingroup PkgBsplineShell3Certificate
+/// \ingroup PkgBsplineShell3Field
 /// encloses a threshold on a leaf cell
 template <typename Threshold>
 Level_range threshold_range(const Threshold& threshold, std::uint32_t cell)

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Fields
+ * \ingroup PkgBsplineShell3Field
  *
  * \brief a piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
  * of the paper), where \f$g\f$ runs over all lattice points whose function does not vanish on all cells.

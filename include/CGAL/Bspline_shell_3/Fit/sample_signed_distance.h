@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Distance
+ * \ingroup PkgBsplineShell3Fit
  *
  * \brief where the signed distance is sampled: two points per cell and axis, which together form a uniform lattice of
  * half the cells' spacing.
@@ -41,7 +41,7 @@ struct Distance_samples
 };
 
 /*!
- * \ingroup PkgBsplineShell3Distance
+ * \ingroup PkgBsplineShell3Fit
  *
  * \brief the signed distance at the samples of some cells, in user units: `Distance_samples::per_cell` values a cell.
  *
@@ -73,7 +73,7 @@ std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& ce
 }
 
 /*!
- * \ingroup PkgBsplineShell3Distance
+ * \ingroup PkgBsplineShell3Fit
  *
  * \brief the same for all cells.
  */

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief counts, exactly, how often a segment passes through a mesh from the back of its facets to their front.
  *

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Distance
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief the signed distance to a closed mesh: negative on the side that the facets turn their backs to.
  *

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief how a segment crosses a facet, exactly: 1 if it passes through the interior from the back to the front, -1 if it passes
  * the other way, 0 if they are certainly apart. Nothing if the segment touches an edge or a vertex, ends on the facet, or lies in its plane.

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief a direction known to within a radius: for some positive factor, each component of the factor times the exact
  * normal differs from `direction` by at most `radius`. The largest component is near one.
@@ -29,7 +29,7 @@ struct Facet_normal
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief encloses the normal of a triangle with `double` vertices: in `double`s, or, where cancellation would spoil them
  * (needles, facets far from the origin), from the exact cross product.

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief how often the fan of facets at a vertex winds around an axis that all of them face: once, unless the surface folds
  * through itself at the vertex. Facets that face the field one by one may still wind twice.
@@ -47,7 +47,7 @@ std::size_t link_winding_number(const Point_3& p, const Point_3& on_axis, const 
 }
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Mesh
  *
  * \brief the same, `link_winding_number()`, for the facets at a vertex of a mesh.
  *

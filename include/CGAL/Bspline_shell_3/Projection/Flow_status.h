@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief what became of a point that was to be moved along its integral curve. Every value but `SUCCESS` means that it has
  * no image.
@@ -29,7 +29,7 @@ enum class Flow_status
   CANCELED                ///< the visitor asked to stop before it was the point's turn
 };
 
-/// \ingroup PkgBsplineShell3Flow
+/// \ingroup PkgBsplineShell3Projection
 /// what is wrong and what can be done about it, in one sentence
 inline const char* message(Flow_status status)
 {

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief how a point that is moved along its integral curve, by a fixed difference of the field's value, moves when it starts
  * elsewhere: a linear map between vectors.
@@ -50,7 +50,7 @@ struct Flow_differential
 };
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief moves points of a shell along the integral curves of its field to where the field has a given value.
  *

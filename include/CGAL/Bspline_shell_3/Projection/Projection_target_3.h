@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief the triangles of a mesh as curves look for them: with coordinates in `double`s, neighbours and a tree of boxes.
  *

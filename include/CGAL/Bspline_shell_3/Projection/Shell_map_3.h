@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief the map between two meshes in a shell, along the integral curves of its field.
  *

@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief the image of a point on a mesh, or the reason why there is none.
  */
@@ -51,7 +51,7 @@ struct Projected_point
 };
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief moves points of a shell along the integral curves of its field onto a mesh.
  *

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Projection
  *
  * \brief moves points of a shell onto a mesh, along the integral curves of the shell's field.
  *

@@ -23,7 +23,7 @@
 namespace CGAL {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
  * thresholds between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.

@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Certificate
+/// \ingroup PkgBsplineShell3Shell
 /// the honest answer to a question that is decided in bounded time
 enum class Verdict
 {
@@ -38,7 +38,7 @@ inline const char* name(Verdict verdict)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief how often each tier of a predicate decided.
  */
@@ -58,7 +58,7 @@ struct Predicate_statistics
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief the five claims that together make the integral curves of the field map a mesh one-to-one.
  */
@@ -84,7 +84,7 @@ inline const char* name(Claim claim)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief where a claim fails or is undecided, and why.
  */
@@ -141,7 +141,7 @@ inline const char* name(Certificate_witness::Reason reason)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief a segment through a component of the shell on which the field increases from below the inner threshold to above the
  * outer one.
@@ -154,7 +154,7 @@ struct Crossing_path
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief what the certificate cost, and which tier decided how much.
  */
@@ -169,7 +169,7 @@ struct Certificate_statistics
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief what a certificate says.
  */

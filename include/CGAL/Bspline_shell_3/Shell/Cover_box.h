@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief what is known of a box.
  */
@@ -25,7 +25,7 @@ enum class Box_kind : std::uint8_t
 };
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief a closed dyadic part of a leaf cell.
  */

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Fit
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief how a fit went.
  */

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief why refinement ended.
  */
@@ -43,7 +43,7 @@ inline const char* message(Refinement_status status)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief one round of refinement: what was fitted, and what was found wanting.
  */

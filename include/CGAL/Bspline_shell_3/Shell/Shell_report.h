@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Shell
  *
  * \brief how the construction of a shell went.
  */

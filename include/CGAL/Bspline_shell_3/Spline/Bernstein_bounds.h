@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief 64 Bernstein coefficients over a cell, each known to within a radius: all that a bound needs to know of a field,
  * of its difference to a threshold, or of its derivative along a direction.
@@ -96,7 +96,7 @@ Level_range hull(const Coefficients& b, double error)
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief encloses a function on a triangle; corners are in local coordinates of the cell, in it or near it, and each may be
  * off by `shift` per axis. Outside of the cell, the function is its polynomial, continued.
@@ -108,7 +108,7 @@ inline Level_range enclose_on_triangle(const Enclosed_tricubic& f,
                         internal::Form_error(corners, shift)(f));
 }
 
-/// \ingroup PkgBsplineShell3Bounds
+/// \ingroup PkgBsplineShell3Spline
 /// the same on a segment
 inline Level_range enclose_on_segment(const Enclosed_tricubic& f,
                                       const std::array<std::array<double, 3>, 2>& corners, double shift)
@@ -117,7 +117,7 @@ inline Level_range enclose_on_segment(const Enclosed_tricubic& f,
                         internal::Form_error(corners, shift)(f));
 }
 
-/// \ingroup PkgBsplineShell3Bounds
+/// \ingroup PkgBsplineShell3Spline
 /// the same at a point
 inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array<double, 3>& t, double shift)
 {
@@ -125,7 +125,7 @@ inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array
 }
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief the function on a dyadic part of the cell, as coefficients over the part: an eighth, by halving along each axis.
  *
@@ -151,7 +151,7 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
   return r;
 }
 
-/// \ingroup PkgBsplineShell3Bounds
+/// \ingroup PkgBsplineShell3Spline
 /// the field on a cell
 template <typename Cell>
 Enclosed_tricubic enclosed_value(const Cell& cell)
@@ -162,7 +162,7 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
   return f;
 }
 
-/// \ingroup PkgBsplineShell3Bounds
+/// \ingroup PkgBsplineShell3Spline
 /// the difference of two functions on the same cell
 inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
 {
@@ -177,7 +177,7 @@ inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_t
 }
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
  *

@@ -73,7 +73,7 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief Bernstein coefficients, of degree nine, of a tricubic on the segment from `p` to `q`.
  *
@@ -110,7 +110,7 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
 }
 
 /*!
- * \ingroup PkgBsplineShell3Bounds
+ * \ingroup PkgBsplineShell3Spline
  *
  * \brief Bernstein coefficients, of degree nine, of a tricubic on the triangle `p`, `q`, `r`.
  *

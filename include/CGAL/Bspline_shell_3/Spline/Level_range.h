@@ -12,7 +12,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Bounds
+/// \ingroup PkgBsplineShell3Spline
 /// an interval of values of a field, user units
 struct Level_range
 {

@@ -114,7 +114,7 @@ using Argument = std::conditional_t<std::is_const<std::remove_reference_t<Refere
 
 } // namespace internal
 
-/// \ingroup PkgBsplineShell3Ref
+/// \ingroup PkgBsplineShell3Support
 /// the functions that begin a sequence of named parameters, such as
 /// `parameters::resolution(60).vertex_point_map(vpm)`. They are described with the functions that read them.
 namespace parameters {

@@ -11,7 +11,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Ref
+/// \ingroup PkgBsplineShell3Support
 /// the steps from a mesh to its shell
 enum class Shell_step
 {
@@ -23,7 +23,7 @@ enum class Shell_step
   CERTIFICATE  ///< thresholds and proofs
 };
 
-/// \ingroup PkgBsplineShell3Ref
+/// \ingroup PkgBsplineShell3Support
 inline const char* name(Shell_step step)
 {
   switch(step) {
@@ -38,7 +38,7 @@ inline const char* name(Shell_step step)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief is told of each step, and may stop the construction; the default lets it go on.
  *
@@ -51,7 +51,7 @@ struct Default_shell_visitor
 };
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief is told how many of many points have been moved, and may stop the rest; the default lets it go on.
  *

@@ -9,7 +9,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Fit
+/// \ingroup PkgBsplineShell3Support
 /// what became of a linear system
 enum class Solver_status
 {

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief what became of a request. Every value but `SUCCESS` means that there is no shell.
  */
@@ -46,7 +46,7 @@ enum class Shell_status
   CANCELED                     ///< the visitor asked to stop
 };
 
-/// \ingroup PkgBsplineShell3Ref
+/// \ingroup PkgBsplineShell3Support
 /// what is wrong and what can be done about it, in one sentence
 inline const char* message(Shell_status status)
 {
@@ -106,7 +106,7 @@ inline const char* message(Shell_status status)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief the places that are to blame for a status: positions in the ranges `vertices(mesh)` and `faces(mesh)`
  * (for a file: of its vertices and faces).

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief whether the arithmetic is what all proofs rest on.
  */
@@ -43,7 +43,7 @@ inline const char* message(Arithmetic_status status)
 }
 
 /*!
- * \ingroup PkgBsplineShell3Certificate
+ * \ingroup PkgBsplineShell3Support
  *
  * \brief tests, in any build, what no assertion could: what the compiler says of its options, and single operations with known results.
  * Takes less than a microsecond; leaves the rounding mode as it was.

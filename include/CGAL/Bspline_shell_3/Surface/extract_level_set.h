@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Surface
  *
  * \brief what became of a level set. Every value but `SUCCESS` means that no facet was made.
  */
@@ -46,7 +46,7 @@ enum class Level_set_status
   LEVEL_SET_LEAVES_CELLS     ///< the level set reaches a face of a selected cell that has no selected cell behind it
 };
 
-/// \ingroup PkgBsplineShell3Ref
+/// \ingroup PkgBsplineShell3Surface
 /// what is wrong and what can be done about it, in one sentence
 inline const char* message(Level_set_status status)
 {
@@ -457,7 +457,7 @@ struct All_cells
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Ref
+ * \ingroup PkgBsplineShell3Surface
  *
  * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a threshold: the
  * inner or the outer surface of a shell.

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief how the transfer of an attribute went.
  */

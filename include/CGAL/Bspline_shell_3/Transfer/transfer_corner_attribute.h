@@ -129,7 +129,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief gives the corners of the target's facets the values that the source has there: texture coordinates, and other attributes that jump at
  * seams.

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief gives each facet of the target the label that most of it has on the source: materials, parts, boundary conditions.
  *

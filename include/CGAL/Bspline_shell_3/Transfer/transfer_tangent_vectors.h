@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief moves tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with `mapping()`: the
  * images are tangent to the level sets of the field, and so do not jump from facet to facet. What a vector has along the curve is lost.
@@ -72,7 +72,7 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
 } // namespace internal
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief moves tangent vectors at the facets of the source to those of the target, by the differential of the map: vector fields, line
  * fields, cross fields and others that are symmetric under rotations.

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colours, vectors,
  * displacements, and whatever else can be interpolated.
@@ -98,7 +98,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
 }
 
 /*!
- * \ingroup PkgBsplineShell3Flow
+ * \ingroup PkgBsplineShell3Transfer
  *
  * \brief moves the values at the vertices of the source to the target, and gives each vertex of the target the average of those that arrive
  * on its facets.
