@@ -46,7 +46,7 @@ int main(int argc, char** argv)
   if(!report) return EXIT_FAILURE;
   std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, " << report.collapses
             << " collapses, " << report.flips << " flips, " << report.moves << " moves; refused: " << report.placements.rejected()
-            << "\nseconds: " << report.remeshing_seconds << " (operations) " << report.certificate_seconds << " (certificate)\n";
+            << "\nseconds: " << report.edit_seconds << " (operations) " << report.certificate_seconds << " (certificate)\n";
 
   // to the result, along the integral curves
   mesh.collect_garbage();

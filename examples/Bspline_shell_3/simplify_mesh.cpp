@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     std::cout << result.placements.number(verdict) << " (" << name(verdict) << ") ";
   const Mesh::Vertex_index v = result.images[0];
   std::cout << "\nthe first vertex is now at " << mesh.point(v) << "\nno point is farther than " << result.certificate.displacement_bound
-            << " from its image\nseconds: " << result.collapse_seconds << " (collapses) " << result.certificate_seconds << " (certificate)\n";
+            << " from its image\nseconds: " << result.edit_seconds << " (collapses) " << result.certificate_seconds << " (certificate)\n";
   std::ofstream out("simplified.off");
   out.precision(17);
   out << mesh;

@@ -13,16 +13,14 @@
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
-#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Fit/fit_field.h>
+#include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/prove_containment.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/Construction/shell_component.h>
 
-#include <CGAL/Real_timer.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <Eigen/Core>
@@ -177,73 +175,40 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   constexpr int max_number_of_rings = 1000;
   constexpr double largest_relative_spacing = 1000;
 
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
   const double resolution = choose_parameter(get_parameter(np, tags::resolution), 50.);
   const double asked_spacing = choose_parameter(get_parameter(np, internal_np::grid_spacing), 0.);
   const int asked_rings = choose_parameter(get_parameter(np, tags::number_of_rings), 0);
   const bool dense = choose_parameter(get_parameter(np, tags::dense_grid), false);
   const BS::Energy_weights weights = choose_parameter(get_parameter(np, tags::energy_weights), BS::Energy_weights());
   const double memory_limit = choose_parameter(get_parameter(np, tags::memory_limit), std::numeric_limits<double>::infinity());
-  BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
-  tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
-
   const bool allow_open_shell = choose_parameter(get_parameter(np, tags::allow_open_shell), false);
+  auto&& solver = BS::internal::argument<BS::Conjugate_gradient_solver<ConcurrencyTag> >(np, tags::spd_solver);
+  auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
 
-  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference> Visitor;
-  BS::Default_shell_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  BS::Shell_construction construction(visitor);
+  BS::Shell_report& report = construction.report;
+  const auto start = [&](Step step) { return construction.start(step); };
+  const auto stop = [&](Status status) { return Bspline_shell_3<>(construction.end(status)); };
 
-  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
-    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver<ConcurrencyTag> >::reference> Solver;
-  BS::Conjugate_gradient_solver<ConcurrencyTag> default_solver;
-  Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
-
-  BS::Shell_report report;
-  Real_timer timer;
-  timer.start();
-  Step current = Step::CHECK;
-  // ends the last step and begins the next; false if the visitor wants to stop
-  const auto start = [&](Step step) {
-    report.seconds[std::size_t(current)] += timer.time();
-    timer.reset();
-    current = step;
-    return visitor.start_step(step);
-  };
-  const auto stop = [&](Status status) {
-    report.seconds[std::size_t(current)] += timer.time();
-    report.status = status;
-    return Bspline_shell_3<>(report);
-  };
-
-  const auto is_weight = [](double x) { return std::isfinite(x) && x >= 0; };
   constexpr bool default_spacing = is_default_parameter<CGAL_NP_CLASS, internal_np::grid_spacing_t>::value;
   constexpr bool default_rings = is_default_parameter<CGAL_NP_CLASS, tags::number_of_rings_t>::value;
   if(!(std::isfinite(resolution) && resolution > 0 && std::isfinite(asked_spacing) && (default_spacing || asked_spacing > 0)
        && (default_rings || asked_rings > 0) && memory_limit > 0
-       && is_weight(weights.mu) && is_weight(weights.zeta) && is_weight(weights.singular_hessian)))
+       && weights.are_valid()))
     return stop(Status::INVALID_PARAMETER);
 
-  if(BS::arithmetic_self_test() != BS::Arithmetic_status::SOUND) return stop(Status::UNSOUND_ARITHMETIC);
-  if(!start(Step::CHECK)) return stop(Status::CANCELED);
-  BS::Input_mesh_3 input;
-  const Status checked = input.template build<ConcurrencyTag>(mesh, vpm, tolerated);
-  report.offending_simplices = input.offending_simplices();
+  const Status checked = construction.template check<ConcurrencyTag>(mesh, np);
   if(checked != Status::SUCCESS) return stop(checked);
-  report.triangles = input.mesh().number_of_faces();
-  report.components = input.number_of_components();
-  report.unit = input.unit();
+  const BS::Input_mesh_3& input = *construction.input;
 
   if(!start(Step::CELLS)) return stop(Status::CANCELED);
   const int rings = default_rings ? 2 : asked_rings;
   const double spacing = default_spacing ? input.unit() / resolution : asked_spacing;
   if(!(spacing < input.unit() * largest_relative_spacing)) return stop(Status::INVALID_PARAMETER);
-  const BS::Lattice_3 lattice = BS::Lattice_3::off_the_ends(input.bbox(), spacing);
-  if(!lattice.is_exact() || input.unit() / lattice.spacing() > BS::Lattice_key::max_coordinate)
-    return stop(Status::GRID_TOO_FINE);
+  const Status has_lattice = construction.choose_lattice(spacing);
+  if(has_lattice != Status::SUCCESS) return stop(has_lattice);
+  const BS::Lattice_3& lattice = construction.lattice;
   if(rings > max_number_of_rings) return stop(Status::TOO_MANY_CELLS);
-  report.gamma = input.unit() / lattice.spacing();
   const bool copies_matrix = weights.singular_hessian > 0;
   const double pieces = BS::Clipped_mesh_3::estimated_number_of_pieces(input, lattice.spacing());
   const auto exceeds_memory = [&](double cells, double unknowns) {
@@ -323,9 +288,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     // num_faces() may count removed facets
     std::vector<BS::Level_range> facets(std::size_t(std::distance(faces(mesh).begin(), faces(mesh).end())));
     for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);
-    report.seconds[std::size_t(current)] += timer.time();
-    report.status = Status::SUCCESS;
-    return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets), report);
+    return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets), construction.end(Status::SUCCESS));
   }
 }
 

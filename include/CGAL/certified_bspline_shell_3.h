@@ -14,11 +14,9 @@
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_until_certified.h>
 
-#include <CGAL/Real_timer.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <cmath>
@@ -93,7 +91,6 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   typedef BS::Shell_step Step;
   constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
   const double resolution = choose_parameter(get_parameter(np, tags::resolution), 30.);
   const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 0.01);
   const double absolute_thickness = choose_parameter(get_parameter(np, tags::thickness), 0.);
@@ -104,58 +101,29 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   parameters.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), false);
   parameters.max_seconds = choose_parameter(get_parameter(np, tags::time_limit), unlimited);
   parameters.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
-  BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.self_intersections = choose_parameter(get_parameter(np, tags::allow_self_intersections), false);
-  tolerated.singular_vertices = choose_parameter(get_parameter(np, tags::allow_singular_vertices), false);
-
-  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, BS::Default_shell_visitor>::reference> Visitor;
-  BS::Default_shell_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
   // the certificate makes the accuracy of the solver a matter of speed
   constexpr double tolerance = 1e-4;
-  typedef BS::internal::Argument<typename internal_np::Lookup_named_param_def<
-    tags::spd_solver_t, CGAL_NP_CLASS, BS::Conjugate_gradient_solver<ConcurrencyTag> >::reference> Solver;
-  BS::Conjugate_gradient_solver<ConcurrencyTag> default_solver(tolerance);
-  Solver solver = choose_parameter(get_parameter_reference(np, tags::spd_solver), default_solver);
+  auto&& solver = BS::internal::argument<BS::Conjugate_gradient_solver<ConcurrencyTag> >(np, tags::spd_solver, tolerance);
+  auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
 
-  BS::Shell_report report;
-  Real_timer timer;
-  timer.start();
-  Step current = Step::CHECK;
-  const auto start = [&](Step step) {
-    report.seconds[std::size_t(current)] += timer.time();
-    timer.reset();
-    current = step;
-    return visitor.start_step(step);
-  };
-  const auto stop = [&](Status status) {
-    report.seconds[std::size_t(current)] += timer.time();
-    report.status = status;
-    return Shell(report);
-  };
+  BS::Shell_construction construction(visitor);
+  BS::Shell_report& report = construction.report;
+  const auto start = [&](Step step) { return construction.start(step); };
+  const auto stop = [&](Status status) { return Shell(construction.end(status)); };
 
   if(!(std::isfinite(resolution) && resolution > 0 && relative_thickness > 0 && std::isfinite(relative_thickness)
        && (!has_absolute_thickness || (absolute_thickness > 0 && std::isfinite(absolute_thickness)))
        && parameters.max_seconds > 0 && parameters.max_bytes > 0 && parameters.weights.are_valid()))
     return stop(Status::INVALID_PARAMETER);
 
-  if(BS::arithmetic_self_test() != BS::Arithmetic_status::SOUND) return stop(Status::UNSOUND_ARITHMETIC);
-  if(!start(Step::CHECK)) return stop(Status::CANCELED);
-  const auto input = std::make_shared<BS::Input_mesh_3>();
-  const Status checked = input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
-  report.offending_simplices = input->offending_simplices();
+  const Status checked = construction.template check<ConcurrencyTag>(mesh, np);
   if(checked != Status::SUCCESS) return stop(checked);
-  report.triangles = input->mesh().number_of_faces();
-  report.components = input->number_of_components();
-  report.unit = input->unit();
+  const std::shared_ptr<const BS::Input_mesh_3>& input = construction.input;
 
   if(!start(Step::CELLS)) return stop(Status::CANCELED);
-  const BS::Lattice_3 lattice = BS::Lattice_3::off_the_ends(input->bbox(), input->unit() / resolution);
-  if(!lattice.is_exact() || input->unit() / lattice.spacing() > BS::Lattice_key::max_coordinate)
-    return stop(Status::GRID_TOO_FINE);
-  report.gamma = input->unit() / lattice.spacing();
+  const Status has_lattice = construction.choose_lattice(input->unit() / resolution);
+  if(has_lattice != Status::SUCCESS) return stop(has_lattice);
+  const BS::Lattice_3& lattice = construction.lattice;
   const double largest_thickness = has_absolute_thickness ? absolute_thickness : relative_thickness * input->unit();
   bool is_thickness_valid = true;
   const auto thickness = [&](const Field::Point_3& p) -> double {
@@ -199,9 +167,8 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
         if(box.component != BS::Cover_box::no_component) shell_cells[box.cell] = 1;
     std::vector<BS::Level_range> facets(input->number_of_facets_of_origin());
     for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
-    report.seconds[std::size_t(current)] += timer.time();
-    report.status = Status::SUCCESS;
-    Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets), report);
+    Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
+                construction.end(Status::SUCCESS));
     if(report.certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED)
       shell.set_proved_cover(refinement.certificate()->cover()->boxes());
     return shell;

@@ -87,7 +87,7 @@ std::string numbers(const BS::Simplification_report& report)
   for(std::size_t n = 0; n < report.placements.by_verdict.size(); ++n)
     out << (n > 0 ? "," : "") << "\"" << name(BS::Placement_verdict(n)) << "\":" << report.placements.by_verdict[n];
   out << "},\"seconds\":{\"total\":" << report.total_seconds() << ",\"check\":" << report.check_seconds << ",\"collapse\":"
-      << report.collapse_seconds << ",\"certificate\":" << report.certificate_seconds << "}";
+      << report.edit_seconds << ",\"certificate\":" << report.certificate_seconds << "}";
   return out.str();
 }
 

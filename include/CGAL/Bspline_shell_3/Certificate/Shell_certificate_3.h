@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
+#include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -33,7 +34,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -220,87 +220,9 @@ public:
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<double> displacement_bounds() const
   {
-    // Along a curve the field increases by at least the gradient's least length per unit of length. What holds within a distance of
-    // a facet is enough, if it says that curves through the facet end within that distance.
-    const double of_all = displacement_bound();
-    std::vector<double> displacements(m_facets.size(), 0.);
-    if(!(of_all < std::numeric_limits<double>::infinity())) {
-      std::fill(displacements.begin(), displacements.end(), of_all);
-      return displacements;
-    }
-    typedef std::array<int, 3> Tile_index;
-    struct Tile
-    {
-      double gradient = std::numeric_limits<double>::infinity();
-      Level_range levels;
-      double bound = 0;       // of the length of curves that meet the tile
-    };
-    constexpr double sure = 1e-6, most_tiles = 4096;      // tiles and distances differ by more than rounding can do
-    constexpr int farthest = 4;
-    const std::vector<double> gradients = m_cover->template least_gradients<ConcurrencyTag>();
-    double width = 0;
-    Bbox_3 all;
-    for(std::uint32_t c = 0; c < gradients.size(); ++c)
-      if(gradients[c] < std::numeric_limits<double>::infinity()) {
-        width = (std::max)(width, m_field->cell(c).width());
-        all += m_field->cell(c).bbox();
-      }
-    for(int a = 0; a < 3; ++a)
-      if(!((all.max)(a) - (all.min)(a) < width * double(1 << 20))) width = ((all.max)(a) - (all.min)(a)) / double(1 << 20);
-    const auto visit_tiles = [&](const Bbox_3& box, const auto& visit) {
-      Tile_index first, last;
-      double number = 1;
-      for(int a = 0; a < 3; ++a) {
-        const auto place = [&](double x) { return int(std::floor((std::min)((std::max)((x - (all.min)(a)) / width, -2.), double(1 << 21)))); };
-        first[a] = place((box.min)(a) - sure * width);
-        last[a] = place((box.max)(a) + sure * width);
-        number *= last[a] - first[a] + 1.;
-      }
-      if(number > most_tiles) return false;
-      for(int i = first[0]; i <= last[0]; ++i)
-        for(int j = first[1]; j <= last[1]; ++j)
-          for(int k = first[2]; k <= last[2]; ++k) visit(Tile_index{ i, j, k });
-      return true;
-    };
-    std::map<Tile_index, Tile> tiles;
-    for(std::uint32_t c = 0; c < gradients.size(); ++c)
-      if(gradients[c] < std::numeric_limits<double>::infinity()) {
-        const Level_range levels = threshold_range(c);
-        visit_tiles(m_field->cell(c).bbox(), [&](const Tile_index& t) {
-          Tile& tile = tiles[t];
-          tile.gradient = (std::min)(tile.gradient, gradients[c]);
-          tile.levels.include(levels);
-        });
-      }
-    for(auto& t : tiles) {
-      t.second.bound = of_all;
-      for(int distance = 1; distance <= farthest; ++distance) {
-        Tile near = t.second;
-        for(int i = -distance; i <= distance; ++i)
-          for(int j = -distance; j <= distance; ++j)
-            for(int k = -distance; k <= distance; ++k) {
-              const auto other = tiles.find({ t.first[0] + i, t.first[1] + j, t.first[2] + k });
-              if(other == tiles.end()) continue;
-              near.gradient = (std::min)(near.gradient, other->second.gradient);
-              near.levels.include(other->second.levels);
-            }
-        const double length = (near.levels.max - near.levels.min) / near.gradient * (1 + 4 * internal::rounding);
-        if(!(length < distance * width * (1 - 4 * sure))) continue;
-        t.second.bound = (std::min)(length, of_all);
-        break;
-      }
-    }
-    for(Face_index f : m_input->mesh().faces()) {
-      const auto t = m_input->triangle(f);
-      double longest = 0;
-      const bool few = visit_tiles(t[0].bbox() + t[1].bbox() + t[2].bbox(), [&](const Tile_index& i) {
-        const auto tile = tiles.find(i);
-        if(tile != tiles.end()) longest = (std::max)(longest, tile->second.bound);
-      });
-      double& displacement = displacements[m_input->facet_of_origin(f)];
-      displacement = (std::max)(displacement, few ? longest : of_all);
-    }
-    return displacements;
+    if(!(displacement_bound() < std::numeric_limits<double>::infinity()))
+      return std::vector<double>(m_facets.size(), displacement_bound());
+    return Bspline_shells::displacement_bounds<ConcurrencyTag>(*m_cover, m_inner, m_outer, *m_input, displacement_bound());
   }
   /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
   /// is not proved
@@ -555,7 +477,7 @@ private:
       ++m_draft.statistics.cover_boxes;
       if(box.cell != last_cell) {
         last_cell = box.cell;
-        thresholds.include(threshold_range(box.cell));
+        thresholds.include(threshold_range(m_inner, m_outer, box.cell));
         steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
       }
       if(box.kind == Box_kind::MONOTONE) {
@@ -587,18 +509,6 @@ private:
       m_draft.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_draft.least_gradient > 0)
       m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
-  }
-
-  // encloses both thresholds on a cell
-  Level_range threshold_range(std::uint32_t c) const
-  {
-    if constexpr(Threshold::is_constant) {
-      return { m_inner.level(), m_outer.level() };
-    } else {
-      Level_range range = Bspline_shells::threshold_range(m_inner, c);
-      range.include(Bspline_shells::threshold_range(m_outer, c));
-      return range;
-    }
   }
 
   // Whether there certainly is a critical point in an undecided box, and in the shell: between the thresholds, and

@@ -6,10 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_REMESHING_REPORT_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_REMESHING_REPORT_H
 
-#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
-#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
-#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
 
 #include <cstddef>
 
@@ -21,19 +18,9 @@ namespace Bspline_shells {
  *
  * \brief how the remeshing of a mesh went.
  */
-struct Remeshing_report
+struct Remeshing_report : Edit_report
 {
-  Edit_status status = Edit_status::NO_SHELL;
-  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell
-  std::size_t facets_before = 0, facets = 0;    ///< of the mesh
   std::size_t splits = 0, collapses = 0, flips = 0, moves = 0;      ///< that were done
-  Placement_statistics placements;              ///< stars and facets that were judged, by verdict
-  Certificate_report certificate;               ///< of the result
-  /// of the first check; of the operations; of the certificate
-  double check_seconds = 0, remeshing_seconds = 0, certificate_seconds = 0;
-
-  double total_seconds() const { return check_seconds + remeshing_seconds + certificate_seconds; }
-  explicit operator bool() const { return status == Edit_status::SUCCESS; }
 };
 
 } // namespace Bspline_shells

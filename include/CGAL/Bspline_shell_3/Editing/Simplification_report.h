@@ -6,10 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFICATION_REPORT_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFICATION_REPORT_H
 
-#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
-#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
-#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
 
 #include <cstddef>
 
@@ -21,20 +18,11 @@ namespace Bspline_shells {
  *
  * \brief how the simplification of a mesh went.
  */
-struct Simplification_report
+struct Simplification_report : Edit_report
 {
-  Edit_status status = Edit_status::NO_SHELL;
-  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell
-  std::size_t facets_before = 0, facets = 0;    ///< of the mesh
-  std::size_t selected = 0;                     ///< edges that were considered, with those considered again
-  std::size_t collapsed = 0;                    ///< with those of length zero
-  std::size_t retried = 0;                      ///< edges for which another place was accepted than the first one
-  Placement_statistics placements;              ///< all that were tried, by verdict
-  Certificate_report certificate;               ///< of the result
-  /// of the first check; of the collapses; of the certificate
-  double check_seconds = 0, collapse_seconds = 0, certificate_seconds = 0;
-
-  double total_seconds() const { return check_seconds + collapse_seconds + certificate_seconds; }
+  std::size_t selected = 0;       ///< edges that were considered, with those considered again
+  std::size_t collapsed = 0;      ///< with those of length zero
+  std::size_t retried = 0;        ///< edges for which another place was accepted than the first one
 };
 
 } // namespace Bspline_shells

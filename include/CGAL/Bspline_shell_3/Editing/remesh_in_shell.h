@@ -6,19 +6,15 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 
-#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Shell_remesher.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/before_edits.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
@@ -127,32 +123,19 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   }
   if(!is_sizing_valid || !(expected < most_facets)) return ended(Status::INVALID_PARAMETER);
 
-  Real_timer timer;
-  timer.start();
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
-  const Oracle oracle(shell);
-  const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
-  report.check_seconds = timer.time();
-  if(!accepted) return ended(Status::NOT_IN_SHELL);
-
-  timer.reset();
-  const TriangleMesh before(mesh);
-  std::vector<Point> points;
-  for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
-  typedef Shell_projection_3<Shell, TriangleMesh> Projection;
-  const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
-  const auto project = [&](const Point& p) -> Point {
-    const auto image = projection(p);
-    return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
-  };
   const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
   const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  {
-    // Properties that it attached to the mesh must be gone before another mesh is assigned: their removal might hit those of the other one.
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, report, [&](const auto& oracle) {
+    typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
+    typedef Shell_projection_3<Shell, TriangleMesh> Projection;
+    const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
+    const auto project = [&](const Point& p) -> Point {
+      const auto image = projection(p);
+      return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
+    };
     internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
                              std::remove_cv_t<decltype(vertex_is_constrained)> >
       remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
@@ -166,22 +149,8 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
         else remesher.relax([](const Point& p) { return p; });
     }
     remesher.flip_to_larger_angles();
-  }
-  report.facets = faces(mesh).size();
-  report.remeshing_seconds = timer.time();
-  const auto undone = [&](Status status) {
-    internal::restore(before, points, mesh, vpm);
-    report.facets = report.facets_before;
-    return ended(status);
-  };
-  if(!is_sizing_valid) return undone(Status::INVALID_PARAMETER);
-
-  timer.reset();
-  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
-  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
-  report.certificate = certificate.report();
-  report.certificate_seconds = timer.time();
-  return certified ? ended(Status::SUCCESS) : undone(Status::NOT_CERTIFIED);
+    return is_sizing_valid ? Status::SUCCESS : Status::INVALID_PARAMETER;
+  }));
 }
 
 } // namespace Bspline_shells

@@ -6,17 +6,13 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
 
-#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/before_edits.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 
-#include <CGAL/FPU.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -323,83 +319,58 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  Real_timer timer;
-  timer.start();
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  typedef Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> Oracle;
-  const Oracle oracle(shell);
-  const bool accepted = internal::is_accepted<ConcurrencyTag>(mesh, vpm, oracle, result.offending_simplices);
-  result.check_seconds = timer.time();
-  if(!accepted) return ended(Status::NOT_IN_SHELL);
+  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
+  const Status edited = internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, result, [&](const auto& oracle) {
+    typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
+    SMS::internal::Dummy_filter default_filter;
+    const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
+    typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
+    typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
+    const Filter filter(oracle, std::cref(base_filter));
 
-  timer.reset();
-  const TriangleMesh before(mesh);
-  std::vector<Point> points;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
-  for(auto v : all) points.push_back(get(vpm, v));
-
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, SMS::internal::Dummy_visitor>::reference> Visitor;
-  SMS::internal::Dummy_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  SMS::internal::Dummy_filter default_filter;
-  const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
-  typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
-  typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
-  const Filter filter(oracle, std::cref(base_filter));
-
-  internal::Collapse_state state;
-  state.initial_edges = edges(mesh).size();
-  typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<Visitor> > History;
-  internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<Visitor> > history(visitor, state);
-  const auto collapse = [&](const auto& cost, const auto& placement) {
-    typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
-    typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
-    typedef std::remove_cv_t<decltype(stop)> Stop;
-    typedef std::remove_cv_t<decltype(constrained)> Constrained;
-    const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
-      retrying(cost, placement, filter, oracle, constrained, state);
-    static_cast<History&>(history).OnStarted(mesh);
-    // Places that cost more than what is due wait for a later run.
-    for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
-      state.allowance = allowance;
-      state.has_deferred = false;
-      SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
-                         CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
-                                          .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
-                                          .filter(internal::Accepted_filter{ &state }).visitor(history));
-      if(state.has_stopped || !state.has_deferred) break;
+    internal::Collapse_state state;
+    state.initial_edges = edges(mesh).size();
+    typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > History;
+    internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > history(visitor, state);
+    const auto collapse = [&](const auto& cost, const auto& placement) {
+      typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
+      typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
+      typedef std::remove_cv_t<decltype(stop)> Stop;
+      typedef std::remove_cv_t<decltype(constrained)> Constrained;
+      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
+        retrying(cost, placement, filter, oracle, constrained, state);
+      static_cast<History&>(history).OnStarted(mesh);
+      // Places that cost more than what is due wait for a later run.
+      for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
+        state.allowance = allowance;
+        state.has_deferred = false;
+        SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
+                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
+                                            .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
+                                            .filter(internal::Accepted_filter{ &state }).visitor(history));
+        if(state.has_stopped || !state.has_deferred) break;
+      }
+      static_cast<History&>(history).OnFinished(mesh);
+    };
+    constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
+    constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
+    static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+    if constexpr(has_cost) {
+      collapse(get_parameter_reference(np, internal_np::get_cost_policy), get_parameter_reference(np, internal_np::get_placement_policy));
+    } else {
+      const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
+      collapse(policies.get_cost(), policies.get_placement());
     }
-    static_cast<History&>(history).OnFinished(mesh);
-  };
-  constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
-  constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-  static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
-  if constexpr(has_cost) {
-    collapse(get_parameter_reference(np, internal_np::get_cost_policy), get_parameter_reference(np, internal_np::get_placement_policy));
-  } else {
-    const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
-    collapse(policies.get_cost(), policies.get_placement());
-  }
-  result.facets = faces(mesh).size();
-  result.selected = history.history().selected;
-  result.collapsed = history.history().collapsed;
-  result.retried = state.retried;
-  result.placements = filter.statistics();
-  result.collapse_seconds = timer.time();
-
-  timer.reset();
-  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
-  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
-  result.certificate = certificate.report();
-  if(certified) {
+    result.selected = history.history().selected;
+    result.collapsed = history.history().collapsed;
+    result.retried = state.retried;
+    result.placements = filter.statistics();
     for(auto v : all) result.images.push_back(history.history().image(v));
-  } else {
-    internal::restore(before, points, mesh, vpm);
-    result.facets = result.facets_before;
-  }
-  result.certificate_seconds = timer.time();
-  return ended(certified ? Status::SUCCESS : Status::NOT_CERTIFIED);
+    return Status::SUCCESS;
+  });
+  if(edited != Status::SUCCESS) result.images.clear();
+  return ended(edited);
 }
 
 } // namespace Bspline_shells

@@ -110,6 +110,20 @@ Level_range threshold_range(const Threshold& threshold, std::uint32_t cell)
   return { -negative.max, -negative.min };
 }
 
+/// \ingroup PkgBsplineShell3Field
+/// encloses both thresholds on a leaf cell
+template <typename Threshold>
+Level_range threshold_range(const Threshold& inner, const Threshold& outer, std::uint32_t cell)
+{
+  if constexpr(Threshold::is_constant) {
+    return { inner.level(), outer.level() };
+  } else {
+    Level_range range = threshold_range(inner, cell);
+    range.include(threshold_range(outer, cell));
+    return range;
+  }
+}
+
 } // namespace Bspline_shells
 } // namespace CGAL
 

@@ -50,12 +50,8 @@ project_points(const Shell& shell, const PointRange& points, const TriangleMesh&
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, target));
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const Shell_projection_3<Shell, TriangleMesh> projection(
     shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm),
     choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.));

@@ -106,11 +106,20 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
 namespace internal {
 
-// how an object that is changed by its use, as a solver, is held: a copy of what was passed by value, as a pack is
-// constant, and a reference to what was passed with `std::ref`
-template <typename Reference>
-using Argument = std::conditional_t<std::is_const<std::remove_reference_t<Reference> >::value,
-                                    std::remove_cv_t<std::remove_reference_t<Reference> >, Reference>;
+// An object that its use changes, such as a solver: a reference to what was passed with `std::ref`, a copy of what was passed by value, as
+// packs are constant, or a new `Default`. Use: `auto&& solver = argument<Default>(np, tag)`.
+template <typename Default, typename NP, typename Tag, typename... Arguments>
+decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_default)
+{
+  if constexpr(CGAL::parameters::is_default_parameter<NP, Tag>::value) {
+    return Default(arguments_of_default...);
+  } else {
+    typedef decltype(CGAL::parameters::get_parameter_reference(np, tag)) Reference;
+    typedef std::remove_reference_t<Reference> Object;
+    return static_cast<std::conditional_t<std::is_const<Object>::value, std::remove_const_t<Object>, Reference> >(
+      CGAL::parameters::get_parameter_reference(np, tag));
+  }
+}
 
 } // namespace internal
 

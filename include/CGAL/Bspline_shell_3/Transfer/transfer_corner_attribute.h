@@ -161,16 +161,12 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<SourceCornerMap>::value_type Value;
   typedef typename Map::Projection_to_source::Target Source;
   typedef typename Map::Projection_to_target::Target Target;
   typedef typename Source::Index Index;
   typedef std::array<double, 3> Coordinates;
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
 
   const auto put_default_values = [&](auto f) {

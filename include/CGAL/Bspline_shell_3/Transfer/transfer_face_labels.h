@@ -54,13 +54,9 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<SourceLabelMap>::value_type Label;
   typedef typename Map::Projection_to_target::Target::Index Index;
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
 
   // the centroid first, and the others once

@@ -102,12 +102,8 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<TargetVectorMap>::value_type Vector;
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
   CGAL_precondition(symmetry > 0);
 

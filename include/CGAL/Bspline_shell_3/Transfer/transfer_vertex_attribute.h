@@ -62,10 +62,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<SourceValueMap>::value_type Value;
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
   constexpr bool has_mapping = !CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, parameter_tags::mapping_t>::value;
 
@@ -126,10 +123,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<SourceValueMap>::value_type Value;
-  typedef internal::Argument<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, CGAL_NP_CLASS, Default_flow_visitor>::reference> Visitor;
-  Default_flow_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
 
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();

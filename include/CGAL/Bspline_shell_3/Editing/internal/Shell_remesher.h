@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Core>

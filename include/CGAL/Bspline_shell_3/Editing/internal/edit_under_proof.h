@@ -3,14 +3,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_BEFORE_EDITS_H
-#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_BEFORE_EDITS_H
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_EDIT_UNDER_PROOF_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_EDIT_UNDER_PROOF_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
+#include <CGAL/FPU.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -111,8 +116,47 @@ void restore(const TriangleMesh& before, const std::vector<Point>& points, Trian
   }
 }
 
+// Checks the mesh, edits it, and certifies the result; what is not certified is undone. `edit(oracle)` returns why it is to be undone, or
+// success; properties that it attaches to the mesh must be gone when it returns. \pre `check_before_edits()` accepts the mesh
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell, Edit_report& report,
+                             const Edit& edit)
+{
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  Real_timer timer;
+  timer.start();
+  const auto lap = [&timer](double& seconds) {
+    seconds = timer.time();
+    timer.reset();
+  };
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
+  const bool accepted = is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
+  lap(report.check_seconds);
+  if(!accepted) return Edit_status::NOT_IN_SHELL;
+
+  const TriangleMesh before(mesh);
+  std::vector<Point> points;
+  for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
+  const auto undone = [&](Edit_status status) {
+    restore(before, points, mesh, vpm);
+    report.facets = report.facets_before;
+    return status;
+  };
+  const Edit_status edited = edit(oracle);
+  report.facets = faces(mesh).size();
+  lap(report.edit_seconds);
+  if(edited != Edit_status::SUCCESS) return undone(edited);
+
+  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
+  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
+  report.certificate = certificate.report();
+  lap(report.certificate_seconds);
+  return certified ? Edit_status::SUCCESS : undone(Edit_status::NOT_CERTIFIED);
+}
+
 } // namespace internal
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_BEFORE_EDITS_H
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_EDIT_UNDER_PROOF_H

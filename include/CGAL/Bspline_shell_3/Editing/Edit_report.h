@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief what all edits of a mesh in a shell report.
+ */
+struct Edit_report
+{
+  Edit_status status = Edit_status::NO_SHELL;
+  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell
+  std::size_t facets_before = 0, facets = 0;    ///< of the mesh
+  Placement_statistics placements;              ///< all that were tried, by verdict
+  Certificate_report certificate;               ///< of the result
+  /// of the first check; of the edit; of the certificate
+  double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0;
+
+  double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds; }
+  explicit operator bool() const { return status == Edit_status::SUCCESS; }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
