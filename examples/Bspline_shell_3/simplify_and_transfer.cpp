@@ -87,13 +87,18 @@ struct Flat_mask
   }
 };
 
+// A mesh's attribute of this name, which is added if there is none.
+template <typename Value>
+Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::string& name)
+{
+  return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
+}
+
 // Gives the vertices of the target what the source has where their curves meet it. Returns whether all of them got it, or says why not.
 template <typename Value>
-bool carry_over(const Map& map, Mesh& target, const std::string& attribute)
+bool carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
-  const auto values = map.source().property_map<Mesh::Vertex_index, Value>(attribute).first;
-  const BS::Transfer_report report =
-    BS::transfer_vertex_attribute(map, values, target.add_property_map<Mesh::Vertex_index, Value>(attribute).first);
+  const BS::Transfer_report report = BS::transfer_vertex_attribute(map, attribute<Value>(source, name), attribute<Value>(target, name));
   if(!report)
     std::cerr << report.failures.size() << " points are lost, the first at vertex " << report.failures[0].first << ": "
               << message(report.failures[0].second) << std::endl;
@@ -161,8 +166,8 @@ int main(int argc, char** argv)
   Mesh detail = coarse;
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
   const Map to_coarse(shell, mesh, coarse), to_detail(shell, mesh, detail);
-  if(!carry_over<double>(to_coarse, coarse, "v:distance") || !carry_over<CGAL::IO::Color>(to_coarse, coarse, "v:color")
-     || !carry_over<CGAL::IO::Color>(to_detail, detail, "v:color"))
+  if(!carry_over<double>(to_coarse, mesh, coarse, "v:distance") || !carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
+     || !carry_over<CGAL::IO::Color>(to_detail, coarse, detail, "v:color"))
     return POINTS_LOST;
   const double transfer_seconds = timer.time();
 

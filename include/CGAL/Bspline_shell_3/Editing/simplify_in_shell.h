@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
@@ -176,13 +177,13 @@ public:
   {}
 
   template <typename Profile>
-  boost::optional<typename Profile::Point> operator()(const Profile& profile) const
+  Optional<typename Profile::Point> operator()(const Profile& profile) const
   {
     typedef typename Profile::Point Point;
-    typedef boost::optional<Point> Optional;
+    typedef Optional<Point> Place;
 
     const bool fixed_0 = has_constrained_edge(profile, profile.v0()), fixed_1 = has_constrained_edge(profile, profile.v1());
-    Optional placement;
+    Place placement;
     if(fixed_0) placement = profile.p0();
     else if(fixed_1) placement = profile.p1();
     else placement = (*m_placement)(profile);
@@ -194,19 +195,19 @@ public:
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     std::vector<std::pair<double, Point> > others;
     const auto add = [&](const Point& p) {
-      const auto cost = (*m_cost)(profile, Optional(p));
+      const auto cost = (*m_cost)(profile, Place(p));
       if(!cost) return;
       if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
       else m_state->has_deferred = true;
     };
     const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
     for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
-    for(const Optional& from : { placement, Optional(middle) })
+    for(const Place& from : { placement, Place(middle) })
       if(from)
         if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& other : others)
-      if((*m_filter)(profile, Optional(other.second))) {
+      if((*m_filter)(profile, Place(other.second))) {
         m_state->is_accepted = true;
         m_state->cost = other.first;
         ++m_state->retried;
@@ -302,7 +303,6 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
-  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
   typedef Edit_status Status;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));

@@ -7,9 +7,9 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_CROSSING_COUNTER_3_H
 
 #include <CGAL/Bspline_shell_3/Mesh/facet_crossing.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/FPU.h>
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  typedef AABB_tree<AABB_traits<Kernel, AABB_face_graph_triangle_primitive<Triangle_mesh> > > Tree;
+  typedef AABB_tree<internal::AABB_traits_3<Kernel, AABB_face_graph_triangle_primitive<Triangle_mesh> > > Tree;
 
   const Triangle_mesh* m_mesh;
   Tree m_tree;

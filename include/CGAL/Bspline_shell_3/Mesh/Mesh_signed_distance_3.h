@@ -7,10 +7,9 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_MESH_SIGNED_DISTANCE_3_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -42,10 +41,10 @@ class Mesh_signed_distance_3
   typedef Exact_predicates_inexact_constructions_kernel Exact_side_kernel;
   typedef Simple_cartesian<double> Distance_kernel;
   typedef std::vector<Distance_kernel::Triangle_3> Triangles;
-  typedef AABB_traits<Distance_kernel, AABB_triangle_primitive<Distance_kernel, Triangles::const_iterator> > Traits;
+  typedef internal::AABB_traits_3<Distance_kernel, internal::AABB_triangle_primitive_3<Distance_kernel, Triangles::const_iterator> > Traits;
   typedef AABB_tree<Traits> Distance_tree;
   typedef Side_of_triangle_mesh<Input_mesh_3::Triangle_mesh, Exact_side_kernel> Side_of_mesh;
-  typedef AABB_tree<AABB_traits<Exact_side_kernel, AABB_face_graph_triangle_primitive<Input_mesh_3::Triangle_mesh> > >
+  typedef AABB_tree<internal::AABB_traits_3<Exact_side_kernel, AABB_face_graph_triangle_primitive<Input_mesh_3::Triangle_mesh> > >
     Side_tree;
 
 public:

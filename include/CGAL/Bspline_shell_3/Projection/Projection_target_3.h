@@ -6,9 +6,9 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -45,7 +45,7 @@ class Projection_target_3
 {
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Triangle_3> Triangles;
-  typedef AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator> > Traits;
+  typedef internal::AABB_traits_3<Kernel, internal::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> > Traits;
   typedef AABB_tree<Traits> Tree;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef Exact_rational ET;

@@ -7,13 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/version_macros.h>
 
 #include <type_traits>
-
-#if CGAL_VERSION_NR >= 1050600000
-#  error "The named parameters of this package are written for CGAL 5.5."
-#endif
 
 namespace CGAL {
 namespace Bspline_shells {

@@ -501,17 +501,13 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   typedef std::conditional_t<std::is_arithmetic<Level>::value, Constant_threshold, Level> Threshold;
   typedef internal::Level_set_soup<Field, Threshold> Soup;
-  typedef typename internal_np::Lookup_named_param_def<
-    internal_np::filter_t, CGAL_NP_CLASS, internal::All_cells>::reference Cell_filter;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, out));
   const int ratio = choose_parameter(get_parameter(np, internal_np::subdivision_ratio), 2);
   const bool skip_open = choose_parameter(get_parameter(np, parameter_tags::skip_open_components), false);
-  internal::All_cells all_cells;
-  Cell_filter filter = choose_parameter(get_parameter_reference(np, internal_np::filter), all_cells);
+  auto&& filter = internal::argument<internal::All_cells>(np, internal_np::filter);
   CGAL_precondition(ratio >= 1 && ratio <= 256);
   if constexpr(std::is_arithmetic<Level>::value)
     if(!std::isfinite(double(level))) return Level_set_status::LEVEL_SET_EMPTY;

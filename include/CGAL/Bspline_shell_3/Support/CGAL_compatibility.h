@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_CGAL_COMPATIBILITY_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_CGAL_COMPATIBILITY_H
+
+// What has another name, or another type, from CGAL 6.0 on.
+
+#include <CGAL/version_macros.h>
+
+#if CGAL_VERSION_MAJOR >= 6
+#  include <CGAL/AABB_traits_3.h>
+#  include <CGAL/AABB_triangle_primitive_3.h>
+#  include <optional>
+#else
+#  include <CGAL/AABB_traits.h>
+#  include <CGAL/AABB_triangle_primitive.h>
+#  include <boost/optional.hpp>
+#endif
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+#if CGAL_VERSION_MAJOR >= 6
+template <typename Kernel, typename Primitive>
+using AABB_traits_3 = CGAL::AABB_traits_3<Kernel, Primitive>;
+template <typename Kernel, typename Iterator>
+using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+template <typename T>
+using Optional = std::optional<T>;        // of policies of edge collapse
+#else
+template <typename Kernel, typename Primitive>
+using AABB_traits_3 = CGAL::AABB_traits<Kernel, Primitive>;
+template <typename Kernel, typename Iterator>
+using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+template <typename T>
+using Optional = boost::optional<T>;
+#endif
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_CGAL_COMPATIBILITY_H
