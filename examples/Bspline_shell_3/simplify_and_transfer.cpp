@@ -167,7 +167,7 @@ int main(int argc, char** argv)
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
   const Map to_coarse(shell, mesh, coarse), to_detail(shell, mesh, detail);
   if(!carry_over<double>(to_coarse, mesh, coarse, "v:distance") || !carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
-     || !carry_over<CGAL::IO::Color>(to_detail, coarse, detail, "v:color"))
+     || !carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color"))
     return POINTS_LOST;
   const double transfer_seconds = timer.time();
 
