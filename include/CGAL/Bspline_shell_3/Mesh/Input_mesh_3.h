@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H
 #define CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H
 
+#include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
@@ -17,8 +18,8 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -113,20 +114,6 @@ public:
   }
 
 private:
-  // passes the facet of origin on to the triangles of a polygon
-  struct Origin_visitor : Polygon_mesh_processing::Triangulate_faces::Default_visitor<Triangle_mesh>
-  {
-    Origin_visitor(std::vector<std::size_t>& origin, std::size_t& current) : origin(&origin), current(&current) {}
-    void before_subface_creations(Face_index f) { *current = (*origin)[f]; }
-    void after_subface_created(Face_index f)
-    {
-      if(origin->size() <= std::size_t(f)) origin->resize(std::size_t(f) + 1);
-      (*origin)[f] = *current;
-    }
-    std::vector<std::size_t>* origin;
-    std::size_t* current;
-  };
-
   // to_double() of a lazy number depends on its history, to one part in 10^5; the copy must not
   template <typename NT>
   static double rounded(const NT& x) { return CGAL::to_double(x); }
@@ -201,16 +188,37 @@ private:
   {
     std::vector<std::size_t> degenerate;
     if(!CGAL::is_triangle_mesh(m_mesh)) {
-      std::size_t current = 0;
-      Polygon_mesh_processing::triangulate_faces(m_mesh, CGAL::parameters::visitor(Origin_visitor(m_origin, current)));
-      for(auto f : m_mesh.faces())
-        if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh)) degenerate.push_back(m_origin[f]);
+      const std::vector<Face_index> polygons(m_mesh.faces().begin(), m_mesh.faces().end());
+      for(Face_index f : polygons)
+        if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh) && !triangulate(f)) degenerate.push_back(m_origin[f]);
       if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
     }
     for(auto f : m_mesh.faces())
       if(Polygon_mesh_processing::is_degenerate_triangle_face(f, m_mesh)) degenerate.push_back(m_origin[f]);
     if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
     return Shell_status::SUCCESS;
+  }
+
+  // false for a polygon of two edges
+  bool triangulate(Face_index f)
+  {
+    std::vector<Triangle_mesh::Halfedge_index> halfedges;      // to the vertices of the polygon
+    std::vector<Kernel::Point_3> points;
+    for(auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
+      halfedges.push_back(h);
+      points.push_back(m_mesh.point(m_mesh.target(h)));
+    }
+    if(points.size() < 3) return false;
+    std::vector<std::array<std::size_t, 3> > triangles = triangulate_polygon(points);
+    triangles.pop_back();       // what is left of the polygon
+    for(const auto& t : triangles) {
+      const Triangle_mesh::Halfedge_index across = CGAL::Euler::split_face(halfedges[t[0]], halfedges[t[2]], m_mesh);
+      halfedges[t[2]] = across;
+      const Face_index cut_off = m_mesh.face(m_mesh.opposite(across));
+      if(m_origin.size() <= std::size_t(cut_off)) m_origin.resize(std::size_t(cut_off) + 1);
+      m_origin[cut_off] = m_origin[f];
+    }
+    return true;
   }
 
   template <typename ConcurrencyTag>

@@ -62,9 +62,9 @@ auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
     const Point_3& q = get(vpm, target(next(h, mesh), mesh));
     const Point_3& r = get(vpm, source(h, mesh));
     wings.emplace_back(q, r);
-    const Vector_3 n = CGAL::cross_product(q - p, r - p);
-    const double length = std::sqrt(n.squared_length());
-    if(length > 0) mean = mean + n / length;
+    const auto n = facet_normal(p, q, r).direction;       // at any scale
+    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
     reach = (std::max)(reach, (q - p).squared_length());
   }
   const auto unit = [](const Vector_3& g) { return Vector_3(g / std::sqrt(g.squared_length())); };
