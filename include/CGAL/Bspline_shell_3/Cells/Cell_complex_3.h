@@ -204,7 +204,7 @@ public:
   double width() const { return m_lattice.spacing(); }
   double width(Index) const { return width(); }
   /// \name As a Hierarchy
-  /// of one level, all of whose cells are leaves
+  /// for complexes of one level, whose cells are all leaves
   /// @{
   int number_of_levels() const { return 1; }
   int level(Index) const { return 0; }

@@ -198,7 +198,7 @@ private:
   struct Level
   {
     Lattice_set_3 cells;
-    std::vector<Index> leaf;        // of each cell; npos if it is split
+    std::vector<Index> leaf;        // the number of each cell; npos if it is split
     Index first_leaf = 0;
   };
 
@@ -271,7 +271,7 @@ private:
     return { coordinate(level, 0, p[0]), coordinate(level, 1, p[1]), coordinate(level, 2, p[2]) };
   }
 
-  // of a cell that meets the box
+  // visits the leaves, in a cell that meets the box, that meet it
   template <typename Visitor>
   void visit_leaves(int level, const Lattice_3::Point& p, const Bbox_3& box, const Visitor& visit) const
   {
@@ -304,7 +304,7 @@ private:
   Cell_complex_3 m_roots;
   int m_max_level = 0;
   std::array<double, most_levels + 2> m_level_width;
-  std::vector<Keys> m_split;          // of each level, the cells that are split
+  std::vector<Keys> m_split;          // the cells of each level that are split
   std::vector<Level> m_levels;
   std::vector<Leaf> m_leaves;
 };

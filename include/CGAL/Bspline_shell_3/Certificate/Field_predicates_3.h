@@ -261,7 +261,7 @@ private:
     return question;
   }
 
-  // a lower bound of what is asked about, per user unit: whatever is proved, if it is at least what is wanted
+  // a lower bound of the quantity in question, per user unit; any bound that is proved will do if it is at least `wanted`
   struct Least_value { double wanted, value; };
 
   // a part of a segment (size two) or a triangle (size three): its corners in units of 2^-depth
@@ -288,7 +288,7 @@ private:
   // subdivisions of a part of the size of a cell, and of all of them together, beyond a few for each: bounded time
   static constexpr std::size_t most_parts_of_a_cell = 2000, most_parts = 20000, parts_for_each = 8;
 
-  // of the local coordinates of a point
+  // bounds the roundings of the local coordinates of a point
   template <typename Point>
   static double local_error(const Point& p, const typename Field::Cell& cell)
   {

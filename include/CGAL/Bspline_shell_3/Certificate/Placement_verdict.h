@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// what becomes of a facet, or of the place where an edge is to be collapsed to
+/// whether a facet, or a place for the vertex of a collapsed edge, is accepted
 enum class Placement_verdict
 {
   ACCEPTED,

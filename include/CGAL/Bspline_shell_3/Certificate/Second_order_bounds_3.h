@@ -142,7 +142,7 @@ private:
     Matrix_range above, below, field;                   // second derivatives, of the margins and the field
     Coordinates least_gradient, greatest_gradient;      // of the field, components
     double steepness, curvature;                        // sums of absolute first and second derivatives, of the margins and the field
-    double value_error, gradient_error;                 // of a margin, and of a gradient's component, that are computed at a point
+    double value_error, gradient_error;                 // bound the roundings of a margin and of a gradient's component at a point
     // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards.
     bool has_flat_thresholds;
     double inner, outer;
@@ -283,7 +283,7 @@ private:
       bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
   }
 
-  // of one triangle
+  // the state of the examination of one triangle
   class Examination
   {
   public:
@@ -322,7 +322,7 @@ private:
       Cell_index cell;
       bool is_transversal;                      // by the gradients on the cell
     };
-    // of cells met, by number, and what is known of all of them
+    // the cells met, by number, and what is known about all of them
     struct Region
     {
       std::size_t begin, end;
@@ -359,7 +359,7 @@ private:
       return fails;
     }
 
-    // of the slope that is computed at a point
+    // bounds the roundings of the slope at a point
     double slope_error(const Sample& s) const
     {
       const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
@@ -380,7 +380,7 @@ private:
       return edges;
     }
 
-    // of the exact part, too
+    // contains the exact part, too
     Bbox_3 bbox(const Part& part) const
     {
       Coordinates least, most;

@@ -82,7 +82,7 @@ public:
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
 
-  /// of the shell's field, between its thresholds. What does not depend on the mesh is taken over: the cover, if the shell has it, and
+  /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
   /// bounds, if they are given.
   /// \pre there is a shell, and it outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
@@ -369,7 +369,7 @@ private:
       m_draft.statistics.transversality += result.transversality;
       m_least_slope = (std::min)(m_least_slope, result.least_slope);
     }
-    // of a facet and of the mesh: the worst of their triangles; what was left out is undecided
+    // A facet, and the mesh, has the worst verdict of its triangles; what was left out is undecided.
     std::vector<Facet_verdict> facets(input.number_of_facets_of_origin());
     std::vector<char> is_known(facets.size(), 0);
     begin(Claim::CONTAINMENT);
@@ -687,9 +687,9 @@ private:
     return Verdict::UNDECIDED;
   }
 
-  static constexpr int max_least_depth = 3;           // of a cover that is to separate components
+  static constexpr int max_least_depth = 3;           // for covers that are to separate components
   static constexpr std::size_t max_paths = 64;        // tried for a component
-  static constexpr std::size_t max_spare_paths = 3;   // of a component
+  static constexpr std::size_t max_spare_paths = 3;   // for a component
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;

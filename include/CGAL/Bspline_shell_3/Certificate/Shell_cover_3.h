@@ -396,7 +396,7 @@ private:
     return on_box;
   }
 
-  // of a function on a box: along the direction of the box, or a better one
+  // the derivative of a function on a box, along the direction of the box or a better one
   double gradient_bound(const Enclosed_tricubic& f, const Cover_box& box) const
   {
     const Vectors gradient = control_vectors_of_gradient(f);

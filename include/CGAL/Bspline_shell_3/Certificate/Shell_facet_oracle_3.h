@@ -196,7 +196,7 @@ private:
 
   static double squared_norm(const Coordinates& v) { return v[0]*v[0] + v[1]*v[1] + v[2]*v[2]; }
 
-  // What is between the thresholds elsewhere is none of the shell.
+  // Points between the thresholds in other cells are outside the shell.
   bool is_in_cells(const Sample& s) const { return s.cell != Field::npos && m_shell->shell_cells()[s.cell]; }
   bool is_in(const Sample& s) const { return is_in_cells(s) && s.above >= 0 && s.below >= 0; }
 

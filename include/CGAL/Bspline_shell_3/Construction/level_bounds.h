@@ -32,7 +32,7 @@ struct Piece_in_cell
 {
   typename Field::Cell cell;
   std::vector<std::array<double, 3> > corner;    // in the cell
-  double error;                                  // of a Bernstein coefficient on the piece, against f on the facet
+  double error;                                  // bounds how far a Bernstein coefficient on the piece is from that of f on the facet
 
   Piece_in_cell(const Field& field, const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece)
     : cell(field.cell(piece.cell))

@@ -154,7 +154,7 @@ public:
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
   const Field& field() const { return *m_field; }
-  /// of the last field; it refers to the field
+  /// the certificate of the last field, to which it refers
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return *m_inner; }
   const Threshold& outer() const { return *m_outer; }
@@ -474,7 +474,7 @@ private:
     lap(CERTIFICATE);
   }
 
-  // of the facets near a box, if they have a direction in common
+  // a condition along the direction that the facets near a box have in common, if there is one
   std::optional<Slope_condition> common_slope(const Obstacle& o) const
   {
     constexpr double least_margin = 0.01;
@@ -589,7 +589,7 @@ private:
   std::shared_ptr<const Input_mesh_3> m_input;
   const Oracle& m_oracle;
   Refinement_parameters m_parameters;
-  std::vector<double> m_wanted;                       // of each triangle: its slope, per user unit
+  std::vector<double> m_wanted;                       // the slope wanted for each triangle, per user unit
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
   std::vector<Field::Point_3> m_seeds;                // a point of each component of the mesh
   std::unique_ptr<Field> m_field;

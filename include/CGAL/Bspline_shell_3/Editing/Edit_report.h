@@ -28,7 +28,7 @@ struct Edit_report
   std::size_t facets_before = 0, facets = 0;    ///< of the mesh
   Placement_statistics placements;              ///< all that were tried, by verdict
   Certificate_report certificate;               ///< of the result
-  /// of the first check; of the edit; of the certificate
+  /// times of the first check, the edit, and the certificate
   double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0;
 
   double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds; }

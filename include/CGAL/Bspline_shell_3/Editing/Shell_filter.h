@@ -62,7 +62,7 @@ public:
     return verdict == Placement_verdict::ACCEPTED ? placement : OptionalPoint();
   }
 
-  /// of this filter and its copies
+  /// counts of this filter and its copies
   const Placement_statistics& statistics() const { return m_state->statistics; }
 
 private:

@@ -90,13 +90,13 @@ namespace internal {
 // condition, placement and filter once for this edge, before any other.
 struct Collapse_state
 {
-  bool is_waiting = false;            // the selected edge, for a placement
+  bool is_waiting = false;            // whether the selected edge has no placement yet
   bool is_accepted = false;
   bool has_stopped = false;
   bool has_deferred = false;          // a place that was too expensive
-  double cost = 0;                    // of the selected edge
-  double largest_cost = 0;            // of the edges collapsed so far
-  double allowance = 1;               // how many times that another place than the policy's may cost
+  double cost = 0;                    // cost of the selected edge
+  double largest_cost = 0;            // largest cost of a collapsed edge
+  double allowance = 1;               // by what factor other places than the policy's may cost more
   std::size_t initial_edges = 0;
   std::size_t collapsed = 0, retried = 0;
 };

@@ -275,7 +275,7 @@ public:
       matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows);
       return true;
     });
-    // of the same pattern
+    // both have the same pattern
     Eigen::Map<Vector>(A.valuePtr(), A.nonZeros()) += Eigen::Map<const Vector>(more.valuePtr(), more.nonZeros());
     b += more_rhs;
   }

@@ -22,7 +22,7 @@ namespace Bspline_shells {
  */
 struct Unknown_blocks
 {
-  /// of all blocks, one after the other; ascending within a block
+  /// the unknowns of all blocks, one block after the other, in ascending order within a block
   std::vector<std::uint32_t> unknowns;
   /// where each block begins in `unknowns`, and the end
   std::vector<std::size_t> first = { 0 };

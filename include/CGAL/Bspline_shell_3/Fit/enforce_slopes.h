@@ -33,7 +33,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the wish that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that it is
+ * \brief the condition that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that it is
  * near zero there.
  */
 struct Slope_condition
@@ -164,11 +164,11 @@ public:
 private:
   static constexpr int max_sweeps = 3;
   static constexpr std::size_t few = 64;                // violated cells that are left, whatever the progress of a sweep
-  static constexpr double progress = 0.7;               // of a sweep: what remains of them at most
-  static constexpr std::size_t max_unknowns = 500;      // of a patch
+  static constexpr double progress = 0.7;               // largest share of violations that a sweep may leave
+  static constexpr std::size_t max_unknowns = 500;      // in a patch
   static constexpr int max_exchanges = 8;
   static constexpr std::size_t max_rows = 160, max_new_rows = 32;
-  static constexpr double helps = 0.5;                  // what remains of a violation, if a patch is of use
+  static constexpr double helps = 0.5;                  // largest share of a violation that a useful patch leaves
   static constexpr double largest_multiplier = 1e2;     // the weights make one near ten
   static constexpr double excess = 0.05;                // part by which a solution is to exceed what is wanted, as it is not exact
   static constexpr int max_dual_sweeps = 100;
@@ -236,7 +236,7 @@ private:
     return least;
   }
 
-  // of the condition with the least slack
+  // the condition with the least slack
   std::uint32_t worst_facet(Index c) const
   {
     const auto slack = [&](const Slope_condition& condition) {

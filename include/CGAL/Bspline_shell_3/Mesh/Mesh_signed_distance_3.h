@@ -26,7 +26,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the signed distance to a closed mesh: negative on the side that the facets turn their backs to.
+ * \brief the signed distance to a closed mesh: negative behind the facets.
  *
  * The distance is computed with an AABB tree in `double`s; the sign of single points comes from
  * `CGAL::Side_of_triangle_mesh`, whose predicates are exact. For many points near each other there is a faster way, which
@@ -109,7 +109,7 @@ public:
 private:
   typedef Distance_kernel::Vector_3 Vector;
 
-  // of a facet, of its edges and of its vertices: vertex `i` is where edge `i` begins. Zero for a facet so thin that rounding
+  // the normals of a facet, its edges and its vertices; edge `i` begins at vertex `i`. Zero for a facet so thin that rounding
   // hides where in it a point lies, and for its edges.
   struct Normals { Vector facet; std::array<Vector, 3> edge, vertex; };
 

@@ -190,7 +190,7 @@ std::vector<std::array<Clip_point, 3> > triangles_to_clip(const InputMesh& input
   return triangles;
 }
 
-// of length one; zero for a facet too flat for doubles
+// the unit normal; zero for a facet too flat for doubles
 inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 {
   // scaled first: the squares of a tiny facet's lengths would underflow

@@ -168,10 +168,10 @@ private:
   };
 
   static constexpr double longest = 4. / 3, shortest = 4. / 5;      // edges, relative to the target length
-  static constexpr double least_shrinkage = 0.9;      // of edges, from that which is split to the new ones
+  static constexpr double least_shrinkage = 0.9;      // ratio of new edges to the one that is split
   static constexpr double regular_quality = 0.3;      // that a flip towards regular valences must leave, if it was better before
   static constexpr double good_quality = 0.7;         // that a move must leave, if it was better before
-  static constexpr double least_gain = 1.01;          // of a flip
+  static constexpr double least_gain = 1.01;          // of quality, by a flip
   static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
 
   // a reference, or a point, as the map has it
@@ -230,7 +230,7 @@ private:
     return (std::min)(quality(point(q.a), point(q.b), point(q.c)), quality(point(q.b), point(q.a), point(q.d)));
   }
 
-  // of the facets (p, m_link[n], m_link[n+1])
+  // the worst quality of the facets (p, m_link[n], m_link[n+1])
   double quality_of_star(const Point& p) const
   {
     double least = 1;
@@ -238,7 +238,7 @@ private:
     return least;
   }
 
-  // of the facets at the ends of an edge, but for its own two
+  // the worst quality of the facets at the ends of an edge, except for its own two
   double quality_around(halfedge_descriptor h) const
   {
     double least = 1;
@@ -353,7 +353,7 @@ private:
     const bool is_source_fixed = must_stay(source(h, m_mesh)), is_target_fixed = must_stay(target(h, m_mesh));
     if(is_source_fixed && is_target_fixed) return false;
     if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh)))) h = opposite(h, m_mesh);
-    // of the two sides of a facet that become one, one at most is constrained
+    // two sides of a facet become one: at most one of them is constrained
     for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
       if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh)) && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh))) return false;
     // the vertex that is kept is the target, and it matters which one that is

@@ -30,7 +30,7 @@ public:
 
   Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1) {}
 
-  // of a leaf, among them some that no tetrahedron has
+  // for a leaf; some are nodes of no tetrahedron
   std::size_t number_of_nodes() const { return cubed(std::size_t(2 * m_n + 1)); }
   std::size_t number(const Node& v) const { return (std::size_t(v[2]) * (2 * m_n + 1) + v[1]) * (2 * m_n + 1) + v[0]; }
   Node node(std::size_t number) const
@@ -154,7 +154,7 @@ private:
   static int floor_quotient(int i, int d) { return i / d - (i % d < 0 ? 1 : 0); }
   int scale(Index c) const { return 1 << (m_finest - m_cells->level(c)); }
 
-  // of a face of the subcell with the least node `v`, seen from the side of larger coordinates
+  // visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates
   template <typename Visitor>
   void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive, const Visitor& visit) const
   {
