@@ -34,6 +34,19 @@ bool same(const Image& a, const Image& b)
 
 } // namespace
 
+TEST_CASE("Shell map: a vertex has the image of its point")
+{
+  const Mesh a = sphere(2, 0.7), b = turned(sphere(2, 0.85), 0.3);
+  const Map map(ball(), a, b);
+  for(auto v : a.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    // its location is one of several: its coordinates sum up to one with roundings of their own
+    const auto expected = map.to_target()(a.point(v));
+    CHECK(CGAL::squared_distance(image.point, expected.point) < 1e-30);
+  }
+}
+
 TEST_CASE("Shell map: locations are those of Polygon_mesh_processing, and their images those of their points")
 {
   const Mesh a = sphere(2, 0.7), b = turned(sphere(2, 0.85), 0.3);

@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -59,6 +60,7 @@ public:
   typedef typename Projection_to_source::Location Source_location;      ///< facet and barycentric coordinates
   typedef typename Projection_to_target::Location Target_location;
   typedef typename Projection_to_target::Coordinates Coordinates;
+  typedef typename boost::graph_traits<Source_mesh>::vertex_descriptor Source_vertex;
 
   /// prepares the map. Both meshes must have triangles only: if not, all images have the status `INVALID_MESH`.
   /// \param shell a shell
@@ -111,6 +113,10 @@ public:
     if(m_status != Flow_status::SUCCESS) return refused();
     return m_to_target(point(location));
   }
+
+  /// the image on the target of a vertex of the source
+  /// \pre the vertex has a facet
+  Target_image operator()(Source_vertex v) const { return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source())); }
 
   /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal of the facet of
   /// the image, or `Flow_differential::onto_level_set()`.
