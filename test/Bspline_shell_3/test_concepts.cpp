@@ -1,4 +1,5 @@
 // The concepts: models that offer nothing but what a concept asks for must do.
+#include "fit_problem.h"
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -17,6 +18,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -150,6 +152,7 @@ public:
 // BsplineField_3: a uniform field of which nothing else is seen
 class Field_archetype
 {
+protected:
   typedef BS::Uniform_bspline_field_3<> Model;
   Model m_model;
 
@@ -182,6 +185,28 @@ public:
   std::optional<FT> value(const Point_3& p) const { return m_model.value(Model::Point_3(p.x(), p.y(), p.z())); }
   std::optional<Vector_3> gradient(const Point_3&) const { return std::nullopt; }
   std::optional<Eigen::Matrix3d> hessian(const Point_3&) const { return std::nullopt; }
+};
+
+// FittableBsplineField_3: neither copied nor assigned
+class Fittable_field_archetype : public Field_archetype
+{
+public:
+  explicit Fittable_field_archetype(const Model& model) : Field_archetype(model, 0) {}
+  Fittable_field_archetype(const Fittable_field_archetype&) = delete;
+  Fittable_field_archetype& operator=(const Fittable_field_archetype&) = delete;
+
+  int number_of_levels() const { return 1; }
+  std::size_t number_of_points() const { return m_model.number_of_points(); }
+  const BS::Lattice_set_3& points(int level) const { return m_model.points(level); }
+  Cell_index first_point(int level) const { return m_model.first_point(level); }
+  std::size_t number_of_coefficients() const { return m_model.number_of_coefficients(); }
+  Cell_index coefficient_of_point(Cell_index n) const { return m_model.coefficient_of_point(n); }
+  Cell_index point_of_coefficient(Cell_index n) const { return m_model.point_of_coefficient(n); }
+  std::array<Cell_index, 16> coefficient_rows(Cell_index c) const { return m_model.coefficient_rows(c); }
+  Eigen::VectorXd extend(const Eigen::VectorXd& x) const { return m_model.extend(x); }
+  Eigen::VectorXd collect(const Eigen::VectorXd& all) const { return m_model.collect(all); }
+  template <typename ConcurrencyTag>
+  void set_coefficients(Eigen::VectorXd x) { m_model.set_coefficients<ConcurrencyTag>(std::move(x)); }
 };
 
 template <typename Index>
@@ -307,6 +332,20 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   BS::extract_level_set<CGAL::Sequential_tag>(shell.field(), shell.outer_level(), same_set);
   CHECK(level_set.number_of_faces() > 0);
   CHECK(level_set.number_of_faces() == same_set.number_of_faces());
+}
+
+TEST_CASE("FittableBsplineField_3: a fit wants no more of a field than the archetype has")
+{
+  typedef CGAL::Sequential_tag Tag;
+  Fit_problem problem(sphere(2), 8);
+  Fittable_field_archetype other(problem.field);
+  BS::Conjugate_gradient_solver<Tag> solver;
+  Energy energy = problem.energy();
+  BS::Fit_energy<Fittable_field_archetype> other_energy(other, problem.samples, problem.clipped, problem.gamma(), all_four_terms());
+  CHECK(BS::fit_field<Tag>(problem.field, energy, solver, energy.initial_guess<Tag>()).status == BS::Solver_status::SUCCESS);
+  CHECK(BS::fit_field<Tag>(other, other_energy, solver, other_energy.initial_guess<Tag>()).status == BS::Solver_status::SUCCESS);
+  for(Field::Cell_index c = 0; c < other.number_of_cells(); ++c)
+    CHECK(std::equal(other.cell(c).coefficients(), other.cell(c).coefficients() + 64, problem.field.cell(c).coefficients()));
 }
 
 TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and called")

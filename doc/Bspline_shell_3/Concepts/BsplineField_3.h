@@ -4,7 +4,7 @@
 
 The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that make
 up its domain, a tricubic polynomial. Bounds, shells and level sets know a field by its cells only: by their boxes,
-their Bernstein coefficients and their neighbours. They do not know how the coefficients came about.
+their Bernstein coefficients and their neighbors. They do not know how the coefficients came about.
 
 Const member functions may be called from several threads at once. Models are default constructible (a field without
 cells), copyable and movable.
@@ -81,7 +81,7 @@ public:
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
   /// the cells as cells of lattices, under the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
-  /// `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do not.
+  /// fits, `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do not.
   const unspecified_type& cells() const;
 
 /// @}

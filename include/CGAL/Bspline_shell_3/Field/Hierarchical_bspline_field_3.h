@@ -43,7 +43,7 @@ namespace Bspline_shells {
  * The field is its free coefficients, which are `double`s. Const member functions may be called from several threads at
  * once.
  *
- * \cgalModels `BsplineField_3`
+ * \cgalModels `FittableBsplineField_3`
  *
  * \tparam GeomTraits a kernel with `FT` = `double`
  */

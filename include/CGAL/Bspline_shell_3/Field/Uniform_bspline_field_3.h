@@ -34,7 +34,7 @@ namespace Bspline_shells {
  * The field is its coefficients \f$\lambda_g\f$, which are `double`s; Bernstein coefficients of the cells are kept
  * beside them. Const member functions may be called from several threads at once.
  *
- * \cgalModels `BsplineField_3`
+ * \cgalModels `FittableBsplineField_3`
  *
  * \tparam GeomTraits a kernel with `FT` = `double`
  */

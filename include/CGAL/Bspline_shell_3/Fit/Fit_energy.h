@@ -86,7 +86,7 @@ struct Energy_weights
  * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
  * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
  *
- * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Field a model of `FittableBsplineField_3`
  */
 template <typename Field>
 class Fit_energy

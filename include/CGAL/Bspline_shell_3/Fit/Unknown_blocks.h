@@ -37,7 +37,7 @@ struct Unknown_blocks
  * overlap their neighbours by two. Linear in the number of coefficients, of which each is in up to eight blocks, 4.6 on
  * average in the plane.
  *
- * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Field a model of `FittableBsplineField_3`
  */
 template <typename Field>
 Unknown_blocks overlapping_blocks(const Field& field)

@@ -32,6 +32,7 @@ namespace Bspline_shells {
  * has one solve from the last solution and a line search on the energy itself. They end when the energy falls by less
  * than one percent, or after ten.
  *
+ * \tparam Field a model of `FittableBsplineField_3`
  * \tparam Solver a model of `SPDSolver`
  * \param energy the energy of `field`
  * \param solver is given one linear system for each step
