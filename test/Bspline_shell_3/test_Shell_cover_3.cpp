@@ -375,8 +375,8 @@ TEST_CASE("Covers: a box at which the field does not rise is not monotone, even 
 {
   // k ulp(b) |x| above b: by symmetry, the spline's derivative vanishes where x = 0
   CGAL::Random random(21);
-  for(int n = 0; n < 60; ++n) {
-    const double b = random.get_double(1, 2), step = (1 + n % 5) * std::numeric_limits<double>::epsilon();
+  for(int n = 0; n < 40; ++n) {
+    const double b = random.get_double(1, 2), step = 10 * (n + 1) * std::numeric_limits<double>::epsilon();
     const BS::Lattice_3::Point first = { -2, 0, 0 }, last = { 1, 0, 0 };
     const Field field = with(Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last))),
                              [&](double x, double, double) { return b + step * std::abs(x); });
@@ -424,12 +424,12 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
 {
   // level sets are planes: three components, each of many cells
   CGAL::Random random(25);
-  const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return std::sin(2.5 * z) + 0.01 * x * y; });
+  const Field field = with(random_cells(random, 6, 1, 2), [](double x, double y, double z) { return std::sin(1.5 * (x - 0.3)) + 0.005 * y * z; });
   const auto make = [&] { return Cover(field, Constant(-0.07), Constant(0.07)); };
   Cover cover = make();
   std::vector<Point_3> seeds;
   for(int n = -40; n <= 40; ++n) {
-    const Point_3 p(0.1, 0.2, n / 21.);
+    const Point_3 p(n / 14., 0.1, 0.2);
     if(std::abs(*field.value(p)) < 0.04 && cover.component(p) == none) {
       REQUIRE(cover.flood<Tag>(p, std::uint32_t(seeds.size())) == seeds.size());
       seeds.push_back(p);
@@ -438,7 +438,13 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
   REQUIRE(seeds.size() >= 3);
   // points of the shell, and others
   std::vector<Point_3> points = seeds;
-  for(int n = 0; n < 500; ++n) points.emplace_back(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
+  for(int n = 0; n < 500; ++n) points.emplace_back(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
+  // corners of boxes and cells, which others touch
+  for(int n = 0; n < 500; ++n) {
+    const Cover_box& box = cover.boxes()[std::size_t(random.get_int(0, int(cover.boxes().size())))];
+    const CGAL::Bbox_3 b = n % 4 < 2 ? cover.bbox(box) : field.cell(Field::Cell_index(random.get_int(0, int(field.number_of_cells())))).bbox();
+    points.push_back(n % 2 ? Point_3(b.xmin(), b.ymin(), b.zmin()) : Point_3(b.xmax(), b.ymax(), b.zmax()));
+  }
   const auto component = [&](const Point_3& p) {
     for(const Cover_box& box : cover.boxes())
       if(box.component != none && do_overlap(cover.bbox(box), p.bbox())) return box.component;
@@ -452,12 +458,12 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
     known += component(p) != none;
   }
   CHECK(known > 100);
-  const Point_3 nowhere(0.1, 0.2, (seeds[0].z() + seeds[1].z()) / 2);
+  const Point_3 nowhere((seeds[0].x() + seeds[1].x()) / 2, 0.1, 0.2);
   REQUIRE(component(nowhere) == none);
   const auto adopts = [&](const std::vector<Point_3>& points) { return make().adopt(cover.boxes(), points); };
   CHECK(adopts({ seeds[2], seeds[0], seeds[1] }));
   CHECK_FALSE(adopts({ seeds[2], seeds[0], seeds[2] }));
-  CHECK_FALSE(adopts({ seeds[1], Point_3(seeds[1].x() + 0.01, seeds[1].y(), seeds[1].z()) }));
+  CHECK_FALSE(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()) }));
   CHECK_FALSE(adopts({ nowhere }));
   CHECK_FALSE(adopts({ seeds[0], nowhere }));
   CHECK_FALSE(adopts({ seeds[0], Point_3(9, 0, 0) }));
