@@ -256,6 +256,17 @@ TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their 
   }
 }
 
+TEST_CASE("Certificate: any count but one refutes, also if it is odd")
+{
+  Mesh mesh = sphere(2, 0.9);
+  for(double radius : { 1., 1.1 }) CGAL::copy_face_graph(sphere(2, radius), mesh);
+  const Certificate certificate = certify(radial_field(), 0.8, 1.2, mesh);
+  CHECK(certificate.verdict(Claim::DEGREE_ONE) == Verdict::REFUTED);
+  CHECK(certificate.paths().empty());
+  for(const Place& w : certificate.witnesses())
+    if(w.claim == Claim::DEGREE_ONE) CHECK(w.count == 3);
+}
+
 TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
 {
   // a dent in the field between the levels, away from the mesh
