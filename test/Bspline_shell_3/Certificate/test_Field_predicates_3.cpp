@@ -346,6 +346,111 @@ TEST_CASE("Predicates: segments along which the field increases")
   CHECK(proved > 20);
 }
 
+TEST_CASE("Predicates: between thresholds that vary, answers agree with exact values for either of them")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  std::array<int, 2> beyond_it = {}, refuted = {};       // of the inner threshold, the outer one
+  int within = 0;
+  for(unsigned seed = 60; seed < 64; ++seed) {
+    const Field field = random_field(seed);
+    const Predicates predicates(field);
+    CGAL::Random random(seed);
+    const auto noisy = [&](double level) {
+      Field threshold = cube_field();
+      set(threshold, [&](double, double, double) { return level + random.get_double(-0.5, 0.5); });
+      return threshold;
+    };
+    const std::array<Field, 2> level = { noisy(-0.1), noisy(0.1) };
+    const std::array<Varying, 2> threshold = { Varying(level[0]), Varying(level[1]) };
+    for(int n = 0; n < 60; ++n) {
+      const double size = std::ldexp(4., -(n % 5));
+      const Point_3 p = random_point(random, 2);
+      const Triangle t = { p, p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN), p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN) };
+      const std::array<Point_3, 2> edge = { t[0], t[1] };
+      // how far beyond each threshold the field is at most
+      const auto beyond = [&](int side, const Point_3& x) { return (side == 0 ? -1 : 1) * (*field.value(x) - *level[side].value(x)); };
+      std::array<double, 2> on_facet = { -inf, -inf }, on_edge = on_facet;
+      for(int i = 0; i <= 12; ++i)
+        for(int j = 0; i + j <= 12; ++j)
+          for(int side = 0; side < 2; ++side) {
+            const double b = beyond(side, CGAL::barycenter(t[0], 12. - i - j, t[1], i, t[2], j));
+            on_facet[side] = (std::max)(on_facet[side], b);
+            if(j == 0) on_edge[side] = (std::max)(on_edge[side], b);
+          }
+      const auto check = [&](const auto& simplex, const std::array<double, 2>& farthest) {
+        BS::Witness witness;
+        const Verdict verdict = predicates.values_within(simplex, threshold[0], threshold[1], &witness);
+        const bool leaves = farthest[0] > 1e-9 || farthest[1] > 1e-9;
+        if(leaves) CHECK(verdict == Verdict::REFUTED);
+        within += verdict == Verdict::PROVED;
+        if(verdict != Verdict::REFUTED) return;
+        Exact_point x;
+        for(int a = 0; a < 3; ++a) {
+          x[a] = 0;
+          for(std::size_t v = 0; v < simplex.size(); ++v) x[a] += Rational(witness.barycentric[v]) * simplex[v][a];
+        }
+        const Rational f = exact_value(field, x), low = f - exact_value(level[0], x), high = exact_value(level[1], x) - f;
+        const int side = low < 0 ? 0 : 1;
+        CHECK((side == 0 ? low : high) < 0);
+        CHECK(witness.value.max < 0);
+        ++refuted[std::size_t(side)];
+      };
+      check(t, on_facet);
+      check(edge, on_edge);
+      for(int side = 0; side < 2; ++side)
+        for(CGAL::Sign sign : { CGAL::NEGATIVE, CGAL::POSITIVE }) {
+          const bool is_beyond = predicates.is_beyond(p, threshold[std::size_t(side)], sign);
+          const double above = *field.value(p) - *level[std::size_t(side)].value(p);
+          CHECK(is_beyond == (sign == CGAL::POSITIVE ? above > 0 : above < 0));
+          beyond_it[std::size_t(side)] += is_beyond;
+        }
+    }
+  }
+  CHECK(within > 20);
+  for(int side = 0; side < 2; ++side) {
+    CHECK(beyond_it[side] > 100);
+    CHECK(refuted[side] > 50);
+  }
+}
+
+TEST_CASE("Predicates: the field increases above a threshold that varies where it is steeper, exactly")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  int proved = 0, faster = 0;
+  for(unsigned seed = 70; seed < 73; ++seed) {
+    CGAL::Random random(seed);
+    Field field = cube_field(), level = field;
+    set(field, [&](double, double, double z) { return z + random.get_double(-0.3, 0.3); });
+    set(level, [&](double, double, double z) { return 0.9 * z + random.get_double(-0.3, 0.3); });
+    const Predicates predicates(field);
+    const Varying threshold(level);
+    for(int n = 0; n < 40; ++n) {
+      const Point_3 p = random_point(random, 3), q = p + Vector_3(random.get_double(-0.2, 0.2), random.get_double(-0.2, 0.2), random.get_double(0.02, 0.9));
+      const auto increases = [&](bool above) {
+        bool result = true;
+        Rational last;
+        for(int i = 0; i <= 16; ++i) {
+          Exact_point x;
+          for(int a = 0; a < 3; ++a) x[a] = (Rational(16 - i) * p[a] + Rational(i) * q[a]) / 16;
+          const Rational f = exact_value(field, x) - (above ? exact_value(level, x) : Rational(0));
+          result = result && (i == 0 || f > last);
+          last = f;
+        }
+        return result;
+      };
+      const Verdict verdict = predicates.increases_above({ p, q }, threshold);
+      const bool above = increases(true);
+      if(!above) CHECK(verdict == Verdict::REFUTED);
+      proved += verdict == Verdict::PROVED;
+      // the threshold alone decides
+      faster += !above && predicates.increases({ p, q }) == Verdict::PROVED;
+      CHECK(predicates.increases_above({ p, q }, BS::Constant_threshold(0.3)) == predicates.increases({ p, q }));
+    }
+  }
+  CHECK(proved > 20);
+  CHECK(faster > 20);
+}
+
 TEST_CASE("Predicates: the same answers at any scale that is a power of two, and in any rounding mode")
 {
   Field field = cube_field();
@@ -514,4 +619,105 @@ TEST_CASE("Predicates: a needle sees what sticks out of the levels in any cell t
     if(n < 20) CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 1.01 }) == Verdict::PROVED);
   }
   CHECK(seen == 200);
+  // so thin that rounded differences of the corners give any normal, or so; the facet leaves the levels a little before its highest point
+  const Field field = random_field(17);
+  const Predicates predicates(field);
+  CGAL::Random other(17);
+  for(int n = 0; n < 300; ++n) {
+    const Point_3 p = random_point(other, 3.5), q = random_point(other, 3.5);
+    const Point_3 r = q + std::ldexp(1., -46 - n % 7) * (random_point(other, 1) - CGAL::ORIGIN);
+    if(CGAL::collinear(p, q, r)) continue;
+    double highest = -inf;
+    for(int i = 0; i <= 200; ++i) highest = (std::max)(highest, *field.value(p + i / 200. * (q - p)));
+    CHECK(predicates.values_within(Triangle{ p, q, r }, { -10, highest - 0.001 }) == Verdict::REFUTED);
+  }
+}
+
+namespace {
+
+// cells of width one along the diagonal of the first quadrant, far from the origin at the other end
+Field diagonal_field(int length)
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -1; k < 1; ++k)
+    for(int j = 0; j < length; ++j)
+      for(int i = (std::max)(j - 1, 0); i < (std::min)(j + 2, length); ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+  const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, -1 }, { length - 1, length - 1, 0 });
+  return Field(BS::Cell_complex_3(lattice, keys));
+}
+
+} // namespace
+
+TEST_CASE("Predicates: on a segment that is long, what rounding makes of its middle is neither proved nor refuted")
+{
+  // a parabola along x with its top at the middles of all segments; steep across the diagonal
+  constexpr double middle = 1024.3;
+  Field field = diagonal_field(2050);
+  set(field, [&](double x, double y, double) {
+    const double s = x - middle;
+    return x - y - 0.2 * (std::min)(s * s, 16.);
+  });
+  const Predicates predicates(field);
+  CGAL::Random random(81);
+  for(int n = 0; n < 24; ++n) {
+    CAPTURE(n);
+    const double x = random.get_double(0.2, 0.8), offset = random.get_double(-0.1, 0.1);
+    const Point_3 p(x, x + offset, 0.1 * x), q(2 * middle - x, 2 * middle - x + offset, -0.1 * x);
+    Exact_point m;
+    for(int a = 0; a < 3; ++a) m[a] = (Rational(p[a]) + Rational(q[a])) / 2;
+    const Rational top = exact_value(field, m);
+    // the values just below and above
+    double below = CGAL::to_double(top), above = below;
+    while(Rational(below) >= top) below = std::nextafter(below, -inf);
+    while(Rational(above) <= top) above = std::nextafter(above, inf);
+    CHECK(predicates.values_within(std::array<Point_3, 2>{ p, q }, { -inf, below }) != Verdict::PROVED);
+    CHECK(predicates.values_within(std::array<Point_3, 2>{ p, q }, { -inf, above }) != Verdict::REFUTED);
+  }
+}
+
+TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness by the cell on the wrong side of it")
+{
+  // -x - 0.001, and a cubic that is so steep for positive x that it takes part where these are less than rounding
+  Field field = cube_field();
+  set(field, [](double x, double, double) { return x == 2 ? std::ldexp(1., 175) : -x - 0.001; });
+  const Predicates predicates(field);
+  CGAL::Random random(83);
+  for(int n = 0; n < 20; ++n) {
+    // a quarter of the way
+    const double x = thirds(random, true);
+    const Point_3 p(-x, 0.1, 0.2), q(3 * x, 0.3, 0.2);
+    BS::Witness witness;
+    if(predicates.values_within(std::array<Point_3, 2>{ p, q }, { 0, inf }, &witness) != Verdict::REFUTED) continue;
+    Exact_point w;
+    for(int a = 0; a < 3; ++a) w[a] = Rational(witness.barycentric[0]) * p[a] + Rational(witness.barycentric[1]) * q[a];
+    CHECK(exact_value(field, w) < 0);
+  }
+}
+
+TEST_CASE("Thresholds: differences to them and their ranges on cells")
+{
+  CGAL::Random random(85);
+  const Field field = random_field(86), level = random_field(87);
+  const BS::Spline_threshold<Field> varying(level);
+  const BS::Constant_threshold constant(0.37);
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); c += 37) {
+    const auto cell = field.cell(c);
+    const BS::Enclosed_tricubic f = BS::enclosed_value(cell), above = varying.difference(f, c), above_constant = constant.difference(f, c);
+    const BS::Level_range range = BS::threshold_range(varying, c), one = BS::threshold_range(constant, c);
+    CHECK(one.min <= 0.37);
+    CHECK(one.max >= 0.37);
+    CHECK(one.max - one.min < 1e-12);
+    for(int n = 0; n < 10; ++n) {
+      Point_3 p = CGAL::ORIGIN + 0.01 * (random_point(random, 1) - CGAL::ORIGIN);
+      p = Point_3(cell.corner()[0] + 0.5 + 40 * p.x(), cell.corner()[1] + 0.5 + 40 * p.y(), cell.corner()[2] + 0.5 + 40 * p.z());
+      const Rational value = exact_value(field, exact(p)), at = exact_value(level, exact(p));
+      CHECK((at >= Rational(range.min) && at <= Rational(range.max)));
+      const auto encloses = [&](const BS::Enclosed_tricubic& d, const Rational& x) {
+        const BS::Level_range r = BS::enclose_at_point(d, cell.local_coordinates(p), 4e-16);
+        return x >= Rational(r.min) && x <= Rational(r.max) && r.max - r.min < 1e-11;
+      };
+      CHECK(encloses(above, value - at));
+      CHECK(encloses(above_constant, value - Rational(0.37)));
+    }
+  }
 }

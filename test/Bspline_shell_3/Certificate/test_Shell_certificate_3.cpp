@@ -256,6 +256,17 @@ TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their 
   }
 }
 
+TEST_CASE("Certificate: any count but one refutes, also if it is odd")
+{
+  Mesh mesh = sphere(2, 0.9);
+  for(double radius : { 1., 1.1 }) CGAL::copy_face_graph(sphere(2, radius), mesh);
+  const Certificate certificate = certify(radial_field(), 0.8, 1.2, mesh);
+  CHECK(certificate.verdict(Claim::DEGREE_ONE) == Verdict::REFUTED);
+  CHECK(certificate.paths().empty());
+  for(const Place& w : certificate.witnesses())
+    if(w.claim == Claim::DEGREE_ONE) CHECK(w.count == 3);
+}
+
 TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
 {
   // a dent in the field between the levels, away from the mesh
@@ -638,6 +649,79 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
     }
 }
 
+namespace {
+
+// Whether a path is what the degree is proved by: it begins below the inner threshold, ends above the outer one, and rises above both all the
+// way, so that what is between the thresholds of it lies in one component; it crosses the mesh once, counted with signs, and its facet.
+template <typename Inner, typename Outer>
+bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inner& inner, const Outer& outer,
+                   const BS::Input_mesh_3::Triangle_mesh& mesh)
+{
+  const Point_3 p(path.source[0], path.source[1], path.source[2]), q(path.target[0], path.target[1], path.target[2]);
+  constexpr int parts = 400;
+  constexpr double hair = 1e-12;
+  std::array<double, 2> last = { -1e9, -1e9 };
+  double first_below = 0, last_above = 0;
+  for(int n = 0; n <= parts; ++n) {
+    const Point_3 x = n == parts ? q : p + double(n) / parts * (q - p);
+    const std::array<double, 2> above = { *field.value(x) - inner(x), *field.value(x) - outer(x) };
+    if(n == 0) first_below = above[0];
+    last_above = above[1];
+    for(int t = 0; t < 2; ++t) {
+      if(above[t] < last[t] - hair) return false;
+      last[t] = above[t];
+    }
+  }
+  if(!(first_below < 0 && last_above > 0)) return false;
+  int count = 0;
+  bool crosses_facet = false;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
+    const CGAL::Orientation at_p = CGAL::orientation(a, b, c, p), at_q = CGAL::orientation(a, b, c, q);
+    const CGAL::Orientation ab = CGAL::orientation(p, q, a, b), bc = CGAL::orientation(p, q, b, c), ca = CGAL::orientation(p, q, c, a);
+    if(at_p * at_q > 0 || ab * bc < 0 || bc * ca < 0 || ca * ab < 0) continue;
+    if(at_p * at_q * ab * bc * ca == 0) return false;
+    count += at_q == CGAL::POSITIVE ? 1 : -1;
+    crosses_facet = crosses_facet || std::size_t(f) == path.triangle;
+  }
+  return count == 1 && crosses_facet;
+}
+
+} // namespace
+
+TEST_CASE("Certificate: the paths that the degree is proved by begin and end beyond the shell, rise all the way and cross the mesh once")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  const Mesh mesh = sphere(1);
+  std::size_t paths = 0;
+  for(unsigned seed = 1; seed < 25; ++seed) {
+    CAPTURE(seed);
+    CGAL::Random random(seed);
+    const auto noisy = [&](double level, double slope, double size) {
+      Field f = cube_field(4, 0.5);
+      set(f, [&](double x, double y, double z) { return level + slope * std::sqrt(x*x + y*y + z*z) + size * random.get_double(-1, 1); });
+      return f;
+    };
+    const bool varies = seed % 2 == 0;
+    const Field field = noisy(0, 1, 0.1 * (seed % 5)), inner = noisy(0.5, 0, varies ? 0.5 : 0), outer = noisy(1.5, 0, varies ? 0.5 : 0);
+    const auto check = [&](const auto& certificate, const auto& inner_value, const auto& outer_value) {
+      std::vector<BS::Crossing_path> all = certificate.paths();
+      all.insert(all.end(), certificate.report().spare_paths.begin(), certificate.report().spare_paths.end());
+      for(const BS::Crossing_path& path : all)
+        CHECK(proves_degree(path, field, inner_value, outer_value, certificate.examined_mesh()));
+      paths += all.size();
+    };
+    if(varies) {
+      BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
+      certificate.verify<CGAL::Sequential_tag>(mesh);
+      check(certificate, [&](const Point_3& p) { return *inner.value(p); }, [&](const Point_3& p) { return *outer.value(p); });
+    } else
+      check(certify(field, 0.5, 1.5, mesh), [](const Point_3&) { return 0.5; }, [](const Point_3&) { return 1.5; });
+  }
+  CHECK(paths > 20);
+}
+
 TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")
 {
   typedef BS::Spline_threshold<Field> Varying;
@@ -719,7 +803,7 @@ TEST_CASE("Certificate: nothing is proved of a mesh that was refused, nor kept o
   const Mesh closed = sphere(2);
   REQUIRE(accepted->build<CGAL::Sequential_tag>(closed, closed.points(), {}) == BS::Shell_status::SUCCESS);
   Certificate certificate(field, Constant(0.7), Constant(1.3));
-  for(const std::shared_ptr<const BS::Input_mesh_3>& input : { refused, std::make_shared<BS::Input_mesh_3>() }) {
+  for(const std::shared_ptr<const BS::Input_mesh_3> input : { refused, std::make_shared<BS::Input_mesh_3>() }) {
     REQUIRE(certificate.verify<CGAL::Sequential_tag>(std::shared_ptr<const BS::Input_mesh_3>(accepted)));
     CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(input));
     CHECK(certificate.status() == input->status());

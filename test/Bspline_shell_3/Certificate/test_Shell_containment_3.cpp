@@ -1,4 +1,5 @@
 // Shell_containment_3.h: the call shapes of Polyhedral_envelope, with answers that are proofs.
+#include "polynomial_fields.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -148,6 +149,32 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
       }
   }
   CHECK(segments > 10);
+}
+
+TEST_CASE("Containment: levels belong to the shell, exactly, for points; what is on a level is not proved to be inside")
+{
+  namespace BS = CGAL::Bspline_shells;
+  const auto without_cover = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), 0.25, 0.5);
+  auto with_cover = without_cover;
+  BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
+  REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
+  with_cover.set_proved_cover(cover.boxes());
+  for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
+    const BS::Shell_containment_3<Uniform_field> contains(*shell);
+    for(double x : { -0.7, 0., 0.1, 0.5 }) {
+      CHECK(contains(Point_3(x, 0.2, 0.25)));
+      CHECK(contains(Point_3(x, 0.2, 0.5)));
+      CHECK(contains(Point_3(x, 0.2, 0.3)));
+      CHECK_FALSE(contains(Point_3(x, 0.2, std::nextafter(0.25, 0.))));
+      CHECK_FALSE(contains(Point_3(x, 0.2, std::nextafter(0.5, 1.))));
+      CHECK_FALSE(contains(Point_3(x, 0.2, 0.9)));
+      CHECK(contains(Point_3(x, 0.2, 0.26), Point_3(x + 0.1, 0.3, 0.49)));
+      for(double z : { 0.25, 0.5 }) {
+        CHECK_FALSE(contains(Point_3(x, 0.2, z), Point_3(x + 0.1, 0.3, z)));
+        CHECK_FALSE(contains(Point_3(x, 0.2, z), Point_3(x + 0.1, 0.3, z), Point_3(x, 0.3, 0.3)));
+      }
+    }
+  }
 }
 
 TEST_CASE("Containment: no shell contains nothing")

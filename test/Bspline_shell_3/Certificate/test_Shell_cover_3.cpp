@@ -1,6 +1,7 @@
 // Shell_cover_3.h: what is said of boxes holds at points of them, in exact arithmetic; floods are those of a search through all pairs of
 // boxes, in integers.
 #include "exact_spline.h"
+#include "polynomial_fields.h"
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -181,11 +182,15 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     const double level = is_ball ? 1 : random.get_double(-0.5, 0.5), half = is_ball ? 1.05 : seed % 2 ? 0.03 : 0.2;
     Cover cover(field, Constant(level - half), Constant(level + half), int(seed % 3));
     const Boxes in_units(field);
-    // from points in the shell, one component after the other; one is the corner of cells
+    // from points in the shell, one component after the other; some are corners of cells, also at the end of the domain
     std::vector<Point_3> seeds;
     std::vector<std::uint32_t> numbers;
-    for(int n = 0; n < 200 && seeds.size() < 8; ++n) {
-      const Point_3 p = n == 0 ? Point_3(0, 0, 0) : Point_3(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
+    for(int n = 0; n < 800 && seeds.size() < 8; ++n) {
+      Point_3 p(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
+      if(n % 2 == 0) {
+        const CGAL::Bbox_3 b = field.cell(Field::Cell_index(random.get_int(0, int(field.number_of_cells())))).bbox();
+        p = n % 4 == 0 ? Point_3(b.xmin(), b.ymin(), b.zmin()) : Point_3(b.xmax(), b.ymax(), b.zmax());
+      }
       const auto f = field.value(p);
       if(!f || std::abs(*f - level) > half) continue;
       seeds.push_back(p);
@@ -364,4 +369,184 @@ TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monoto
   }
   CHECK(flat > 100);
   CHECK(monotone > 50);
+}
+
+TEST_CASE("Covers: a box at which the field does not rise is not monotone, even if rounded coefficients rise")
+{
+  // k ulp(b) |x| above b: by symmetry, the spline's derivative vanishes where x = 0
+  CGAL::Random random(21);
+  for(int n = 0; n < 40; ++n) {
+    const double b = random.get_double(1, 2), step = 10 * (n + 1) * std::numeric_limits<double>::epsilon();
+    const BS::Lattice_3::Point first = { -2, 0, 0 }, last = { 1, 0, 0 };
+    const Field field = with(Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last))),
+                             [&](double x, double, double) { return b + step * std::abs(x); });
+    Cover cover(field, Constant(0), Constant(3));
+    cover.prepare<Tag>({ 0, 1, 2, 3 });
+    std::size_t failures = 0, boxes = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      if(cover.bbox(box).xmin() > 0 || cover.bbox(box).xmax() < 0) continue;
+      ++boxes;
+      failures += box.kind != Box_kind::UNDECIDED;
+    }
+    CHECK(failures == 0);
+    CHECK(boxes > 2);
+  }
+}
+
+TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
+{
+  CGAL::Random random(23);
+  const Field cells = random_cells(random, 4, 1, 1);
+  const Field field = with(cells, [](double, double, double z) { return z; });
+  for(double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+    for(bool is_inner : { true, false }) {
+      const auto level = [&](bool has_bad, double value) {
+        return with(cells, [=](double x, double y, double z) { return has_bad && x == 1 && y == 1 && z == 1 ? bad : value; });
+      };
+      const Varying inner(level(is_inner, -3)), outer(level(!is_inner, 3));
+      Varying_cover cover(field, inner, outer);
+      std::vector<std::uint32_t> all;
+      for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
+      cover.prepare<Tag>(all);
+      std::size_t undecided = 0, other = 0, failures = 0;
+      for(const Cover_box& box : cover.boxes()) {
+        const bool is_known = std::isfinite((is_inner ? inner : outer).field().cell(box.cell).error_radius());
+        failures += (box.kind == Box_kind::UNDECIDED) == is_known;
+        ++(is_known ? other : undecided);
+      }
+      CHECK(failures == 0);
+      CHECK(undecided > 0);
+      CHECK(other > 0);
+    }
+}
+
+TEST_CASE("Covers: what is taken over of another cover are its components, in another order, or some of them")
+{
+  // level sets are planes: three components, each of many cells
+  CGAL::Random random(25);
+  const Field field = with(random_cells(random, 6, 1, 2), [](double x, double y, double z) { return std::sin(1.5 * (x - 0.3)) + 0.005 * y * z; });
+  const auto make = [&] { return Cover(field, Constant(-0.07), Constant(0.07)); };
+  Cover cover = make();
+  std::vector<Point_3> seeds;
+  for(int n = -40; n <= 40; ++n) {
+    const Point_3 p(n / 14., 0.1, 0.2);
+    if(std::abs(*field.value(p)) < 0.04 && cover.component(p) == none) {
+      REQUIRE(cover.flood<Tag>(p, std::uint32_t(seeds.size())) == seeds.size());
+      seeds.push_back(p);
+    }
+  }
+  REQUIRE(seeds.size() >= 3);
+  // points of the shell, and others
+  std::vector<Point_3> points = seeds;
+  for(int n = 0; n < 500; ++n) points.emplace_back(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
+  // corners of boxes and cells, which others touch
+  for(int n = 0; n < 500; ++n) {
+    const Cover_box& box = cover.boxes()[std::size_t(random.get_int(0, int(cover.boxes().size())))];
+    const CGAL::Bbox_3 b = n % 4 < 2 ? cover.bbox(box) : field.cell(Field::Cell_index(random.get_int(0, int(field.number_of_cells())))).bbox();
+    points.push_back(n % 2 ? Point_3(b.xmin(), b.ymin(), b.zmin()) : Point_3(b.xmax(), b.ymax(), b.zmax()));
+  }
+  const auto component = [&](const Point_3& p) {
+    for(const Cover_box& box : cover.boxes())
+      if(box.component != none && do_overlap(cover.bbox(box), p.bbox())) return box.component;
+    return none;
+  };
+  Cover all = make();
+  all.adopt(cover.boxes());
+  std::size_t known = 0;
+  for(const Point_3& p : points) {
+    CHECK(all.component(p) == component(p));
+    known += component(p) != none;
+  }
+  CHECK(known > 100);
+  const Point_3 nowhere((seeds[0].x() + seeds[1].x()) / 2, 0.1, 0.2);
+  REQUIRE(component(nowhere) == none);
+  const auto adopts = [&](const std::vector<Point_3>& points) { return make().adopt(cover.boxes(), points); };
+  CHECK(adopts({ seeds[2], seeds[0], seeds[1] }));
+  CHECK_FALSE(adopts({ seeds[2], seeds[0], seeds[2] }));
+  CHECK_FALSE(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()) }));
+  CHECK_FALSE(adopts({ nowhere }));
+  CHECK_FALSE(adopts({ seeds[0], nowhere }));
+  CHECK_FALSE(adopts({ seeds[0], Point_3(9, 0, 0) }));
+  for(const std::vector<std::size_t>& order : { std::vector<std::size_t>{ 2, 0, 1 }, std::vector<std::size_t>{ 1 } }) {
+    std::vector<Point_3> chosen;
+    for(std::size_t n : order) chosen.push_back(seeds[n]);
+    Cover some = make();
+    REQUIRE(some.adopt(cover.boxes(), chosen));
+    for(const Point_3& p : points) {
+      const auto place = std::find(order.begin(), order.end(), component(p));
+      CHECK(some.component(p) == (place == order.end() ? none : std::uint32_t(place - order.begin())));
+    }
+  }
+}
+
+TEST_CASE("Covers: what another cover found out is taken over where nothing has changed, and there only")
+{
+  CGAL::Random random(27);
+  const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return z + 0.1 * x * y; });
+  Field other = field;
+  Eigen::VectorXd x = field.coefficients();
+  x[x.size() / 2] += 2;
+  other.set_coefficients(x);
+  std::vector<std::uint32_t> all;
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
+  const auto changed = [&](std::uint32_t c) {
+    return !std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64, other.cell(c).coefficients());
+  };
+  Cover before(field, Constant(-0.5), Constant(0.5)), after(other, Constant(-0.5), Constant(0.5)), reference = after;
+  before.prepare<Tag>(all);
+  REQUIRE(before.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
+  after.reuse(before, changed);
+  const std::size_t reused = after.number_of_cells();
+  CHECK(reused > 10);
+  CHECK(reused < all.size());
+  for(const Cover_box& box : after.boxes()) CHECK(box.component == none);
+  after.prepare<Tag>(all);
+  reference.prepare<Tag>(all);
+  const auto by_cell = [](const Cover& cover) {
+    std::map<std::uint32_t, std::vector<Cover_box> > boxes;
+    for(const Cover_box& box : cover.boxes()) boxes[box.cell].push_back(box);
+    return boxes;
+  };
+  CHECK(by_cell(before).size() == all.size());
+  const auto is_same = [](const Cover_box& a, const Cover_box& b) {
+    return a.depth == b.depth && a.kind == b.kind && std::equal(std::begin(a.position), std::end(a.position), std::begin(b.position));
+  };
+  const auto found = by_cell(after), expected = by_cell(reference);
+  CHECK(found.size() == expected.size());
+  for(const auto& cell : expected)
+    CHECK(std::equal(cell.second.begin(), cell.second.end(), found.at(cell.first).begin(), found.at(cell.first).end(), is_same));
+}
+
+TEST_CASE("Covers: bounds of the gradient are those of its least length, wherever in a box that is")
+{
+  // 0.05 x + x^3/3 + x y^2 + x z^2, mirrored: the gradient is shortest at one corner of the domain, and far longer nearby
+  for(int corner = 0; corner < 8; ++corner) {
+    CAPTURE(corner);
+    const auto sign = [&](int a) { return corner >> a & 1 ? -1. : 1.; };
+    BS::Lattice_3::Point first, last;
+    for(int a = 0; a < 3; ++a) {
+      first[a] = sign(a) > 0 ? 0 : -2;
+      last[a] = first[a] + 1;
+    }
+    CGAL::Random random(29);
+    Field field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last)));
+    set_polynomial(field, { { 0.05, { 1, 0, 0 } }, { 1. / 3, { 3, 0, 0 } }, { 1, { 1, 2, 0 } }, { 1, { 1, 0, 2 } } });
+    Cover cover(field, Constant(-100), Constant(100));
+    REQUIRE(cover.flood<Tag>(Point_3(sign(0), sign(1), sign(2)), 0) == 0);
+    REQUIRE(cover.number_of_undecided_boxes() == 0);
+    const double bound = cover.least_gradient<Tag>();
+    CHECK(bound <= 0.05 * (1 + 1e-12));
+    CHECK(bound > 0.02);
+    const std::vector<double> bounds = cover.least_gradients<Tag>();
+    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+      double least = std::numeric_limits<double>::infinity();
+      const CGAL::Bbox_3 b = field.cell(c).bbox();
+      for(int n = 0; n < 8; ++n) {
+        const auto jet = field.cell(c).first_order_jet(Point_3(n & 1 ? b.xmax() : b.xmin(), n & 2 ? b.ymax() : b.ymin(), n & 4 ? b.zmax() : b.zmin()));
+        least = (std::min)(least, std::sqrt(jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1] + jet.gradient[2] * jet.gradient[2]));
+      }
+      CHECK(bounds[c] <= least * (1 + 1e-12));
+      CHECK(bounds[c] > 0.3 * least);
+    }
+  }
 }
