@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
