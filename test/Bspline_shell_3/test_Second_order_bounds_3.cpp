@@ -1101,3 +1101,16 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that is turned wher
   REQUIRE(CGAL::midpoint(t[0], t[1]).z() == far + 0.5);
   CHECK_FALSE(examine(between(field, -100, 100), t).is_transversal);
 }
+
+TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its corners only")
+{
+  // 600 (x - 1)^3 (y - 1/2) where x is larger than 1, and rising along z: zero at all corners, -11 on an edge
+  const Tricubic rise = product(one, one, rising), wild = 100. * product({ 0, 0, 0, 1 }, rising, one);
+  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } }, CGAL::Bbox_3(0, 0, 0, 2, 1, 1));
+  const Triangle t = { Point_3(0.5, 0.1, 0.5), Point_3(1.9, 0.5, 0.5), Point_3(0.5, 0.5, 0.5) };
+  for(int first : { 0, 1, 2 }) {
+    const Triangle turned = { t[first], t[(first + 1) % 3], t[(first + 2) % 3] };
+    CHECK_FALSE(examine(between(field, -5, 100), turned).is_contained);
+    CHECK(examine(between(field, -20, 100), turned).is_contained);
+  }
+}
