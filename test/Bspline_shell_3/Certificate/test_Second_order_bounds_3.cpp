@@ -787,6 +787,15 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
 TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
 {
   CGAL::Random random(71);
+  // The point at three sixteenths of the way from -x to y is on one side of zero; from rounded middles of middles, it is on the other.
+  const auto ends = [&](bool is_above) {
+    for(;;) {
+      const double x = random.get_double(0.1, 0.2) + std::ldexp(random.get_double(0, 1), -34), y = 13 * x / 3;
+      const double quarter = ((y - x) / 2 - x) / 2, computed = ((quarter - x) / 2 + quarter) / 2;
+      const Rational at = 3 * Rational(y) - 13 * Rational(x);
+      if(is_above ? at > 0 && computed < 0 : at < 0 && computed > 0) return std::make_pair(x, y);
+    }
+  };
   for(int missing = 0; missing < 4; ++missing) {
     std::vector<std::uint64_t> keys;
     for(int k = -2; k < 2; ++k)
@@ -797,22 +806,311 @@ TEST_CASE("Second-order bounds: what leaves the domain between its corners by le
     set_polynomial(field, height);
     const Bounds bounds = between(field, -5, 5);
     const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
-    // three times a number, rounded up or down
-    const auto thirds = [&](bool up) {
-      for(;;) {
-        const double x = random.get_double(0.2, 0.5) + std::ldexp(random.get_double(0, 1), -33);
-        if(Rational(3 * x) != 3 * Rational(x) && (Rational(3 * x) > 3 * Rational(x)) == up) return x;
-      }
-    };
     for(int n = 0; n < 16; ++n) {
-      // a quarter of the way, the edge is off the axis by that rounding
-      const double x = thirds(true), y = thirds(false);
-      const Triangle t = { Point_3(-sx * x, sy * y, 0.1), Point_3(sx * 3 * x, -sy * 3 * y, 0.1), Point_3(-sx, -sy, 0.5) };
+      const auto x = ends(true), y = ends(false);
+      const Triangle t = { Point_3(-sx * x.first, sy * y.first, 0.1), Point_3(sx * x.second, -sy * y.second, 0.1), Point_3(-sx, -sy, 0.5) };
       for(const Triangle& turned : { t, Triangle{ t[1], t[0], t[2] } }) {
         const auto found = examine(bounds, turned);
         CHECK_FALSE(found.is_contained);
         CHECK_FALSE(found.is_transversal);
       }
     }
+  }
+}
+
+namespace {
+
+// Bernstein coefficients along one axis of a cell, or of their product over the cell
+typedef std::array<double, 4> Cubic;
+typedef std::array<double, 64> Tricubic;
+const Cubic one = { 1, 1, 1, 1 }, three_t = { 0, 1, 2, 3 }, rising = { -3, -1, 1, 3 };      // six times t - 1/2
+const Cubic parabola = { 3, -1, -1, 3 };      // 12 (t - 1/2)^2
+
+Tricubic product(const Cubic& x, const Cubic& y, const Cubic& z)
+{
+  Tricubic b;
+  for(int n = 0; n < 64; ++n) b[n] = x[n % 4] * y[n / 4 % 4] * z[n / 16];
+  return b;
+}
+Tricubic operator*(double s, Tricubic b)
+{
+  for(double& x : b) x *= s;
+  return b;
+}
+Tricubic operator+(Tricubic a, const Tricubic& b)
+{
+  for(int n = 0; n < 64; ++n) a[n] += b[n];
+  return a;
+}
+
+// The least a field can be: coefficients on some cells, known to within a radius. The cells cover a box.
+class Known_cells
+{
+public:
+  typedef ::Point_3 Point_3;
+  typedef std::uint32_t Cell_index;
+  typedef BS::Tricubic_cell_3 Cell;
+  static constexpr Cell_index npos = Cell_index(-1);
+  struct Piece { std::array<double, 3> corner; double width; Tricubic coefficients; };
+
+  Known_cells(std::vector<Piece> pieces, const CGAL::Bbox_3& covered, double radius = 0)
+    : m_pieces(std::move(pieces)), m_covered(covered), m_radius(radius) {}
+  // the cell from 0 to 1
+  explicit Known_cells(const Tricubic& b, double radius = 0) : Known_cells({ { { 0, 0, 0 }, 1, b } }, CGAL::Bbox_3(0, 0, 0, 1, 1, 1), radius) {}
+
+  std::size_t number_of_cells() const { return m_pieces.size(); }
+  Cell cell(Cell_index c) const
+  {
+    const Piece& p = m_pieces[c];
+    return Cell(p.corner, p.width, p.coefficients.data(), m_radius);
+  }
+  Cell_index locate(const Point_3& p) const
+  {
+    for(Cell_index c = 0; c < m_pieces.size(); ++c)
+      if(CGAL::do_overlap(p.bbox(), cell(c).bbox())) return c;
+    return npos;
+  }
+  template <typename Visitor>
+  bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const
+  {
+    for(Cell_index c = 0; c < m_pieces.size(); ++c)
+      if(CGAL::do_overlap(box, cell(c).bbox())) visit(c);
+    return box + m_covered == m_covered;
+  }
+
+private:
+  std::vector<Piece> m_pieces;
+  CGAL::Bbox_3 m_covered;
+  double m_radius;
+};
+typedef BS::Second_order_bounds_3<Known_cells> Known_bounds;
+
+Known_bounds between(const Known_cells& field, double inner, double outer) { return Known_bounds(field, Constant(inner), Constant(outer), Tag()); }
+
+// the value of a function on the cell from 0 to 1, exact, or a derivative
+Rational exact_value(const Tricubic& b, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
+{
+  std::array<Rational, 64> exact_coefficients;
+  std::copy(b.begin(), b.end(), exact_coefficients.begin());
+  return bernstein_value(exact_coefficients, p, order);
+}
+
+Point_3 with_axes(int a, double x, int b, double y, double z)
+{
+  std::array<double, 3> p = { z, z, z };
+  p[a] = x;
+  p[b] = y;
+  return Point_3(p[0], p[1], p[2]);
+}
+
+} // namespace
+
+TEST_CASE("Second-order bounds: of a field known to within a radius, what is proved or refuted holds for all functions within it")
+{
+  const Triangle small = { Point_3(0.5, 0.5, 0.5), Point_3(0.51, 0.5, 0.5), Point_3(0.5, 0.51, 0.5) };
+  const auto found = [&](const Tricubic& b, double inner, double outer, const Triangle& t) {
+    const Known_cells field(b, 1);
+    return examine(between(field, inner, outer), t);
+  };
+  const Tricubic rise = product(one, one, rising);
+  SECTION("values: what is zero on the facet may be one, or minus one")
+  {
+    CHECK_FALSE(found(10. * rise, -0.75, 10, small).is_contained);
+    CHECK_FALSE(found(10. * rise, -10, 0.75, small).is_contained);
+    CHECK(found(10. * rise, -5, 5, small).is_contained);
+    CHECK_FALSE(found(10. * rise, 0.75, 10, small).leaves_shell);
+    CHECK_FALSE(found(10. * rise, -10, -0.75, small).leaves_shell);
+    CHECK(found(10. * rise, 10, 20, small).leaves_shell);
+    CHECK(found(10. * rise, -20, -10, small).leaves_shell);
+  }
+  SECTION("slopes: coefficients that go up and down by one change those by six")
+  {
+    // of both, one has a slope of the other sign where t is 0
+    CHECK_FALSE(found(5. / 6 * rise, -100, 100, small).is_transversal);
+    CHECK_FALSE(found(-5. / 6 * rise, -100, 100, small).faces_away);
+    CHECK(found(-10. * rise, -200, 200, small).faces_away);
+    const auto steep = found(10. * rise, -200, 200, small);
+    CHECK(steep.is_transversal);
+    CHECK(steep.slope <= 60 - 6);
+  }
+  SECTION("second derivatives: 6 x (x - 3) is within one of linear functions on each of three cells, and low in the middle")
+  {
+    std::vector<Known_cells::Piece> cells;
+    for(int i = 0; i < 3; ++i) {
+      const double value = 6 * i * (i - 3), slope = 12 * i - 18;
+      const Cubic exact_cubic = { value, value + slope / 3, value + 2 * slope / 3 + 2, value + slope + 6 };
+      Cubic linear;
+      for(int n = 0; n < 4; ++n) {
+        linear[n] = value - 1 + n * (slope / 3 + 2);
+        REQUIRE(std::abs(linear[n] - exact_cubic[n]) <= 1);
+      }
+      cells.push_back({ { double(i), 0, 0 }, 1, product(linear, one, one) });
+    }
+    Triangle t = { Point_3(0.1, 0.5, 0.5), Point_3(2.9, 0.5, 0.5), Point_3(2.9, 0.51, 0.5) };
+    const double ends = 6 * 0.1 * (0.1 - 3), middle = -6 * 1.5 * 1.5;
+    for(double sign : { 1., -1. }) {
+      for(auto& c : cells) c.coefficients = sign * c.coefficients;
+      auto rising_cells = cells;
+      for(auto& c : rising_cells) c.coefficients = c.coefficients + 10. * rise;
+      const Known_cells field(rising_cells, CGAL::Bbox_3(0, 0, 0, 3, 1, 1), 1);
+      for(double share : { 0.4, 0.5, 0.9 }) {
+        const double level = sign * (ends + share * (middle - ends));
+        CHECK_FALSE(examine(sign > 0 ? between(field, level, 100) : between(field, -100, level), t).is_contained);
+      }
+      CHECK(examine(between(field, -100, 100), t).is_contained);
+    }
+  }
+}
+
+TEST_CASE("Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
+{
+  // the thresholds vary by less than a thousandth of the thickness
+  const auto leaves = [](double value) {
+    const Tricubic constant = product(one, one, one), variation = 2e-4 / 3 * product(three_t, one, one);
+    const Known_cells field(value * constant), inner(variation), outer(constant + variation);
+    const BS::Spline_threshold<Known_cells> i(inner), o(outer);
+    const BS::Second_order_bounds_3<Known_cells, BS::Spline_threshold<Known_cells>> bounds(field, i, o, Tag());
+    const auto facet = [&](double x) {
+      return examine(bounds, { Point_3(x, 0.4, 0.4), Point_3(x, 0.6, 0.4), Point_3(x, 0.4, 0.6) }).leaves_shell;
+    };
+    return std::make_pair(facet(0), facet(1));
+  };
+  CHECK_FALSE(leaves(5e-5).first);
+  CHECK_FALSE(leaves(1 + 1e-4).second);
+  CHECK(leaves(-1e-3).first);
+  CHECK(leaves(1 + 1e-3).second);
+}
+
+TEST_CASE("Second-order bounds: what is proved holds for all normals within their radius")
+{
+  SECTION("the slope along one that is not the middle one")
+  {
+    // 3 z + phi(x), where phi' is near zero at the corners, and -72 halfway
+    constexpr double radius = 1. / 16;
+    const Known_cells field(product(one, one, three_t) + -48. * product({ 0, 0, 1, 1 }, one, one));
+    const Triangle t = { Point_3(0.03125, 0.25, 0.5), Point_3(0.96875, 0.25, 0.5 - 0.9375 * radius), Point_3(0.03125, 0.5, 0.5) };
+    const Known_bounds bounds = between(field, -1000, 1000);
+    const auto found = bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) },
+                                      BS::Facet_normal{ { 0, 0, 1 }, radius }, many);
+    CHECK_FALSE(found.is_transversal);
+  }
+  SECTION("cells that the facet reaches, but the plane across the middle one does not")
+  {
+    // 3000 z^3 (2.875 - x) where z is negative, and zero above; and a function that is zero on the facet, and rises across it
+    constexpr double radius = 0.25, end = 2.875;
+    std::vector<Known_cells::Piece> cells;
+    for(int i = 0; i < 3; ++i)
+      for(int k : { 0, -1 }) {
+        const Tricubic across = product(three_t, one, one) + 4. * product(one, one, three_t) + (3 * i + 12 * k - 6.375) * product(one, one, one);
+        const double at = 3 * (end - i);
+        const Tricubic wild = product({ at, at - 1, at - 2, at - 3 }, one, { -1, 0, 0, 0 });
+        cells.push_back({ { double(i), 0, double(k) }, 1, across + (k < 0 ? 1000 : 0) * wild });
+      }
+    const Known_cells field(cells, CGAL::Bbox_3(0, 0, -1, 3, 1, 1));
+    const Triangle t = { Point_3(0.125, 0.5, 0.5), Point_3(end, 0.5, 0.5 - (end - 0.125) * radius), Point_3(0.125, 0.6, 0.5) };
+    const Point_3 inside = CGAL::midpoint(t[1], CGAL::midpoint(t[1], CGAL::midpoint(t[0], t[1])));
+    const double low = field.cell(field.locate(inside)).value(inside);
+    REQUIRE(low < -0.5);
+    const Known_bounds bounds = between(field, 0.9 * low, 1);
+    const auto found = bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) },
+                                      BS::Facet_normal{ { 0, 0, 1 }, radius }, 0);
+    CHECK_FALSE(found.is_contained);
+  }
+}
+
+TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a cell is seen, whichever axes it mixes")
+{
+  for(int a = 0; a < 3; ++a)
+    for(int b = 0; b < 3; ++b) {
+      if(a == b) continue;
+      const int c = 3 - a - b;
+      const auto along_axes = [&](const Cubic& on_a, const Cubic& on_b, const Cubic& on_c = one) {
+        std::array<Cubic, 3> all;
+        all[a] = on_a;
+        all[b] = on_b;
+        all[c] = on_c;
+        return product(all[0], all[1], all[2]);
+      };
+      for(double sign : { 1., -1. }) {
+        // 72 (x - 1/2)^2 (y - 1/2), rising along the third axis, and what makes the ends of a needle equally high
+        const Tricubic curved = sign * along_axes(parabola, rising);
+        Triangle needle = { with_axes(a, 0.97, b, 0.03, 0.5), with_axes(a, 0.8, b, 0.97, 0.5), with_axes(a, 0.81, b, 0.97, 0.5) };
+        const double low = CGAL::to_double(exact_value(curved, exact(needle[0]))), high = CGAL::to_double(exact_value(curved, exact(needle[1])));
+        const Tricubic f = curved + (low - high) / (3 * 0.94) * along_axes(one, three_t);
+        const double ends = CGAL::to_double(exact_value(f, exact(needle[0]))),
+                     middle = CGAL::to_double(exact_value(f, exact(CGAL::midpoint(needle[0], needle[1]))));
+        REQUIRE(sign * (middle - ends) > 1);
+        if(normal(needle)[c] < 0) std::swap(needle[0], needle[1]);
+        const Known_cells field(f + 100. * along_axes(one, one, rising));
+        for(double share : { 0.4, 0.7, 0.95 }) {
+          const double level = ends + share * (middle - ends);
+          CHECK_FALSE(examine(sign > 0 ? between(field, -100, level) : between(field, level, 100), needle, 0).is_contained);
+        }
+        CHECK(examine(between(field, -100, 100), needle, 0).is_contained);
+      }
+      // 36 (x - 1/2)^2 y, and so on: the slope along an axis is least halfway along another
+      for(double hair : { 1., 0.1 }) {
+        const Known_cells field(along_axes(parabola, three_t) + -hair * along_axes(one, three_t));
+        Triangle t = { with_axes(a, 0.05, b, 0.5, 0.4), with_axes(a, 0.95, b, 0.5, 0.4), with_axes(a, 0.05, b, 0.5, 0.6) };
+        if(normal(t)[b] < 0) std::swap(t[0], t[1]);
+        for(std::size_t bisections : { std::size_t(0), many }) CHECK_FALSE(examine(between(field, -100, 100), t, bisections).is_transversal);
+        const Known_cells steeper(along_axes(parabola, three_t) + hair * along_axes(one, three_t));
+        const auto found = examine(between(steeper, -100, 100), t);
+        CHECK(found.is_transversal);
+        CHECK(found.slope <= 3 * hair);
+      }
+    }
+}
+
+TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows to the middle of a facet, and then rises, is seen")
+{
+  // 3 z (phi(x) - hair), where phi is 3 |x| but near 0, in cells of an eighth: the bound is off by a 25th of what it allows
+  constexpr double h = 0.125;
+  const Cubic falls = { 3.25, 2.25, 1.25, 0.25 }, rises = { 0.25, 1.25, 2.25, 3.25 }, left = { 0.25, 0.125, 0, 0 }, right = { 0, 0, 0.125, 0.25 };
+  const Triangle t = { Point_3(-1.1, 0.03, 0.0625), Point_3(1.1, 0.03, 0.0625), Point_3(1.1, 0.06, 0.0625) };
+  const auto field = [&](double least) {
+    const auto piece = [&](double x, double width, Cubic phi) {
+      for(double& c : phi) c += least;
+      return Known_cells::Piece{ { x, 0, 0 }, width, width * product(phi, one, three_t) };
+    };
+    return Known_cells({ piece(-1 - h, 1, falls), piece(-h, h, left), piece(0, h, right), piece(h, 1, rises) },
+                       CGAL::Bbox_3(-1 - h, 0, 0, 1 + h, h, h));
+  };
+  const Known_cells turned = field(-1. / 64), steep = field(0.25);
+  CHECK_FALSE(examine(between(turned, -100, 100), t, 0).is_transversal);
+  CHECK(examine(between(steep, -100, 100), t, 0).is_transversal);
+}
+
+TEST_CASE("Second-order bounds: far from the origin, a facet that is turned where its middle is rounded away is not proved to face upwards")
+{
+  // in a cell from 2^30 on; from its corner, the slope along z is 9 (x - 1/2)^2 / 2^17 - 12 (z - 1/2) + 3 ulp
+  const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
+  const Tricubic f = std::ldexp(1., -19) * product(parabola, one, three_t) + -0.5 * product(one, one, parabola)
+                   + ulp * product(one, one, three_t);
+  const Known_cells field({ { { 0, 0, far }, 1, f } }, CGAL::Bbox_3(0, 0, far, 1, 1, far + 1));
+  const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 + ulp), Point_3(0.5, 0.203125, far + 0.5 - 4 * ulp) };
+  const Exact_point middle = { Rational(0.5), Rational(0.2), Rational(0.5) + Rational(ulp) / 2 };
+  const auto derivative = [&](int axis) {
+    std::array<int, 3> order = { 0, 0, 0 };
+    order[axis] = 1;
+    return exact_value(f, middle, order);
+  };
+  REQUIRE(derivative(0) == 0);
+  REQUIRE(derivative(1) == 0);
+  REQUIRE(derivative(2) < 0);
+  REQUIRE(CGAL::midpoint(t[0], t[1]).z() == far + 0.5);
+  CHECK_FALSE(examine(between(field, -100, 100), t).is_transversal);
+}
+
+TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its corners only")
+{
+  // 600 (x - 1)^3 (y - 1/2) where x is larger than 1, and rising along z: zero at all corners, -11 on an edge
+  const Tricubic rise = product(one, one, rising), wild = 100. * product({ 0, 0, 0, 1 }, rising, one);
+  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } }, CGAL::Bbox_3(0, 0, 0, 2, 1, 1));
+  const Triangle t = { Point_3(0.5, 0.1, 0.5), Point_3(1.9, 0.5, 0.5), Point_3(0.5, 0.5, 0.5) };
+  for(int first : { 0, 1, 2 }) {
+    const Triangle turned = { t[first], t[(first + 1) % 3], t[(first + 2) % 3] };
+    CHECK_FALSE(examine(between(field, -5, 100), turned).is_contained);
+    CHECK(examine(between(field, -20, 100), turned).is_contained);
   }
 }
