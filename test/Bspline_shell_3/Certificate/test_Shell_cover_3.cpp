@@ -393,6 +393,33 @@ TEST_CASE("Covers: a box at which the field does not rise is not monotone, even 
   }
 }
 
+TEST_CASE("Covers: a box at which a threshold is steeper than the field is not monotone, however small both are")
+{
+  // f = s x and eps2 = 0.93 s (x + y + z): its gradient is 1.6 times as long, but the squares of its components vanish
+  CGAL::Random random(29);
+  const Field cells = random_cells(random, 4, 1, 1);
+  for(double s : { 1., 1.62e-162 }) {
+    const Field field = with(cells, [&](double x, double, double) { return s * x; });
+    const Varying inner(with(cells, [&](double, double, double) { return -10 * s; })),
+                  outer(with(cells, [&](double x, double y, double z) { return 0.93 * s * (x + y + z); }));
+    Varying_cover cover(field, inner, outer);
+    std::vector<std::uint32_t> all;
+    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
+    cover.prepare<Tag>(all);
+    std::size_t steep = 0, failures = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      const CGAL::Bbox_3 b = cover.bbox(box);
+      // x - eps2 / s at the corners where it is least and greatest
+      const double least = 0.07 * b.xmin() - 0.93 * (b.ymax() + b.zmax()), greatest = 0.07 * b.xmax() - 0.93 * (b.ymin() + b.zmin());
+      if(!(least < -1e-6 && greatest > 1e-6)) continue;
+      ++steep;
+      failures += box.kind != Box_kind::UNDECIDED;
+    }
+    CHECK(failures == 0);
+    CHECK(steep > 100);
+  }
+}
+
 TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
 {
   CGAL::Random random(23);
