@@ -17,6 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,8 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
+#include <Eigen/Geometry>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "fit_problem.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

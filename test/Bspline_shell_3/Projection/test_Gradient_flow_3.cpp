@@ -5,6 +5,8 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <Eigen/Geometry>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -9,6 +9,8 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <complex>
 #include <functional>

@@ -11,6 +11,8 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
