@@ -641,7 +641,7 @@ Field diagonal_field(int length)
   std::vector<std::uint64_t> keys;
   for(int k = -1; k < 1; ++k)
     for(int j = 0; j < length; ++j)
-      for(int i = (std::max)(j - 1, 0); i < (std::min)(j + 2, length); ++i) keys.push_back(BS::internal::Lattice_key::encode(i, j, k));
+      for(int i = (std::max)(j - 1, 0); i < (std::min)(j + 2, length); ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, -1 }, { length - 1, length - 1, 0 });
   return Field(BS::Cell_complex_3(lattice, keys));
 }
