@@ -577,3 +577,18 @@ TEST_CASE("Covers: bounds of the gradient are those of its least length, whereve
     }
   }
 }
+
+TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers below it")
+{
+  // f = 1e300 x / w on cells of width w = 2^-100: its slope is 1.3e330
+  const double width = std::ldexp(1., -100);
+  const BS::Lattice_3::Point first = { 0, 0, 0 }, last = { 3, 3, 3 };
+  CGAL::Random random(31);
+  const Field field = with(Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last))),
+                           [&](double x, double, double) { return 1e300 * (x / width); });
+  Cover cover(field, Constant(1.1e300), Constant(2.9e300));
+  cover.flood<Tag>(Point_3(2 * width, 2 * width, 2 * width), 0);
+  CHECK(cover.number_of_undecided_boxes() == 0);
+  CHECK(cover.least_gradient<Tag>() > 1e308);
+  CHECK(cover.least_gradient<Tag>() <= std::numeric_limits<double>::max());
+}

@@ -411,8 +411,9 @@ private:
       const double size = length(direction);
       if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
     }
-    // two quotients; the length is an upper bound
-    return bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)) * (1 - 4 * internal::rounding);
+    // two quotients, of which the second may overflow; the length is an upper bound
+    const double slope = bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth));
+    return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
   }
 
   // the same, of parts where that is far from what the field has in the middle
