@@ -13,8 +13,8 @@ in any other way than it should, or not in time, is to fail. Faults of the packa
 those of check_certificate to its own test. Exit code 0 if every fault is seen, but those that the list argues to change no
 answer; 1 if others survive, or one of these is seen; 2 if the list does not fit the sources. --dry stops after it was planted.
 
-Needs what test/run.sh installs. Of one core, compiling takes about ten minutes, the proof tests half a minute and the test of
-check_certificate one minute; a fault that is not seen takes as long as these, most others a few seconds: an hour for the whole list.
+Needs what test/run.sh installs. On two cores, compiling takes about ten minutes. The proof tests take about a minute, and so does the test
+of check_certificate. A fault that is not seen takes as long as these, most others a few seconds: allow two hours for the whole list.
 """
 import argparse
 import concurrent.futures

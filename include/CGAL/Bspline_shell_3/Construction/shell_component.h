@@ -18,7 +18,7 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Construction
  *
  * \brief the cells that the shell may meet: a cover of those connected components of
- * \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that hang together with the mesh.
+ * \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that are connected to the mesh.
  *
  * Other components (a field is free to take the levels elsewhere) are no part of the shell.
  */
