@@ -1,8 +1,4 @@
 # Targets for what the headers need; read by the project and by its installed package, after CGAL, Eigen and TBB are found.
-# The headers are written for one minor version, and CGAL's version file takes no notice of the end of a range.
-if(CGAL_VERSION VERSION_GREATER_EQUAL 5.6)
-  message(FATAL_ERROR "Bspline_shell_3 needs CGAL 5.5, but ${CGAL_DIR} has CGAL ${CGAL_VERSION}: set CGAL_DIR")
-endif()
 include(${CGAL_MODULES_DIR}/CGAL_Eigen3_support.cmake)
 include(${CGAL_MODULES_DIR}/CGAL_TBB_support.cmake)      # makes a target if TBB was found
 

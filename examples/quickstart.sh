@@ -49,9 +49,9 @@ else
 fi
 cat <<END
 Results:
-  results/${name}_mesh.ply         the mesh, with colours and a distance at its vertices
+  results/${name}_mesh.ply         the mesh, with colors and a distance at its vertices
   results/${name}_simplified.ply   the simplified mesh, with what was carried over
-  results/${name}_detail.ply       the same surface in small triangles, with the colour at every vertex
+  results/${name}_detail.ply       the same surface in small triangles, with the color at every vertex
   results/${name}_inner.ply        inner bounding surface of the shell
   results/${name}_outer.ply        outer bounding surface$picture
 END

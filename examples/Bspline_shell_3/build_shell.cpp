@@ -1,5 +1,5 @@
 // Reads a mesh, builds its shell on equal cells, as in the paper, prints a table, and writes the two bounding surfaces and the mesh with f
-// and a colour at its vertices; render_shell.py draws them. The usage, below, says what it returns.
+// and a color at its vertices; render_shell.py draws them. The usage, below, says what it returns.
 #include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -30,7 +30,7 @@ bool read_positive(const char* text, double& number)
   return *end == '\0' && std::isfinite(number) && number > 0;
 }
 
-// from blue below zero through white to red above; the level farther from zero has the full colour
+// from blue below zero through white to red above; the level farther from zero has the full color
 CGAL::IO::Color color(double f, double inner, double outer)
 {
   const double full = (std::max)(std::abs(inner), std::abs(outer));

@@ -1,10 +1,10 @@
 // A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another mesh in
 // the shell, here the input with its vertices moved along the normals, is certified by the same claims.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: certified_shell MESH [THICKNESS, of the box, default 0.01]\n";
     return EXIT_FAILURE;
   }

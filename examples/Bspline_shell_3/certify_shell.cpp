@@ -1,5 +1,6 @@
 // Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the same
 // shell is certified by the same object, and single facets are tested before a mesh is changed.
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -7,7 +8,6 @@
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc < 3 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 3 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: certify_shell MESH RESOLUTION\n";
     return EXIT_FAILURE;
   }

@@ -1,11 +1,11 @@
 // Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its vertices over to the result. That
 // cannot intersect itself, and the map between it and the mesh before is one-to-one: both are proved.
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -21,7 +21,7 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] [THICKNESS, of the box, default 0.01]\n";
     return EXIT_FAILURE;
   }

@@ -3,9 +3,9 @@
 
 Usage: render_shell.py PREFIX PICTURE.png
 
-Reads PREFIX_{mesh,inner,outer}.ply, and draws the mesh with its colours, and a cut through mesh and shell with a magnifier. If
-there are PREFIX_{simplified,detail}.ply, the simplified mesh with the colours that were carried over is drawn between the two, and
-in the cut: its edges are those of simplified, its colours those of detail.
+Reads PREFIX_{mesh,inner,outer}.ply, and draws the mesh with its colors, and a cut through mesh and shell with a magnifier. If
+there are PREFIX_{simplified,detail}.ply, the simplified mesh with the colors that were carried over is drawn between the two, and
+in the cut: its edges are those of simplified, its colors those of detail.
 """
 import os
 import sys
@@ -165,7 +165,7 @@ def main(prefix, picture):
     cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
     if simplified:
         panels.append(([actor(detail), edges(simplified)],
-                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, colours carried over")]))
+                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, colors carried over")]))
         cut += [actor(half(simplified, plane), GREY), outline(simplified, plane, GREEN, 1.5)]
         simplified_legend = [("simplified", GREEN)]
     else:

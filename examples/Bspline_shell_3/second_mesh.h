@@ -2,13 +2,13 @@
 #ifndef SECOND_MESH_H
 #define SECOND_MESH_H
 
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -48,7 +48,7 @@ inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 // reads a mesh, builds its shell and another mesh in it; if one of these fails, says why
 inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
 {
-  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: " << argv[0] << " MESH" << std::endl;
     return false;
   }

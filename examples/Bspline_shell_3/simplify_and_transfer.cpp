@@ -1,4 +1,4 @@
-// The whole chain: a mesh, its certified shell, a simplified mesh in the shell, and colours and a scalar at the vertices that are
+// The whole chain: a mesh, its certified shell, a simplified mesh in the shell, and colors and a scalar at the vertices that are
 // carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding surfaces;
 // render_shell.py draws them.
 #include "example_output.h"
@@ -26,7 +26,7 @@ typedef BS::Shell_map_3<Shell, Mesh> Map;
 const char* const usage =
   "Usage: simplify_and_transfer MESH [--facets FACETS] [--output PREFIX]\n"
   "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
-  "  simplified if not given. detail is the simplified mesh, cut into small triangles that show the colour of every point.\n"
+  "  simplified if not given. detail is the simplified mesh, cut into small triangles that show the color of every point.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
   "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
   "  (Status.h) if the mesh is refused or the shell fails.\n";
@@ -185,7 +185,7 @@ int main(int argc, char** argv)
   row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
                     << " %; certified; " << simplified.total_seconds() << " s\n";
   if(facets > 0 && simplified.facets > facets) row("") << "the shell allows no fewer\n";
-  row("carried over") << "distance and colour at " << coarse.number_of_vertices() << " vertices, colour at " << detail.number_of_vertices()
+  row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
                       << " points; none is lost; " << transfer_seconds << " s\n";
   return (std::max)(inner, outer);
 }

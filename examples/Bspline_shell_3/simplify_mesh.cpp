@@ -1,10 +1,10 @@
 // Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the map between it and
 // the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that they were collapsed into.
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: simplify_mesh MESH [FACETS, default: as few as the shell allows] [THICKNESS, of the box, default 0.01]\n";
     return EXIT_FAILURE;
   }

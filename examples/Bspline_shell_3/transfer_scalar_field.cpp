@@ -1,4 +1,4 @@
-// A scalar field and colours at the vertices of a mesh are transferred to another mesh in the same shell, which is written with its colours.
+// A scalar field and colors at the vertices of a mesh are transferred to another mesh in the same shell, which is written with its colors.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>

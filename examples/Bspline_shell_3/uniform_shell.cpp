@@ -1,7 +1,7 @@
 // The shell of a mesh: its two levels, the field and its derivatives, and a point in it.
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc < 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: uniform_shell MESH\n";
     return EXIT_FAILURE;
   }

@@ -6,36 +6,16 @@
 #ifndef CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 #define CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 
-#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
-#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
+#include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
-#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
-#include <CGAL/Bspline_shell_3/Construction/refine_until_certified.h>
 
 #include <CGAL/tags.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
+#include <optional>
 
 namespace CGAL {
-
-/// \ingroup PkgBsplineShell3Ref
-/// the shell that `certified_bspline_shell_3()` builds: a hierarchy of cells, and thresholds that vary in space
-typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
-                        Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
-  Certified_bspline_shell_3;
 
 /*!
  * \ingroup PkgBsplineShell3Ref
@@ -85,99 +65,34 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   using CGAL::parameters::get_parameter_reference;
   using CGAL::parameters::is_default_parameter;
 
-  typedef Certified_bspline_shell_3 Shell;
-  typedef Shell::Field Field;
-  typedef BS::Shell_status Status;
-  typedef BS::Shell_step Step;
-  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  BS::Certified_shell_parameters parameters;
+  parameters.resolution = choose_parameter(get_parameter(np, tags::resolution), parameters.resolution);
+  parameters.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), parameters.relative_thickness);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
+    parameters.thickness = get_parameter(np, tags::thickness);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
+    parameters.sizing = [&np](const Certified_bspline_shell_3::Point_3& p) { return double(get_parameter_reference(np, tags::sizing)(p)); };
+  BS::Refinement_parameters& refinement = parameters.refinement;
+  refinement.weights = choose_parameter(get_parameter(np, tags::energy_weights), refinement.weights);
+  refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), refinement.constant_thresholds);
+  refinement.max_seconds = choose_parameter(get_parameter(np, tags::time_limit), refinement.max_seconds);
+  refinement.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
 
-  const double resolution = choose_parameter(get_parameter(np, tags::resolution), 30.);
-  const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 0.01);
-  const double absolute_thickness = choose_parameter(get_parameter(np, tags::thickness), 0.);
-  constexpr bool has_absolute_thickness = !is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value;
-  constexpr bool has_sizing = !is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value;
-  BS::Refinement_parameters parameters;
-  parameters.weights = choose_parameter(get_parameter(np, tags::energy_weights), parameters.weights);
-  parameters.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), false);
-  parameters.max_seconds = choose_parameter(get_parameter(np, tags::time_limit), unlimited);
-  parameters.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
-  // the certificate makes the accuracy of the solver a matter of speed
-  constexpr double tolerance = 1e-4;
-  auto&& solver = BS::internal::argument<BS::Conjugate_gradient_solver<ConcurrencyTag> >(np, tags::spd_solver, tolerance);
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-
   BS::Shell_construction construction(visitor);
-  BS::Shell_report& report = construction.report;
-  const auto start = [&](Step step) { return construction.start(step); };
-  const auto stop = [&](Status status) { return Shell(construction.end(status)); };
+  if(!parameters.are_valid()) return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
+  if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
-  if(!(std::isfinite(resolution) && resolution > 0 && relative_thickness > 0 && std::isfinite(relative_thickness)
-       && (!has_absolute_thickness || (absolute_thickness > 0 && std::isfinite(absolute_thickness)))
-       && parameters.max_seconds > 0 && parameters.max_bytes > 0 && parameters.weights.are_valid()))
-    return stop(Status::INVALID_PARAMETER);
-
-  const Status checked = construction.template check<ConcurrencyTag>(mesh, np);
-  if(checked != Status::SUCCESS) return stop(checked);
-  const std::shared_ptr<const BS::Input_mesh_3>& input = construction.input;
-
-  if(!start(Step::CELLS)) return stop(Status::CANCELED);
-  const Status has_lattice = construction.choose_lattice(input->unit() / resolution);
-  if(has_lattice != Status::SUCCESS) return stop(has_lattice);
-  const BS::Lattice_3& lattice = construction.lattice;
-  const double largest_thickness = has_absolute_thickness ? absolute_thickness : relative_thickness * input->unit();
-  bool is_thickness_valid = true;
-  const auto thickness = [&](const Field::Point_3& p) -> double {
-    if constexpr(has_sizing) {
-      const double t = get_parameter_reference(np, tags::sizing)(p);
-      if(t > 0 && std::isfinite(t)) return t;
-      is_thickness_valid = false;       // and nothing is done with what is returned
-    }
-    (void)p;
-    return largest_thickness;
-  };
-  const std::vector<std::uint64_t> surface_keys = BS::cells_entered_by_mesh<ConcurrencyTag>(*input, lattice);
-  report.surface_cells = surface_keys.size();
-  // room for the shell beyond the cells at the mesh
-  constexpr double most_rings = 20;
-  const double rings = 1 + std::floor(has_sizing ? 0 : largest_thickness / lattice.spacing());
-  if(!(rings <= most_rings)) return stop(Status::INVALID_PARAMETER);
-  if(double(surface_keys.size()) * 1e4 > parameters.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  BS::Cell_hierarchy_3 cells(BS::Cell_complex_3(lattice, BS::dilate(surface_keys, -int(rings), int(rings))));
-
-  const auto refine = [&](const auto& oracle) {
-    typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
-    BS::Certified_refinement<ConcurrencyTag, Oracle> refinement(input, oracle, parameters);
-    const BS::Refinement_status refined = refinement(std::move(cells), thickness, solver,
-                                                     [&](Step step) { return is_thickness_valid && start(step); });
-    if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
-    report.rounds = refinement.rounds();
-    report.refinement = refined;
-    if(refined == BS::Refinement_status::CANCELED) return stop(Status::CANCELED);
-    if(refined == BS::Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
-    if(refined == BS::Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);
-    report.cells = refinement.field().number_of_cells();
-    report.unknowns = refinement.field().number_of_coefficients();
-    report.certificate = refinement.certificate()->report();
-    if(refinement.certificate()->status() != Status::SUCCESS) return stop(refinement.certificate()->status());
-    if(report.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
-    std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh(thickness);
-    std::vector<char> shell_cells(report.cells, 0);
-    if(refinement.certificate()->cover())
-      for(const BS::Cover_box& box : refinement.certificate()->cover()->boxes())
-        if(box.component != BS::Cover_box::no_component) shell_cells[box.cell] = 1;
-    std::vector<BS::Level_range> facets(input->number_of_facets_of_origin());
-    for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
-    Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
-                construction.end(Status::SUCCESS));
-    if(report.certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED)
-      shell.set_proved_cover(refinement.certificate()->cover()->boxes());
-    return shell;
-  };
-  if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-    return refine(BS::Mesh_signed_distance_3(*input));
-  else
-    return refine(static_cast<const std::remove_reference_t<decltype(get_parameter_reference(np, tags::signed_distance_oracle))>&>(
-      get_parameter_reference(np, tags::signed_distance_oracle)));
+  std::optional<BS::Any_signed_distance_3> oracle;
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
+    oracle.emplace(get_parameter_reference(np, tags::signed_distance_oracle));
+  if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
+    return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle);
+  else {
+    auto&& solver = BS::internal::argument<void>(np, tags::spd_solver);
+    return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+  }
 }
 
 } // namespace CGAL

@@ -1,9 +1,11 @@
-# Installs the package to a new prefix, and configures, builds and runs the consumer project against it.
+# Installs the package to a new prefix, and configures, builds and runs the consumer project against it: header-only, and with the compiled library
+# if there is one. The results must be the same in every bit.
 function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error)
   if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\n${output}")
+    message(FATAL_ERROR "${ARGN}\n${output}${error}")
   endif()
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
@@ -11,3 +13,10 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/test/Bspline_shell_3/consumer -B ${WORK}/build
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Debug)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+set(expected "${output}")
+if(EXISTS ${WORK}/build/consumer_of_library)
+  run(${WORK}/build/consumer_of_library)
+  if(NOT output STREQUAL expected)
+    message(FATAL_ERROR "Compiled, the library computes something else than the headers.")
+  endif()
+endif()

@@ -69,7 +69,7 @@ void set_polynomial(Field& field, const Polynomial& polynomial, const Frame& fra
   field.set_coefficients(x);
 }
 
-// eight cells along each side of the cube of side 2 around the centre
+// eight cells along each side of the cube of side 2 around the center
 inline Root_cells cells_of_cube(const Frame& frame = Frame())
 {
   const Eigen::Vector3d low = frame.to_user({ -1, -1, -1 }), high = frame.to_user({ 1, 1, 1 });

@@ -3,14 +3,8 @@
 #define TEST_MESHES_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,119 +13,26 @@ typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-inline Mesh demo_mesh(const std::string& name)
-{
-  Mesh mesh;
-  const bool read = CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh);
-  REQUIRE(read);
-  return mesh;
-}
+// one of libcgal-demo
+Mesh demo_mesh(const std::string& name);
 
 // a regular icosahedron, subdivided and pushed to the sphere
-inline Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN)
-{
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, Point_3(0, 0, 0), 1.);
-  for(int s = 0; s < subdivisions; ++s) {
-    Mesh fine;
-    std::vector<Mesh::Vertex_index> at_vertex, at_edge;
-    for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
-    for(auto e : mesh.edges())
-      at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
-    for(auto f : mesh.faces()) {
-      Mesh::Vertex_index v[3], m[3];
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
-      fine.add_face(v[0], m[0], m[2]);
-      fine.add_face(m[0], v[1], m[1]);
-      fine.add_face(m[2], m[1], v[2]);
-      fine.add_face(m[0], m[1], m[2]);
-    }
-    mesh = fine;
-  }
-  for(auto v : mesh.vertices()) {
-    const Vector_3 d = mesh.point(v) - CGAL::ORIGIN;
-    mesh.point(v) = center + radius / std::sqrt(d.squared_length()) * d;
-  }
-  return mesh;
-}
+Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN);
 
 // an axis-parallel box, its six sides quadrangles or triangles
-inline Mesh box(const Point_3& a, const Point_3& b, bool triangulated = true)
-{
-  Mesh mesh;
-  CGAL::make_hexahedron(a, Point_3(b.x(), a.y(), a.z()), Point_3(b.x(), b.y(), a.z()), Point_3(a.x(), b.y(), a.z()),
-                        Point_3(a.x(), b.y(), b.z()), Point_3(a.x(), a.y(), b.z()), Point_3(b.x(), a.y(), b.z()), b, mesh);
-  if(triangulated) CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  return mesh;
-}
+Mesh box(const Point_3& a, const Point_3& b, bool triangulated = true);
 
 // a torus around the z-axis
-inline Mesh torus(double major, double minor, int around, int across)
-{
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  const double pi = std::acos(-1.);
-  for(int i = 0; i < around; ++i)
-    for(int j = 0; j < across; ++j) {
-      const double a = 2 * pi * i / around, b = 2 * pi * j / across, r = major + minor * std::cos(b);
-      v.push_back(mesh.add_vertex(Point_3(r * std::cos(a), r * std::sin(a), minor * std::sin(b))));
-    }
-  const auto at = [&](int i, int j) { return v[(i % around) * across + j % across]; };
-  for(int i = 0; i < around; ++i)
-    for(int j = 0; j < across; ++j) {
-      mesh.add_face(at(i, j), at(i+1, j), at(i+1, j+1));
-      mesh.add_face(at(i, j), at(i+1, j+1), at(i, j+1));
-    }
-  return mesh;
-}
+Mesh torus(double major, double minor, int around, int across);
 
 // a pyramid over a regular polygon in the unit circle; its apex is the first vertex
-inline Mesh pyramid(int sides, double height)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  const auto apex = mesh.add_vertex(Point_3(0, 0, height)), middle = mesh.add_vertex(Point_3(0, 0, 0));
-  std::vector<Mesh::Vertex_index> v;
-  for(int i = 0; i < sides; ++i) v.push_back(mesh.add_vertex(Point_3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0)));
-  for(int i = 0; i < sides; ++i) {
-    mesh.add_face(v[i], v[(i + 1) % sides], apex);
-    mesh.add_face(v[(i + 1) % sides], v[i], middle);
-  }
-  return mesh;
-}
+Mesh pyramid(int sides, double height);
 
-// two unit balls around the x-axis, their centres at -1.5 and 1.5, joined by a neck
-inline Mesh dumbbell(double neck_radius, int around = 16)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.), joint = std::asin(neck_radius);     // angle at the centre where the neck begins
-  const int rings = 10;
-  std::vector<std::pair<double, double> > profile;                      // x, radius; without the poles
-  for(int i = 1; i <= rings; ++i) {
-    const double a = pi - (pi - joint) * i / rings;
-    profile.emplace_back(-1.5 + std::cos(a), std::sin(a));
-  }
-  const std::size_t half = profile.size();
-  profile.emplace_back(0, neck_radius);
-  for(std::size_t i = half; i-- > 0; ) profile.emplace_back(-profile[i].first, profile[i].second);
-  const auto left = mesh.add_vertex(Point_3(-2.5, 0, 0)), right = mesh.add_vertex(Point_3(2.5, 0, 0));
-  std::vector<Mesh::Vertex_index> v;
-  for(const auto& p : profile)
-    for(int j = 0; j < around; ++j)
-      v.push_back(mesh.add_vertex(Point_3(p.first, p.second * std::cos(2 * pi * j / around), p.second * std::sin(2 * pi * j / around))));
-  const auto at = [&](std::size_t i, int j) { return v[i * around + j % around]; };
-  const std::size_t last = profile.size() - 1;
-  for(int j = 0; j < around; ++j) {
-    mesh.add_face(left, at(0, j + 1), at(0, j));
-    mesh.add_face(right, at(last, j), at(last, j + 1));
-    for(std::size_t i = 0; i < last; ++i) {
-      mesh.add_face(at(i, j), at(i, j + 1), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i + 1, j));
-    }
-  }
-  return mesh;
-}
+// two unit balls around the x-axis, their centers at -1.5 and 1.5, joined by a neck
+Mesh dumbbell(double neck_radius, int around = 16);
+
+// the same points in the same facets, in the same order
+bool is_equal(const Mesh& a, const Mesh& b);
 
 // a rectangle at height z(x, y), facing upwards, cut at the given coordinates
 template <typename Height>
@@ -148,18 +49,6 @@ Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const H
       mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
     }
   return mesh;
-}
-
-// the same points in the same facets, in the same order
-inline bool is_equal(const Mesh& a, const Mesh& b)
-{
-  if(a.number_of_faces() != b.number_of_faces() || a.number_of_vertices() != b.number_of_vertices()) return false;
-  for(auto f = a.faces().begin(), g = b.faces().begin(); f != a.faces().end(); ++f, ++g) {
-    auto h = a.halfedge(*f), i = b.halfedge(*g);
-    for(int n = 0; n < 3; ++n, h = a.next(h), i = b.next(i))
-      if(a.point(a.target(h)) != b.point(b.target(i))) return false;
-  }
-  return true;
 }
 
 #endif // TEST_MESHES_H

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# How long examples take to compile, alone, and how much memory the compiler takes: one JSON line for each.
+# How long examples take to compile, alone, and how much memory the compiler takes, header-only and with the compiled library (which is not built
+# for it): one JSON line for each.
 #   bash benchmark/Bspline_shell_3/Performance/compile_time.sh [EXAMPLE ...]
 # CXX chooses the compiler, CXXFLAGS the optimization (-O2), CGAL_INCLUDE a folder with the headers of another CGAL.
 set -euo pipefail
@@ -25,12 +26,19 @@ int main(int, char** argv)
 }
 EOF
 
+compile() {     # SOURCE LIBRARY [OPTION ...]
+  local source=$1 library=$2 seconds user kilobytes
+  shift 2
+  command time -o "$work/time" -f '%e %U %M' "${CXX:-g++}" "${flags[@]}" "$@" -c "$source" -o "$work/object.o"
+  read -r seconds user kilobytes < "$work/time"
+  printf '{"source":"%s","library":%s,"seconds":%s,"user_seconds":%s,"peak_megabytes":%d,"object_kilobytes":%d}\n' \
+    "$(basename "$source")" "$library" "$seconds" "$user" $((kilobytes / 1024)) $(($(stat -c %s "$work/object.o") / 1024))
+}
+
 examples=("$@")
 [ $# -gt 0 ] || examples=(certified_shell uniform_shell simplify_mesh remesh_mesh transfer_texture_coordinates simplify_and_transfer)
-for source in "$work/cgal_alone.cpp" "${examples[@]/#/examples/Bspline_shell_3/}"; do
-  [ -e "$source" ] || source=$source.cpp
-  command time -o "$work/time" -f '%e %U %M' "${CXX:-g++}" "${flags[@]}" -c "$source" -o "$work/object.o"
-  read -r seconds user kilobytes < "$work/time"
-  printf '{"source":"%s","seconds":%s,"user_seconds":%s,"peak_megabytes":%d,"object_kilobytes":%d}\n' \
-    "$(basename "$source")" "$seconds" "$user" $((kilobytes / 1024)) $(($(stat -c %s "$work/object.o") / 1024))
+compile "$work/cgal_alone.cpp" false
+for name in "${examples[@]}"; do
+  compile "examples/Bspline_shell_3/${name%.cpp}.cpp" false
+  compile "examples/Bspline_shell_3/${name%.cpp}.cpp" true -DCGAL_BSPLINE_SHELL_3_INSTANCES
 done

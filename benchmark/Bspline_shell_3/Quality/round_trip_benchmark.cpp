@@ -82,7 +82,7 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
   }
 }
 
-// How the differential of the map changes between neighbouring points on straight lines in facets of the source.
+// How the differential of the map changes between neighboring points on straight lines in facets of the source.
 struct Jumps
 {
   double within_facets = 0;       // of the target: that of the map

@@ -344,7 +344,7 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
     const Sparse_cells sparse(random, -2, 1, share);
     const Cells cells(quarters, sparse.keys);
     REQUIRE(cells.number_of_cells() == sparse.points.size());
-    // multiples of half a cell: corners, middles of edges and of faces, centres; also outside
+    // multiples of half a cell: corners, middles of edges and of faces, centers; also outside
     for(int k = -6; k <= 6; ++k)
       for(int j = -6; j <= 6; ++j)
         for(int i = -6; i <= 6; ++i) {
@@ -376,7 +376,7 @@ TEST_CASE("cells: a point one bit outside the domain is outside; so is one that 
   CHECK(Cells().locate(inside) == Cells::npos);
 }
 
-TEST_CASE("cells: neighbours differ by one step along one axis, and see each other")
+TEST_CASE("cells: neighbors differ by one step along one axis, and see each other")
 {
   CGAL::Random random(7);
   const Sparse_cells sparse(random, -3, 2, 0.5);

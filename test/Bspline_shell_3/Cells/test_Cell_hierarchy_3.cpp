@@ -291,7 +291,7 @@ TEST_CASE("hierarchies: a box meets the leaves that a search finds, each once, a
   }
 }
 
-TEST_CASE("hierarchies: neighbours are the leaves with a common part of a face, and see each other")
+TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, and see each other")
 {
   for(unsigned seed = 16; seed <= 18; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -447,7 +447,7 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
   }
   level[0].push_back(BS::Lattice_key::encode(1, 0, 0));
   CHECK_FALSE(Hierarchy::from_leaves(lattice, { level[0], level[1], level[2] }));
-  CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));      // alone, it has no neighbours that would have to be
+  CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));      // alone, it has no neighbors that would have to be
   // smaller than any leaf may be
   CHECK_FALSE(Hierarchy::from_leaves(lattice, Leaves(20, { BS::Lattice_key::encode(0, 0, 0) })));
   CHECK(Hierarchy::from_leaves(lattice, {})->number_of_cells() == 0);

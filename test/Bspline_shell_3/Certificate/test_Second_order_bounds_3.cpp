@@ -237,17 +237,17 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
   // the bound is the least one of its kind: it is attained in the middle of an equilateral triangle in one cell
   const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1), Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
                                Point_3(0.125 - 0.03125, 0.125 - 0.0625 * std::sqrt(0.75), 0.1) };
-  const Uniform_field centred = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 0.25, { 1, 0, 0 } }, { 0.25, { 0, 1, 0 } },
+  const Uniform_field centered = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 0.25, { 1, 0, 0 } }, { 0.25, { 0, 1, 0 } },
                                                  { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
   const double peak = 0.03125;        // at (1/8, 1/8, 1/10)
-  CHECK(is_contained(centred, -1, peak + 1e-12, in_a_cell, 0));
-  CHECK_FALSE(is_contained(centred, -1, peak - 1e-12, in_a_cell));
+  CHECK(is_contained(centered, -1, peak + 1e-12, in_a_cell, 0));
+  CHECK_FALSE(is_contained(centered, -1, peak - 1e-12, in_a_cell));
   const Uniform_field pit = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { -0.25, { 1, 0, 0 } }, { -0.25, { 0, 1, 0 } },
                                              { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
   CHECK(is_contained(pit, -peak - 1e-12, 1, in_a_cell, 0));
   CHECK_FALSE(is_contained(pit, -peak + 1e-12, 1, in_a_cell));
   for(double share : { 0.1, 0.2, 0.4 }) {       // of the difference to the corners
-    CHECK_FALSE(is_contained(centred, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
+    CHECK_FALSE(is_contained(centered, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
     CHECK_FALSE(is_contained(pit, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
   }
   // towards the other threshold, the corners decide, whatever the size of the facet

@@ -40,7 +40,7 @@ Field cube_field(int half_cells, double spacing)
   return Field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing), keys));
 }
 
-// sets the coefficients from a function of the point that each is centred at
+// sets the coefficients from a function of the point that each is centered at
 template <typename Function>
 void set(Field& field, const Function& f)
 {
@@ -318,7 +318,7 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
         named = named || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
     CHECK(named);
   }
-  // at a corner of cells no polynomial is that of a whole neighbourhood: it is found, but not proved
+  // at a corner of cells no polynomial is that of a whole neighborhood: it is found, but not proved
   CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
 }
 

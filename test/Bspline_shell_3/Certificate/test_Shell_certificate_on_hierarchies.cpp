@@ -48,7 +48,7 @@ Hierarchy refined_at(Hierarchy cells, const Point_3& p, int times)
   return cells;
 }
 
-// sets each free coefficient from a function of the point that it is centred at, and of its level
+// sets each free coefficient from a function of the point that it is centered at, and of its level
 template <typename Function>
 void set(Field& field, const Function& f)
 {

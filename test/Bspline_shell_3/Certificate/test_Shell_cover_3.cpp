@@ -38,7 +38,7 @@ using BS::Cover_box;
 constexpr std::uint32_t none = Cover_box::no_component;
 constexpr double pi = 3.141592653589793;
 
-// sets each free coefficient from a function of the point that it is centred at
+// sets each free coefficient from a function of the point that it is centered at
 template <typename Function>
 Field with(Field field, const Function& f)
 {

@@ -158,7 +158,7 @@ TEST_CASE("Scaled by any number, a box has the same shell at every resolution")
 TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
 {
   Mesh mesh = lump();
-  // The lattice begins at the centre of the box, rounded: far away, to fewer bits. Zero needs none.
+  // The lattice begins at the center of the box, rounded: far away, to fewer bits. Zero needs none.
   const CGAL::Bbox_3 b = CGAL::Polygon_mesh_processing::bbox(mesh);
   const Vector_3 center((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
   mesh = mapped(mesh, [&](const Point_3& p) { return p - center; });

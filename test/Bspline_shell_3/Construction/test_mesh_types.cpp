@@ -101,14 +101,14 @@ TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
 
   Polyhedron open;
   CGAL::copy_face_graph(box(Point_3(0, 0, 0), Point_3(1, 1, 1), false), open);
-  std::vector<Polyhedron::Facet_handle> neighbours;
+  std::vector<Polyhedron::Facet_handle> neighbors;
   const Polyhedron::Halfedge_handle border = std::next(open.facets_begin(), 2)->halfedge();
-  for(auto h : CGAL::halfedges_around_face(border, open)) neighbours.push_back(h->opposite()->facet());
+  for(auto h : CGAL::halfedges_around_face(border, open)) neighbors.push_back(h->opposite()->facet());
   open.make_hole(border);
   std::vector<std::size_t> expected;
   n = 0;
   for(auto f : faces(open)) {
-    if(std::find(neighbours.begin(), neighbours.end(), f) != neighbours.end()) expected.push_back(n);
+    if(std::find(neighbors.begin(), neighbors.end(), f) != neighbors.end()) expected.push_back(n);
     ++n;
   }
   const Shell refused = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
@@ -133,7 +133,7 @@ TEST_CASE("Numbers that are evaluated lazily count for what they are, however th
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(lazy, P::resolution(10)));
 }
 
-TEST_CASE("The vertex point map is honoured, first or last in the parameters, ours or CGAL's")
+TEST_CASE("The vertex point map is honored, first or last in the parameters, ours or CGAL's")
 {
   Mesh mesh = mixed_mesh<Mesh>();
   std::unordered_map<Mesh::Vertex_index, Point_3> points;

@@ -131,7 +131,7 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
   check_certified(mesh, shell);
   const Field& field = shell.field();
-  // the function whose centre is best placed for a bump that hangs over the outer boundary: one and a half of its cells beyond
+  // the function whose center is best placed for a bump that hangs over the outer boundary: one and a half of its cells beyond
   const double level = shell.outer_threshold().value(Point_3(0, 0.6, 0.8));
   Index bump = Field::npos;
   double width = 0, nearest = std::numeric_limits<double>::infinity();

@@ -233,7 +233,7 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Problem problem = bar(seed);
     CGAL::Random random(seed);
-    // in a small leaf, in the coarse one next to small leaves, in one with coarse neighbours
+    // in a small leaf, in the coarse one next to small leaves, in one with coarse neighbors
     for(double x0 : { 0.3, 1.6, 3.2 }) {
       const Index center = problem.field.locate(Point_3(x0, 0.2, 0.2));
       std::vector<Condition> conditions;

@@ -401,7 +401,7 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
     check(text, lines);
   }
 
-  // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbours are not
+  // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbors are not
   typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
   lines = { "cubic_bspline_shell 2 ascii", "unit 1", "levels -1 1", "triangles 1 components 1", intact[4], "functions 0", "leaves 17" };
   for(const char* roots : { "0 1 0 0 1", "0 2 0 0 1" }) lines.push_back(roots);

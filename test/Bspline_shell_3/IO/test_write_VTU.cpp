@@ -143,7 +143,7 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
     CHECK(values);
     CHECK(corners);
     CHECK(interpolates);
-    // neighbours share their points: no position occurs twice, and every point is used
+    // neighbors share their points: no position occurs twice, and every point is used
     std::set<std::array<double, 3> > positions;
     for(std::size_t p = 0; p < grid.points; ++p)
       positions.insert({ grid.positions[3 * p], grid.positions[3 * p + 1], grid.positions[3 * p + 2] });

@@ -49,7 +49,7 @@ TEST_CASE("files: the text is what the format says")
   std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
   CHECK(kind == "uniform");
   CHECK(spacing == field.cells().width());
-  // f from the functions alone, as a sum of B-splines centred at lattice points
+  // f from the functions alone, as a sum of B-splines centered at lattice points
   CGAL::Random random(5);
   for(Field::Cell_index c = 0; c < 2; ++c)
     for(int s = 0; s < 20; ++s) {

@@ -216,15 +216,15 @@ TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after
   for(bool triangulated : { false, true }) {
     Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1), triangulated);
     const Mesh::Face_index gone = *std::next(mesh.faces().begin(), 2);
-    Positions neighbours;
+    Positions neighbors;
     std::vector<Mesh::Face_index> faces;
     for(auto h : mesh.halfedges_around_face(mesh.halfedge(gone))) faces.push_back(mesh.face(mesh.opposite(h)));
     CGAL::Euler::remove_face(mesh.halfedge(gone), mesh);
-    for(auto f : faces) neighbours.push_back(position(mesh.faces(), f));
-    std::sort(neighbours.begin(), neighbours.end());
+    for(auto f : faces) neighbors.push_back(position(mesh.faces(), f));
+    std::sort(neighbors.begin(), neighbors.end());
     REQUIRE(check(input, mesh) == Status::OPEN_MESH);
-    CHECK(neighbours.size() == (triangulated ? 3 : 4));
-    CHECK(input.offending_simplices().facets == neighbours);
+    CHECK(neighbors.size() == (triangulated ? 3 : 4));
+    CHECK(input.offending_simplices().facets == neighbors);
     CHECK(input.offending_simplices().vertices.empty());
   }
 }

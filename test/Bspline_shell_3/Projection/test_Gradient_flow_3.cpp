@@ -222,7 +222,7 @@ TEST_CASE("Gradient flow: neither scale nor place matter")
   for(const Frame& frame : { Frame{ Vector(0, 0, 0), 1e-6 }, Frame{ Vector(0, 0, 0), 1e6 }, Frame{ Vector(0, 0, 0), 1e-100 },
                              Frame{ Vector(1000, -2000, 500), 1 }, Frame{ Vector(3, 1, 2), 1e-3 } })
     for(const Example& example : examples()) {
-      INFO(example.name << ", scale " << frame.scale << ", centre " << frame.center[0]);
+      INFO(example.name << ", scale " << frame.scale << ", center " << frame.center[0]);
       const double tolerance = 2e-9 * frame.scale;
       CHECK(largest_error(shell_of(uniform_field(example.polynomial, frame), -infinity, infinity, frame), example, frame, tolerance, 0.07, 0.9)
             <= tolerance);
@@ -243,7 +243,7 @@ TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box")
 TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and through their corners")
 {
   // All that is computed here is exact, and so are straight curves, but for where cells are left: a millionth of a cell beyond their
-  // faces, with the neighbour's rounding.
+  // faces, with the neighbor's rounding.
   const double rounding = 1e-13;
   CGAL::Random random(3);
   for(const Vector& direction : { Vector(1, 0, 0), Vector(0, 0, -1), Vector(1, 1, 0), Vector(0, 1, -1), Vector(1, 1, 1), Vector(-1, 1, 1) }) {

@@ -40,7 +40,7 @@ const Weights some_coefficients = { Rational(7)/3, Rational(-11)/5, Rational(13)
 
 } // namespace
 
-TEST_CASE("B-splines: values and derivatives on a cell are those of Eq. 3.1, centred at the knots -1, 0, 1, 2")
+TEST_CASE("B-splines: values and derivatives on a cell are those of Eq. 3.1, centered at the knots -1, 0, 1, 2")
 {
   for(int order = 0; order < 3; ++order)
     for(int k = 0; k <= 16; ++k) {

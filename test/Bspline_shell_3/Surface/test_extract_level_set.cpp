@@ -47,8 +47,8 @@ typedef CGAL::Bspline_shells::Lattice_3 Lattice;
 
 const double pi = 3.14159265358979323846;
 
-// the cells with corners from -size to size, in numbers of cells, around the centre; `coefficient` is a function of the
-// lattice point, relative to the centre
+// the cells with corners from -size to size, in numbers of cells, around the center; `coefficient` is a function of the
+// lattice point, relative to the center
 template <typename Coefficient>
 Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
 {
@@ -166,7 +166,7 @@ double largest_error(const TriangleMesh& mesh, const Field& field, double level)
   return largest;
 }
 
-// the least cosine of the angle between a facet's normal and the gradient at its centre
+// the least cosine of the angle between a facet's normal and the gradient at its center
 template <typename TriangleMesh, typename Field>
 double least_cosine(const TriangleMesh& mesh, const Field& field)
 {
@@ -324,7 +324,7 @@ TEST_CASE("Level set: of a field without any order it is still a closed manifold
 
 TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
 {
-  // whatever the error radius is, what neighbours know of the field is consistent with it and with nothing else
+  // whatever the error radius is, what neighbors know of the field is consistent with it and with nothing else
   const Field field = squared_norm(6, 0.25);
   for(double error : { 1e-15, 1e-6, 1e-2, 0.2 })
     for(int ratio : { 1, 2, 3 }) {

@@ -63,7 +63,7 @@ Mesh tilted_sheet() { return sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6), t
 
 } // namespace
 
-TEST_CASE("Transfer: under the identity, whole numbers and colours arrive as they are")
+TEST_CASE("Transfer: under the identity, whole numbers and colors arrive as they are")
 {
   check_identity<int>("int", [](std::size_t n) { return int(n * 7919 % 1000003) - 500000; });
   check_identity<unsigned char>("unsigned char", [](std::size_t n) { return (unsigned char)(n * 37); });
@@ -156,7 +156,7 @@ TEST_CASE("Transfer: between spheres, functions change by no more than the facet
   CHECK(BS::transfer_vertex_attribute(map, on_a, on_b));
   CHECK(BS::average_vertex_attribute(map, on_a, average));
   for(auto v : b.vertices()) {
-    // edges of a are 0.14 to 0.17 long in angle: sagitta 0.17^2 / 8 at most, a little more at facets' centres
+    // edges of a are 0.14 to 0.17 long in angle: sagitta 0.17^2 / 8 at most, a little more at facets' centers
     CHECK(std::abs(on_b[v] - direction(b.point(v))) < 0.006);
     // averages over stars of b, whose edges are twice as long
     CHECK(std::abs(average[v] - direction(b.point(v))) < 0.05);

@@ -1,16 +1,29 @@
-// A program outside the project: the installed package is all that it knows. It is built with assertions on.
+// A program outside the project: the installed package is all that it knows. It prints all bits of its shells.
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <cstdlib>
+#include <ios>
+#include <iostream>
 
 int main()
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   CGAL::Surface_mesh<Point_3> mesh;
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
+  std::cout << std::hexfloat;
+
   const auto shell = CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12));
-  return shell && shell.inner_level() < 0 && shell.outer_level() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  if(!shell) return EXIT_FAILURE;
+  std::cout << shell.inner_level() << "\n" << shell.outer_level() << "\n" << shell.field().coefficients() << "\n";
+
+  const auto certified = CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::relative_thickness(0.1).resolution(8));
+  if(!certified.is_certified()) return EXIT_FAILURE;
+  std::cout << certified.report().certificate.least_gradient << "\n" << certified.field().coefficients() << "\n"
+            << certified.inner_threshold().field().coefficients() << "\n" << certified.outer_threshold().field().coefficients() << std::endl;
+  return EXIT_SUCCESS;
 }

@@ -29,7 +29,7 @@ namespace Bspline_shells {
  *
  * The spacing is rounded to at most 20 significant bits and the origin to a multiple of half the spacing's last bit, so
  * that every corner of a cell, also of a cell halved up to `finest_level` times, is a `double`: what is proved on a cell's box is
- * proved for the cell. The lattice is symmetric about the box's centre: a mesh that is mirrored, turned by a right angle or
+ * proved for the cell. The lattice is symmetric about the box's center: a mesh that is mirrored, turned by a right angle or
  * scaled by a power of two gets the mirrored, turned or scaled lattice.
  */
 class Lattice_3
@@ -40,7 +40,7 @@ public:
 
   Lattice_3() = default;
 
-  /// a lattice with a point near the centre of `box`, of a spacing near `spacing` (user units)
+  /// a lattice with a point near the center of `box`, of a spacing near `spacing` (user units)
   /// \pre `box` is finite, `spacing > 0`
   Lattice_3(const Bbox_3& box, double spacing)
   {
@@ -167,7 +167,7 @@ private:
  *
  * \brief a finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
  *
- * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its least corner. Neighbouring
+ * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its least corner. Neighboring
  * cells along x have consecutive numbers. Memory is linear in the number of cells.
  */
 class Cell_complex_3

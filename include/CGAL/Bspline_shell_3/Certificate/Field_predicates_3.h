@@ -273,7 +273,7 @@ private:
     int refinements;      // subdivisions below the size of a cell
   };
 
-  // A function on a cell, worked out when it is first asked for; questions about neighbouring parts ask again.
+  // A function on a cell, worked out when it is first asked for; questions about neighboring parts ask again.
   struct Cell_function
   {
     Cell_index cell;

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 #include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/FPU.h>
@@ -121,45 +123,7 @@ public:
   /// examines a mesh that is known as the package works on it; facets and vertices are those of the user's mesh.
   /// \param input the mesh; not null
   template <typename ConcurrencyTag = Parallel_if_available_tag>
-  bool verify(std::shared_ptr<const Input_mesh_3> input)
-  {
-    unsay();
-    Real_timer timer;
-    timer.start();
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-    forget();
-    m_arithmetic = arithmetic_self_test();
-    if(m_arithmetic != Arithmetic_status::SOUND) return false;
-    if(!m_field->has_exact_cells()) {
-      m_status = Shell_status::GRID_TOO_FINE;
-      return false;
-    }
-    m_input = std::move(input);
-    m_status = m_input->status();
-    m_offenders = m_input->offending_simplices();
-    if(m_status != Shell_status::SUCCESS) return false;
-    if(!m_inner.has_cells_of(*m_field) || !m_outer.has_cells_of(*m_field)) {
-      m_status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
-      return false;
-    }
-    m_predicates.emplace(*m_field);
-    examine_vertices<ConcurrencyTag>(*m_input);
-    std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
-    if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
-      examine_cover<ConcurrencyTag>(*m_input);
-      const Crossing_counter_3 counter(m_input->mesh());
-      examine_paths(*m_input, counter);
-      examine_components(*m_input);
-    } else {
-      for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
-        conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
-    }
-    m_draft.statistics.seconds = timer.time();
-    // Published last: an exception leaves every claim undecided.
-    m_facets = std::move(facets);
-    m_report = std::move(m_draft);
-    return is_certified();
-  }
+  bool verify(std::shared_ptr<const Input_mesh_3> input);
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
   /// components of the shell. Undecided if one of them is not certified, or if every path is degenerate.
@@ -629,7 +593,8 @@ private:
       is_known = is_known && count;
       if(count == 1) continue;
       const bool is_empty = !count || *count == 0;
-      Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE, count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
+      Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE,
+                                      count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
                                       is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
       w.component = k;
       if(!is_empty) w.count = *count;
@@ -710,6 +675,54 @@ private:
   std::vector<Vertex_index> m_seeds;
   double m_least_slope = 0;
 };
+
+template <typename Field, typename Threshold>
+template <typename ConcurrencyTag>
+bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_mesh_3> input)
+{
+  unsay();
+  Real_timer timer;
+  timer.start();
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  forget();
+  m_arithmetic = arithmetic_self_test();
+  if(m_arithmetic != Arithmetic_status::SOUND) return false;
+  if(!m_field->has_exact_cells()) {
+    m_status = Shell_status::GRID_TOO_FINE;
+    return false;
+  }
+  m_input = std::move(input);
+  m_status = m_input->status();
+  m_offenders = m_input->offending_simplices();
+  if(m_status != Shell_status::SUCCESS) return false;
+  if(!m_inner.has_cells_of(*m_field) || !m_outer.has_cells_of(*m_field)) {
+    m_status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
+    return false;
+  }
+  m_predicates.emplace(*m_field);
+  examine_vertices<ConcurrencyTag>(*m_input);
+  std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
+  if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
+    examine_cover<ConcurrencyTag>(*m_input);
+    const Crossing_counter_3 counter(m_input->mesh());
+    examine_paths(*m_input, counter);
+    examine_components(*m_input);
+  } else {
+    for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
+      conclude(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED);
+  }
+  m_draft.statistics.seconds = timer.time();
+  // Published last: an exception leaves every claim undecided.
+  m_facets = std::move(facets);
+  m_report = std::move(m_draft);
+  return is_certified();
+}
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template bool Shell_certificate_3<>::verify<Parallel_if_available_tag>(std::shared_ptr<const Input_mesh_3>);
+extern template bool Shell_certificate_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >::
+  verify<Parallel_if_available_tag>(std::shared_ptr<const Input_mesh_3>);
+#endif
 
 } // namespace Bspline_shells
 } // namespace CGAL

@@ -9,10 +9,14 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Kernel/global_functions_3.h>
@@ -78,14 +82,7 @@ public:
   };
 
   /// \pre there is a shell, and it outlives this object
-  explicit Shell_facet_oracle_3(const Shell& shell)
-    : m_shell(&shell), m_predicates(shell.field())
-    , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
-  {
-    CGAL_precondition(bool(shell));
-    for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
-      m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
-  }
+  explicit Shell_facet_oracle_3(const Shell& shell);
 
   /// what the oracle knows of the field, for others that ask about facets in the shell
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
@@ -93,74 +90,10 @@ public:
   /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
   /// \param memory of earlier questions
-  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
-  {
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-    const std::size_t size = link.size();
-    const Sample at_p = m_bounds->sample(p);
-    if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
-    for(std::size_t n = 0; n < size; ++n)
-      if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
-    const auto key = [&](std::size_t n) {
-      const Point_3 &q = link[n], &r = link[(n + 1) % size];
-      return typename Memory::Facet{ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] };
-    };
-    // for most facets, both ends of an edge at `p` are in the shell, and the middle decides
-    find_samples(link, memory);
-    for(std::size_t n = 0; n < size; ++n) {
-      const Sample &q = memory.m_samples[n], middle = m_bounds->sample_middle(at_p, q);
-      if(!is_in(q) || !is_in(middle)) return Placement_verdict::LEAVES_SHELL;
-      for(const Sample& s : { q, middle })
-        if(!faces_along(s, p, link[n], link[(n + 1) % size]) || !faces_along(s, p, link[(n + size - 1) % size], link[n]))
-          return Placement_verdict::FACES_AWAY;
-    }
-    const std::size_t turns = winding_number(p, at_p, link);
-    if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
-    std::vector<char> is_known(size, 0);
-    for(std::size_t n = 0; n < size; ++n) {
-      const auto found = memory.m_verdicts.find(key(n));
-      if(found == memory.m_verdicts.end()) continue;
-      if(found->second != Placement_verdict::ACCEPTED) return found->second;
-      is_known[n] = 1;
-    }
-    // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
-    std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
-    std::atomic<std::size_t> first_rejected(size);
-    internal::for_each_chunk<ConcurrencyTag>(size, 1, [&](std::size_t n, std::size_t) {
-      if(is_known[n] || n > first_rejected) return;
-      const std::size_t m = (n + 1) % size;
-      const Facet_bounds found = m_bounds->examine({ at_p, memory.m_samples[n], memory.m_samples[m] }, facet_normal(p, link[n], link[m]),
-                                                   most_bisections);
-      if(found.is_contained && found.is_transversal) return;
-      verdicts[n] = found.is_contained ? Placement_verdict::FACES_AWAY : Placement_verdict::LEAVES_SHELL;
-      for(std::size_t other = first_rejected; n < other; )
-        if(first_rejected.compare_exchange_weak(other, n)) break;
-    });
-    for(std::size_t n = 0; n < size; ++n) {
-      if(!is_known[n]) memory.m_verdicts.emplace(key(n), verdicts[n]);
-      if(verdicts[n] != Placement_verdict::ACCEPTED) return verdicts[n];
-    }
-    return Placement_verdict::ACCEPTED;
-  }
+  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
 
   /// the same for a single facet, with more effort: `Field_predicates_3` decides what bounds leave open
-  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
-  {
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
-    const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
-    for(const Sample& s : corners)
-      if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
-    const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
-    if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
-    if(found.faces_away) return Placement_verdict::FACES_AWAY;
-    const std::array<Point_3, 3> triangle = { p, q, r };
-    if(!found.is_contained
-       && m_predicates.values_within(triangle, m_shell->inner_threshold(), m_shell->outer_threshold()) != Verdict::PROVED)
-      return Placement_verdict::LEAVES_SHELL;
-    if(!found.is_transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED) return Placement_verdict::FACES_AWAY;
-    return Placement_verdict::ACCEPTED;
-  }
+  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const;
 
   /// how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face it
   std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
@@ -170,25 +103,7 @@ public:
 
   /// `p` moved along the gradient to where the field has the mean of its values at `a` and `b`, rounded; nothing if that leaves
   /// the domain
-  std::optional<Point_3> moved_to_level(const Point_3& p, const Point_3& a, const Point_3& b) const
-  {
-    constexpr int steps = 3;      // of Newton's method; the field is nearly linear across the shell
-    const Field& field = m_shell->field();
-    const auto fa = field.value(a), fb = field.value(b);
-    if(!fa || !fb) return std::nullopt;
-    const double level = (*fa + *fb) / 2;
-    Point_3 x = p;
-    for(int n = 0; n < steps; ++n) {
-      const Cell_index c = field.locate(x);
-      if(c == Field::npos) return std::nullopt;
-      const auto jet = field.cell(c).first_order_jet(x);
-      const double squared = squared_norm(jet.gradient);
-      if(!(squared > 0)) return std::nullopt;
-      const double s = (level - jet.value) / squared;
-      x = Point_3(x[0] + s * jet.gradient[0], x[1] + s * jet.gradient[1], x[2] + s * jet.gradient[2]);
-    }
-    return x;
-  }
+  std::optional<Point_3> moved_to_level(const Point_3& p, const Point_3& a, const Point_3& b) const;
 
 private:
   typedef typename Field::Cell_index Cell_index;
@@ -220,13 +135,7 @@ private:
   }
 
   // by an axis that is long enough for its direction not to be spoilt by rounding
-  std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
-  {
-    const double length = std::sqrt(squared_norm(at_p.gradient));
-    if(!(length > 0)) return 0;
-    const double s = 16 * m_largest_width / length;
-    return link_winding_number(p, Point_3(p[0] + s * at_p.gradient[0], p[1] + s * at_p.gradient[1], p[2] + s * at_p.gradient[2]), link);
-  }
+  std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
   static constexpr std::size_t most_bisections = 4096;
 
@@ -235,6 +144,129 @@ private:
   std::shared_ptr<const Bounds> m_bounds;
   double m_largest_width = 0;       // of a cell
 };
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell)
+  : m_shell(&shell), m_predicates(shell.field())
+  , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
+{
+  CGAL_precondition(bool(shell));
+  for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
+    m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
+}
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+Placement_verdict
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
+{
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  const std::size_t size = link.size();
+  const Sample at_p = m_bounds->sample(p);
+  if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
+  for(std::size_t n = 0; n < size; ++n)
+    if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
+  const auto key = [&](std::size_t n) {
+    const Point_3 &q = link[n], &r = link[(n + 1) % size];
+    return typename Memory::Facet{ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] };
+  };
+  // for most facets, both ends of an edge at `p` are in the shell, and the middle decides
+  find_samples(link, memory);
+  for(std::size_t n = 0; n < size; ++n) {
+    const Sample &q = memory.m_samples[n], middle = m_bounds->sample_middle(at_p, q);
+    if(!is_in(q) || !is_in(middle)) return Placement_verdict::LEAVES_SHELL;
+    for(const Sample& s : { q, middle })
+      if(!faces_along(s, p, link[n], link[(n + 1) % size]) || !faces_along(s, p, link[(n + size - 1) % size], link[n]))
+        return Placement_verdict::FACES_AWAY;
+  }
+  const std::size_t turns = winding_number(p, at_p, link);
+  if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
+  std::vector<char> is_known(size, 0);
+  for(std::size_t n = 0; n < size; ++n) {
+    const auto found = memory.m_verdicts.find(key(n));
+    if(found == memory.m_verdicts.end()) continue;
+    if(found->second != Placement_verdict::ACCEPTED) return found->second;
+    is_known[n] = 1;
+  }
+  // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
+  std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
+  std::atomic<std::size_t> first_rejected(size);
+  internal::for_each_chunk<ConcurrencyTag>(size, 1, [&](std::size_t n, std::size_t) {
+    if(is_known[n] || n > first_rejected) return;
+    const std::size_t m = (n + 1) % size;
+    const Facet_bounds found = m_bounds->examine({ at_p, memory.m_samples[n], memory.m_samples[m] }, facet_normal(p, link[n], link[m]),
+                                                 most_bisections);
+    if(found.is_contained && found.is_transversal) return;
+    verdicts[n] = found.is_contained ? Placement_verdict::FACES_AWAY : Placement_verdict::LEAVES_SHELL;
+    for(std::size_t other = first_rejected; n < other; )
+      if(first_rejected.compare_exchange_weak(other, n)) break;
+  });
+  for(std::size_t n = 0; n < size; ++n) {
+    if(!is_known[n]) memory.m_verdicts.emplace(key(n), verdicts[n]);
+    if(verdicts[n] != Placement_verdict::ACCEPTED) return verdicts[n];
+  }
+  return Placement_verdict::ACCEPTED;
+}
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+Placement_verdict
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+{
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
+  const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
+  for(const Sample& s : corners)
+    if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
+  const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
+  if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
+  if(found.faces_away) return Placement_verdict::FACES_AWAY;
+  const std::array<Point_3, 3> triangle = { p, q, r };
+  if(!found.is_contained
+     && m_predicates.values_within(triangle, m_shell->inner_threshold(), m_shell->outer_threshold()) != Verdict::PROVED)
+    return Placement_verdict::LEAVES_SHELL;
+  if(!found.is_transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED) return Placement_verdict::FACES_AWAY;
+  return Placement_verdict::ACCEPTED;
+}
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, const Point_3& a, const Point_3& b) const
+  -> std::optional<Point_3>
+{
+  constexpr int steps = 3;      // of Newton's method; the field is nearly linear across the shell
+  const Field& field = m_shell->field();
+  const auto fa = field.value(a), fb = field.value(b);
+  if(!fa || !fb) return std::nullopt;
+  const double level = (*fa + *fb) / 2;
+  Point_3 x = p;
+  for(int n = 0; n < steps; ++n) {
+    const Cell_index c = field.locate(x);
+    if(c == Field::npos) return std::nullopt;
+    const auto jet = field.cell(c).first_order_jet(x);
+    const double squared = squared_norm(jet.gradient);
+    if(!(squared > 0)) return std::nullopt;
+    const double s = (level - jet.value) / squared;
+    x = Point_3(x[0] + s * jet.gradient[0], x[1] + s * jet.gradient[1], x[2] + s * jet.gradient[2]);
+  }
+  return x;
+}
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+std::size_t
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
+{
+  const double length = std::sqrt(squared_norm(at_p.gradient));
+  if(!(length > 0)) return 0;
+  const double s = 16 * m_largest_width / length;
+  return link_winding_number(p, Point_3(p[0] + s * at_p.gradient[0], p[1] + s * at_p.gradient[1], p[2] + s * at_p.gradient[2]), link);
+}
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template class Shell_facet_oracle_3<>;
+extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >;
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template class Shell_facet_oracle_3<Uniform_bspline_field_3<>, Constant_threshold, Parallel_tag>;
+extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> >, Parallel_tag>;
+#  endif
+#endif
 
 } // namespace Bspline_shells
 } // namespace CGAL

@@ -19,7 +19,9 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -28,15 +30,17 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Construction
  *
  * \brief what the construction of every shell begins with: the checked mesh and a lattice of cells; and its report, with the time of each step.
- *
- * \tparam Visitor a model of `ShellVisitor`
  */
-template <typename Visitor>
 class Shell_construction
 {
 public:
+  /// \tparam Visitor a model of `ShellVisitor`
   /// \pre `visitor` outlives this object
-  explicit Shell_construction(Visitor& visitor) : m_visitor(visitor) { m_timer.start(); }
+  template <typename Visitor>
+  explicit Shell_construction(Visitor& visitor) : m_start_step([&visitor](Shell_step step) { return visitor.start_step(step); })
+  {
+    m_timer.start();
+  }
 
   /// ends the last step and begins the next
   /// \return `false` if the visitor wants to stop
@@ -44,7 +48,7 @@ public:
   {
     end_step();
     m_step = step;
-    return m_visitor.start_step(step);
+    return m_start_step(step);
   }
 
   /// ends the last step
@@ -52,8 +56,8 @@ public:
   Shell_report end(Shell_status status)
   {
     end_step();
-    report.status = status;
-    return report;
+    m_report.status = status;
+    return m_report;
   }
 
   /// tests the arithmetic, and copies and checks the mesh.
@@ -71,37 +75,39 @@ public:
     const auto mesh_copy = std::make_shared<Input_mesh_3>();
     const Shell_status status = mesh_copy->template build<ConcurrencyTag>(
       mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated);
-    input = mesh_copy;
-    report.offending_simplices = input->offending_simplices();
+    m_input = mesh_copy;
+    m_report.offending_simplices = m_input->offending_simplices();
     if(status != Shell_status::SUCCESS) return status;
-    report.triangles = input->mesh().number_of_faces();
-    report.components = input->number_of_components();
-    report.unit = input->unit();
+    m_report.triangles = m_input->mesh().number_of_faces();
+    m_report.components = m_input->number_of_components();
+    m_report.unit = m_input->unit();
     return status;
   }
 
-  /// chooses the lattice of cells, or of root cells.
+  /// the lattice of cells, or of root cells, or nothing if there are too many
   /// \pre the mesh is checked
-  Shell_status choose_lattice(double spacing)
+  std::optional<Lattice_3> choose_lattice(double spacing)
   {
-    lattice = Lattice_3::off_the_ends(input->bbox(), spacing);
-    if(!lattice.is_exact() || input->unit() / lattice.spacing() > Lattice_key::max_coordinate) return Shell_status::GRID_TOO_FINE;
-    report.gamma = input->unit() / lattice.spacing();
-    return Shell_status::SUCCESS;
+    const Lattice_3 lattice = Lattice_3::off_the_ends(m_input->bbox(), spacing);
+    if(!lattice.is_exact() || m_input->unit() / lattice.spacing() > Lattice_key::max_coordinate) return std::nullopt;
+    m_report.gamma = m_input->unit() / lattice.spacing();
+    return lattice;
   }
 
-  Shell_report report;
-  std::shared_ptr<const Input_mesh_3> input;
-  Lattice_3 lattice;
+  Shell_report& report() { return m_report; }
+  /// the checked mesh
+  const std::shared_ptr<const Input_mesh_3>& input() const { return m_input; }
 
 private:
   void end_step()
   {
-    report.seconds[std::size_t(m_step)] += m_timer.time();
+    m_report.seconds[std::size_t(m_step)] += m_timer.time();
     m_timer.reset();
   }
 
-  Visitor& m_visitor;
+  std::function<bool(Shell_step)> m_start_step;
+  Shell_report m_report;
+  std::shared_ptr<const Input_mesh_3> m_input;
   Real_timer m_timer;
   Shell_step m_step = Shell_step::CHECK;
 };

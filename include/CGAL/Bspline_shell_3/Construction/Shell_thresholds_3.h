@@ -97,7 +97,7 @@ public:
     const double size = side == POSITIVE ? level : -level;
     const double reach = (m_highest - size) / m_slope;
     if(!(reach > 0)) return;
-    // Distances are those of the functions' centres, whatever their size, from a box that holds the centres of all that act on
+    // Distances are those of the functions' centers, whatever their size, from a box that holds the centers of all that act on
     // the cell.
     const Bbox_3 b = m_field->cell(cell).bbox();
     Bbox_3 core = b;

@@ -14,6 +14,8 @@
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
 #include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
 #include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
@@ -38,6 +40,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -83,9 +86,8 @@ struct Refinement_parameters
  * nothing is found wanting, the certificate is asked.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
- * \tparam Oracle a model of `SignedDistanceOracle_3`
  */
-template <typename ConcurrencyTag, typename Oracle>
+template <typename ConcurrencyTag>
 class Certified_refinement
 {
 public:
@@ -93,64 +95,22 @@ public:
   typedef Spline_threshold<Field> Threshold;
   typedef Shell_certificate_3<Field, Threshold> Certificate;
 
-  /// \pre `input` and `oracle` outlive this object
-  Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Oracle& oracle, const Refinement_parameters& parameters)
-    : m_input(std::move(input)), m_oracle(oracle), m_parameters(parameters)
-  {
-    find_wanted_slopes();
-    find_seeds();
-  }
+  /// the thickness asked for near a point, user units
+  typedef std::function<double(const Field::Point_3&)> Thickness;
+  /// is called with each step that begins; `false` stops
+  typedef std::function<bool(Shell_step)> Start;
+
+  /// \param input the mesh; not null
+  /// \param oracle the signed distance that the field is fitted to
+  /// \param thickness outlives this object, as does what `oracle` refers to
+  /// \param parameters what to aim at, and how far to go
+  Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Any_signed_distance_3& oracle, const Thickness& thickness,
+                       const Refinement_parameters& parameters);
 
   /// \param cells to begin with; they contain the mesh
-  /// \param thickness asked for: a function of points, user units
-  /// \param solver a model of `SPDSolver`
-  /// \param start is called with each `Shell_step` that begins; `false` stops
-  template <typename Thickness, typename Solver, typename Start>
-  Refinement_status operator()(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
-  {
-    constexpr int max_rounds_in_vain = 3;
-    constexpr double progress = 0.9;
-    double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
-    std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
-    int rounds_in_vain = 0;
-    Real_timer total;
-    total.start();
-    m_timer.start();
-    for(std::size_t round = 0; ; ++round) {
-      m_rounds.emplace_back();
-      m_timer.reset();
-      const std::optional<Refinement_status> failure = fit(std::move(cells), thickness, solver, start);
-      if(failure) return *failure;
-      Refinement_round& log = m_rounds.back();
-      if(m_is_thin) {
-        if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
-        choose_field_and_thresholds(thickness);
-        if(m_marked.empty() && certify()) return Refinement_status::CERTIFIED;
-        const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
-        rounds_in_vain = better ? 0 : rounds_in_vain + 1;
-        least_volume = (std::min)(least_volume, m_undecided_volume);
-        fewest_facets = (std::min)(fewest_facets, log.failing_facets);
-      }
-      std::sort(m_marked.begin(), m_marked.end());
-      m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
-      log.marked_cells = m_marked.size();
-      const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
-      if(!in_vain) cells = m_field->cells().refined(m_marked);
-      // before the memory and the time are taken
-      const bool over = round + 1 >= m_parameters.max_rounds
-                     || (!in_vain && exceeds_limits(cells.number_of_cells(), total.time()));
-      if(in_vain || over) {
-        if(!m_inner) {
-          constexpr int once = 1;
-          m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
-          Shell_thresholds_3<Field> thresholds(*m_field, thickness);
-          choose_thresholds(thresholds, once);
-        }
-        if(!m_certificate) certify();
-        return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
-      }
-    }
-  }
+  /// \param solver any model of `SPDSolver`
+  /// \param start is called with each step that begins; `false` stops
+  Refinement_status operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start);
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
   const Field& field() const { return *m_field; }
@@ -162,25 +122,7 @@ public:
 
   /// the largest difference of the thresholds on the mesh, and the share of the mesh's area where it is less than asked for: in
   /// the leaves where it is by more than a hundredth. Of the last field.
-  template <typename Thickness>
-  std::pair<double, double> thickness_on_mesh(const Thickness& thickness) const
-  {
-    constexpr double narrower = 0.99;
-    const Clipped_mesh_3& clipped = *m_clipped;
-    double largest = 0, narrow_area = 0, area = 0;
-    for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
-      const Index c = clipped.pieces()[n].cell;
-      double in_cell = 0;
-      for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
-        in_cell += clipped.area(clipped.pieces()[next]);
-      const Level_range difference = Bspline_shells::difference(enclosed_value(m_outer->field().cell(c)),
-                                                                enclosed_value(m_inner->field().cell(c))).range();
-      largest = (std::max)(largest, difference.max);
-      area += in_cell;
-      if(difference.min < narrower * 2 * half_thickness(c, thickness)) narrow_area += in_cell;
-    }
-    return { largest, narrow_area / area };
-  }
+  std::pair<double, double> thickness_on_mesh() const;
 
 private:
   typedef Field::Cell_index Index;
@@ -237,8 +179,7 @@ private:
   }
 
   // Fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
-  template <typename Thickness, typename Solver, typename Start>
-  std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Thickness& thickness, Solver& solver, const Start& start)
+  std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
   {
     Refinement_round& log = m_rounds.back();
     m_enforcement.reset();
@@ -273,16 +214,16 @@ private:
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
-    mark_thick_cells(thickness, m_clipped->cells().size() / thick_cells_to_refine);
+    mark_thick_cells(m_clipped->cells().size() / thick_cells_to_refine);
     if(!m_marked.empty()) return std::nullopt;
 
     m_enforcement.emplace(field, m_A, m_b);
     m_unexamined.assign(m_wanted.size(), 1);
-    m_enforcement->insert(slope_conditions(thickness));
+    m_enforcement->insert(slope_conditions());
     m_is_thin = enforce_slopes();
     lap(SLOPES);
     if(m_is_thin) {
-      mark_thick_cells(thickness);
+      mark_thick_cells();
       m_is_thin = log.thick_cells == 0;
     }
     return std::nullopt;
@@ -322,7 +263,8 @@ private:
       std::vector<Slope_condition> conditions;
       for(const Failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
-          conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle), m_wanted[f.triangle] });
+          conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle),
+                                 m_wanted[f.triangle] });
       }
       m_enforcement->insert(conditions);
     }
@@ -384,16 +326,14 @@ private:
     m_samples.swap(samples);
   }
 
-  template <typename Thickness>
-  double half_thickness(Index c, const Thickness& thickness) const
+  double half_thickness(Index c) const
   {
     const Bbox_3 b = m_field->cell(c).bbox();
-    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+    return m_thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
   }
 
   // marks cells where the field is too large on the mesh, if these are more than `few`
-  template <typename Thickness>
-  void mark_thick_cells(const Thickness& thickness, std::size_t few = 0)
+  void mark_thick_cells(std::size_t few = 0)
   {
     m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
     Refinement_round& log = m_rounds.back();
@@ -405,7 +345,7 @@ private:
     for(Index c = 0; c < m_field->number_of_cells(); ++c) {
       const Level_range& r = m_ranges.cell[c];
       if(!(r.min <= r.max)) continue;
-      const double size = (std::max)(-r.min, r.max), half = half_thickness(c, thickness);
+      const double size = (std::max)(-r.min, r.max), half = half_thickness(c);
       if(size > half) ++log.thick_cells;
       if(size > nearly * half) nearly_thick.push_back(c);
     }
@@ -415,8 +355,7 @@ private:
   }
 
   // at the corners and in the middle of the clipped mesh's pieces
-  template <typename Thickness>
-  std::vector<Slope_condition> slope_conditions(const Thickness& thickness) const
+  std::vector<Slope_condition> slope_conditions() const
   {
     constexpr double nearly = 0.95;
     std::vector<Slope_condition> conditions;
@@ -430,7 +369,7 @@ private:
       const Tricubic_cell_3 cell = m_field->cell(piece.cell);
       if(piece.cell != last) {
         last = piece.cell;
-        largest = nearly * half_thickness(last, thickness) / m_field->cells().lattice().spacing();
+        largest = nearly * half_thickness(last) / m_field->cells().lattice().spacing();
       }
       std::array<double, 3> middle = {};
       for(std::uint32_t v = 0; v < piece.size; ++v) {
@@ -448,11 +387,10 @@ private:
 
   // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
   // in common; if it still is not, cells are marked.
-  template <typename Thickness>
-  void choose_field_and_thresholds(const Thickness& thickness)
+  void choose_field_and_thresholds()
   {
     constexpr int max_exchanges = 3;
-    Shell_thresholds_3<Field> thresholds(*m_field, thickness);
+    Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
     std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
     for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
       std::vector<Slope_condition> conditions;
@@ -465,7 +403,7 @@ private:
       lap(CERTIFICATE);
       if(!enforce_slopes()) break;
       lap(SLOPES);
-      mark_thick_cells(thickness);
+      mark_thick_cells();
       if(!m_marked.empty()) break;
       obstacles = choose_thresholds(thresholds);
     }
@@ -479,7 +417,7 @@ private:
   {
     constexpr double least_margin = 0.01;
     const typename Field::Cell cell = m_field->cell(o.cell);
-    const double distance = std::abs(m_oracle(typename Oracle::Point_3(o.point[0], o.point[1], o.point[2])));
+    const double distance = std::abs(m_oracle(Any_signed_distance_3::Point_3(o.point[0], o.point[1], o.point[2])));
     for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
       const Bbox_3 box(o.point[0] - reach, o.point[1] - reach, o.point[2] - reach, o.point[0] + reach, o.point[1] + reach, o.point[2] + reach);
       std::vector<std::uint32_t> facets;
@@ -587,7 +525,8 @@ private:
   }
 
   std::shared_ptr<const Input_mesh_3> m_input;
-  const Oracle& m_oracle;
+  Any_signed_distance_3 m_oracle;
+  const Thickness& m_thickness;
   Refinement_parameters m_parameters;
   std::vector<double> m_wanted;                       // the slope wanted for each triangle, per user unit
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
@@ -608,6 +547,82 @@ private:
   std::vector<Refinement_round> m_rounds;
   Real_timer m_timer;
 };
+
+template <typename ConcurrencyTag>
+Certified_refinement<ConcurrencyTag>::Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Any_signed_distance_3& oracle,
+                                                           const Thickness& thickness, const Refinement_parameters& parameters)
+  : m_input(std::move(input)), m_oracle(oracle), m_thickness(thickness), m_parameters(parameters)
+{
+  find_wanted_slopes();
+  find_seeds();
+}
+
+template <typename ConcurrencyTag>
+Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
+{
+  constexpr int max_rounds_in_vain = 3;
+  constexpr double progress = 0.9;
+  double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
+  std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
+  int rounds_in_vain = 0;
+  Real_timer total;
+  total.start();
+  m_timer.start();
+  for(std::size_t round = 0; ; ++round) {
+    m_rounds.emplace_back();
+    m_timer.reset();
+    const std::optional<Refinement_status> failure = fit(std::move(cells), solver, start);
+    if(failure) return *failure;
+    Refinement_round& log = m_rounds.back();
+    if(m_is_thin) {
+      if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
+      choose_field_and_thresholds();
+      if(m_marked.empty() && certify()) return Refinement_status::CERTIFIED;
+      const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
+      rounds_in_vain = better ? 0 : rounds_in_vain + 1;
+      least_volume = (std::min)(least_volume, m_undecided_volume);
+      fewest_facets = (std::min)(fewest_facets, log.failing_facets);
+    }
+    std::sort(m_marked.begin(), m_marked.end());
+    m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
+    log.marked_cells = m_marked.size();
+    const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
+    if(!in_vain) cells = m_field->cells().refined(m_marked);
+    // before the memory and the time are taken
+    const bool over = round + 1 >= m_parameters.max_rounds
+                   || (!in_vain && exceeds_limits(cells.number_of_cells(), total.time()));
+    if(in_vain || over) {
+      if(!m_inner) {
+        constexpr int once = 1;
+        m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
+        Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
+        choose_thresholds(thresholds, once);
+      }
+      if(!m_certificate) certify();
+      return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
+    }
+  }
+}
+
+template <typename ConcurrencyTag>
+std::pair<double, double> Certified_refinement<ConcurrencyTag>::thickness_on_mesh() const
+{
+  constexpr double narrower = 0.99;
+  const Clipped_mesh_3& clipped = *m_clipped;
+  double largest = 0, narrow_area = 0, area = 0;
+  for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
+    const Index c = clipped.pieces()[n].cell;
+    double in_cell = 0;
+    for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
+      in_cell += clipped.area(clipped.pieces()[next]);
+    const Level_range difference = Bspline_shells::difference(enclosed_value(m_outer->field().cell(c)),
+                                                              enclosed_value(m_inner->field().cell(c))).range();
+    largest = (std::max)(largest, difference.max);
+    area += in_cell;
+    if(difference.min < narrower * 2 * half_thickness(c)) narrow_area += in_cell;
+  }
+  return { largest, narrow_area / area };
+}
 
 } // namespace Bspline_shells
 } // namespace CGAL

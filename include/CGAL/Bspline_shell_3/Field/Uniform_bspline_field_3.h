@@ -93,7 +93,7 @@ public:
   /// @{
   std::size_t number_of_coefficients() const { return m_functions.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
-  /// the lattice points at which the functions are centred, in the order of the coefficients
+  /// the lattice points at which the functions are centered, in the order of the coefficients
   const Lattice_set_3& functions() const { return m_functions; }
 
   /// \name As a Hierarchy

@@ -25,7 +25,7 @@ namespace Bspline_shells {
  *
  * \brief conjugate gradients (Eigen) with an additive Schwarz preconditioner; the default solver.
  *
- * The preconditioner solves on overlapping blocks of neighbouring functions, and reaches in tens of iterations what takes
+ * The preconditioner solves on overlapping blocks of neighboring functions, and reaches in tens of iterations what takes
  * thousands with the diagonal. With the default tolerance the extrema of the field on the mesh agree with those of a
  * direct solve to about 1 % of the shell's thickness. The result does not depend on the number of threads.
  *

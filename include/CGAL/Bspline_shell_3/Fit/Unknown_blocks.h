@@ -34,7 +34,7 @@ struct Unknown_blocks
  * \ingroup PkgBsplineShell3Fit
  *
  * \brief blocks of the free coefficients of a field: of each level, those in cubes of five lattice points a side, which
- * overlap their neighbours by two. Linear in the number of coefficients, of which each is in up to eight blocks, 4.6 on
+ * overlap their neighbors by two. Linear in the number of coefficients, of which each is in up to eight blocks, 4.6 on
  * average in the plane.
  *
  * \tparam Field a model of `FittableBsplineField_3`

@@ -68,7 +68,7 @@ struct Slope_report
  * one that meets them.
  *
  * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and its
- * neighbours are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is minimized over
+ * neighbors are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is minimized over
  * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
  * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
  * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
@@ -280,7 +280,7 @@ private:
 
   void solve_patch(Index center, Vector& x)
   {
-    // what is freed: all that acts on the cell and its neighbours, or, where these are many smaller ones, on the cell
+    // what is freed: all that acts on the cell and its neighbors, or, where these are many smaller ones, on the cell
     const Bbox_3 b = m_field.cell(center).bbox();
     const double margin = 0.5 * m_field.cells().width(center);
     const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin, b.zmax() + margin);

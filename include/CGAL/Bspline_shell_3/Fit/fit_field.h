@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_FIT_FIELD_H
 #define CGAL_BSPLINE_SHELL_3_FIT_FIT_FIELD_H
 
+#include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
 #include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
 #include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
@@ -33,17 +34,15 @@ namespace Bspline_shells {
  * than one percent, or after ten.
  *
  * \tparam Field a model of `FittableBsplineField_3`
- * \tparam Solver a model of `SPDSolver`
  * \param energy the energy of `field`
- * \param solver is given one linear system for each step
+ * \param solver any model of `SPDSolver`; it is given one linear system for each step
  * \param x where an iterative solver starts, in cell units (`Fit_energy::initial_guess()`)
  * \param[out] field gets the coefficients of the solution, unless the solver fails
  * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in
  * the number of unknowns.
  */
-template <typename ConcurrencyTag, typename Field, typename Solver>
-Fit_report fit_field(Field& field, Fit_energy<Field>& energy, Solver& solver,
-                     Eigen::VectorXd x)
+template <typename ConcurrencyTag, typename Field>
+Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solver& solver, Eigen::VectorXd x)
 {
   typedef typename Fit_energy<Field>::Vector Vector;
   typedef typename Fit_energy<Field>::Matrix Matrix;

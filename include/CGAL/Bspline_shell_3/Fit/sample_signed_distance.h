@@ -6,15 +6,13 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
 #define CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
 
-#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
-
-#include <boost/range/irange.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -45,29 +43,21 @@ struct Distance_samples
  *
  * \brief the signed distance at the samples of some cells, in user units: `Distance_samples::per_cell` values a cell.
  *
- * The distance to a mesh (`Mesh_signed_distance_3`) is found faster than that of other oracles: the closest facet of one
- * sample is where the search for the next one starts.
- *
- * \tparam Oracle a model of `SignedDistanceOracle_3`
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
- * \tparam CellRange a random access range of cell numbers
+ * \param oracle any model of `SignedDistanceOracle_3`
  */
-template <typename ConcurrencyTag, typename Oracle, typename Cells, typename CellRange>
-std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& cells, const CellRange& of_cells)
+template <typename ConcurrencyTag, typename Cells>
+std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells, const std::vector<std::uint32_t>& of_cells)
 {
-  constexpr std::size_t n = Distance_samples::per_cell;
+  constexpr std::size_t n = Distance_samples::per_cell, chunk = 64;
+  typedef Any_signed_distance_3::Point_3 Point_3;
   std::vector<double> samples(of_cells.size() * n);
-  internal::for_each_chunk<ConcurrencyTag>(of_cells.size(), 64, [&](std::size_t begin, std::size_t end) {
-    const auto sample = [&](const auto& distance) {
-      for(std::size_t c = begin; c < end; ++c)
-        for(std::size_t s = 0; s < n; ++s)
-          samples[c * n + s] = distance(Distance_samples::point<typename Oracle::Point_3>(cells, of_cells[c], int(s)));
-    };
-    if constexpr(std::is_same<Oracle, Mesh_signed_distance_3>::value) {
-      Mesh_signed_distance_3::Hint hint = oracle.any_hint();
-      sample([&](const Mesh_signed_distance_3::Point_3& p) { return oracle.signed_distance(p, hint); });
-    } else
-      sample(oracle);
+  internal::for_each_chunk<ConcurrencyTag>(of_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<Point_3> points;
+    points.reserve(chunk * n);
+    for(std::size_t c = begin; c < end; ++c)
+      for(std::size_t s = 0; s < n; ++s) points.push_back(Distance_samples::point<Point_3>(cells, of_cells[c], int(s)));
+    oracle(points, &samples[begin * n]);
   });
   return samples;
 }
@@ -77,10 +67,12 @@ std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& ce
  *
  * \brief the same for all cells.
  */
-template <typename ConcurrencyTag, typename Oracle, typename Cells>
-std::vector<double> sample_signed_distance(const Oracle& oracle, const Cells& cells)
+template <typename ConcurrencyTag, typename Cells>
+std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells)
 {
-  return sample_signed_distance<ConcurrencyTag>(oracle, cells, boost::irange(std::uint32_t(0), std::uint32_t(cells.number_of_cells())));
+  std::vector<std::uint32_t> all(cells.number_of_cells());
+  std::iota(all.begin(), all.end(), std::uint32_t(0));
+  return sample_signed_distance<ConcurrencyTag>(oracle, cells, all);
 }
 
 } // namespace Bspline_shells

@@ -6,25 +6,15 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 
-#include <CGAL/Bspline_shell_3/IO/internal/normalize_OFF.h>
-#include <CGAL/Bspline_shell_3/IO/internal/normalize_PLY.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <exception>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,140 +22,16 @@ namespace Bspline_shells {
 
 namespace internal {
 
-typedef std::vector<std::vector<std::size_t> > Polygons;
-
-inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
+struct Polygon_soup
 {
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-}
-
-inline std::string read_text(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
-}
-
-// Whether an STL file without facets says so. CGAL's reader takes every text that is shorter than a binary header for
-// an empty mesh.
-inline bool is_empty_STL(const std::string& text)
-{
-  return text.find("endsolid") != std::string::npos
-      || (text.size() >= 84 && text.compare(80, 4, std::string(4, '\0')) == 0);      // a header, and the number of facets
-}
-
-// CGAL's readers, behind what they need so as not to misread a file
-template <typename Point_3>
-Shell_status read_polygons(const std::string& file, std::vector<Point_3>& points, Polygons& polygons)
-{
-  const std::string extension = CGAL::IO::internal::get_file_extension(file);
-  const auto silent = CGAL::parameters::verbose(false);
-  bool is_read = false;
-  if(extension == "off") {
-    std::string text = read_text(file);
-    if(normalize_OFF(text)) {
-      std::istringstream in(std::move(text));
-      is_read = CGAL::IO::read_OFF(in, points, polygons, silent);
-    }
-  } else if(extension == "ply") {
-    std::string text = read_text(file);
-    const Shell_status status = normalize_PLY(text);
-    if(status != Shell_status::SUCCESS) return status;
-    std::istringstream in(std::move(text));
-    is_read = CGAL::IO::read_PLY(in, points, polygons, silent);
-  } else {
-    is_read = CGAL::IO::read_polygon_soup(file, points, polygons, silent)
-           && (!polygons.empty() || extension != "stl" || is_empty_STL(read_text(file)));
-  }
-  return is_read ? Shell_status::SUCCESS : Shell_status::UNREADABLE_FILE;
-}
-
-// Identifies points at equal positions. Returns where the first of each was, ascending.
-template <typename Point_3>
-std::vector<std::size_t> merge_points(std::vector<Point_3>& points, Polygons& polygons)
-{
-  std::map<Point_3, std::size_t> positions;
-  std::vector<std::size_t> first, merged;
-  merged.reserve(points.size());
-  for(std::size_t v = 0; v < points.size(); ++v) {
-    const auto inserted = positions.emplace(points[v], first.size());
-    if(inserted.second) {
-      points[first.size()] = points[v];
-      first.push_back(v);
-    }
-    merged.push_back(inserted.first->second);
-  }
-  points.resize(first.size());
-  for(auto& polygon : polygons)
-    for(std::size_t& v : polygon) v = merged[v];
-  return first;
-}
-
-// notes which vertices are copied when a soup is oriented: those whose facets do not form one fan
-struct Copied_vertices : Polygon_mesh_processing::Default_orientation_visitor
-{
-  explicit Copied_vertices(std::vector<std::size_t>& copied) : copied(copied) {}
-  void duplicated_vertex(std::size_t v, std::size_t) { copied.push_back(v); }
-
-  std::vector<std::size_t>& copied;
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  typedef std::vector<std::vector<std::size_t> > Polygons;
+  std::vector<Point_3> points;
+  Polygons polygons;
 };
 
-// What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
-// them are turned round; a parity that contradicts itself around the surface makes it one-sided.
-inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simplices& offenders)
-{
-  struct Use { std::size_t polygon; bool forward; };
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<Use> > edges;
-  for(std::size_t p = 0; p < polygons.size(); ++p) {
-    const std::vector<std::size_t>& polygon = polygons[p];
-    std::vector<std::size_t> sorted = polygon;
-    std::sort(sorted.begin(), sorted.end());
-    if(polygon.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      offenders.facets.push_back(p);
-      continue;
-    }
-    for(std::size_t i = 0; i < polygon.size(); ++i) {
-      const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      edges[std::minmax(a, b)].push_back({ p, a < b });
-    }
-  }
-  if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
-  for(const auto& edge : edges)
-    if(edge.second.size() > 2)
-      for(const Use& use : edge.second) offenders.facets.push_back(use.polygon);
-  if(!offenders.facets.empty()) {
-    sort_and_remove_repetitions(offenders.facets);
-    return Shell_status::NON_MANIFOLD;
-  }
-  // union-find with parities
-  std::vector<std::size_t> parent(polygons.size());
-  std::vector<char> turned(polygons.size(), 0);     // relative to the parent
-  for(std::size_t p = 0; p < parent.size(); ++p) parent[p] = p;
-  const auto root = [&](std::size_t p, char& parity) {
-    parity = 0;
-    for(; parent[p] != p; p = parent[p]) {
-      turned[p] = char(turned[p] ^ turned[parent[p]]);       // halves the path
-      parent[p] = parent[parent[p]];
-      parity ^= turned[p];
-    }
-    return p;
-  };
-  for(const auto& edge : edges) {
-    if(edge.second.size() != 2) continue;
-    const Use &a = edge.second[0], &b = edge.second[1];
-    char pa, pb;
-    const std::size_t ra = root(a.polygon, pa), rb = root(b.polygon, pb);
-    const char differ = char(a.forward == b.forward);
-    if(ra == rb) {
-      if((pa ^ pb) != differ) { offenders.facets.push_back(a.polygon); offenders.facets.push_back(b.polygon); }
-    } else {
-      parent[ra] = rb;
-      turned[ra] = char(pa ^ pb ^ differ);
-    }
-  }
-  sort_and_remove_repetitions(offenders.facets);
-  return offenders.facets.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
-}
+// reads a soup that is a mesh
+Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
 
 } // namespace internal
 
@@ -176,8 +42,9 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
  *
  * The format follows from the file's extension: OFF, OBJ, PLY, STL and the others of `CGAL::IO::read_polygon_soup()`.
  * Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned round where
- * they do not agree with their neighbours; nothing else is repaired.
+ * they do not agree with their neighbors; nothing else is repaired.
  *
+ * \tparam PolygonMesh a model of `MutableFaceGraph` whose points have a constructor from three `double` coordinates
  * \param file its name
  * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
  * \param[out] offenders positions of facets and vertices in the file, ascending; of vertices at equal positions, the first
@@ -185,42 +52,36 @@ inline Shell_status diagnose_polygons(const Polygons& polygons, Offending_simpli
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
 {
-  namespace PMP = CGAL::Polygon_mesh_processing;
   typedef typename boost::property_traits<
     typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type Point_3;
-
-  offenders = Offending_simplices();
-  std::vector<Point_3> points;
-  internal::Polygons polygons;
-  try {
-    const Shell_status status = internal::read_polygons(file, points, polygons);
-    if(status != Shell_status::SUCCESS) return status;
-  } catch(const std::exception&) {       // some readers throw on broken files
-    return Shell_status::UNREADABLE_FILE;
-  }
-  if(polygons.empty()) return Shell_status::EMPTY_MESH;
-  for(const auto& polygon : polygons)
-    for(std::size_t v : polygon)
-      if(v >= points.size()) return Shell_status::UNREADABLE_FILE;
-  for(std::size_t v = 0; v < points.size(); ++v)
-    for(int a = 0; a < 3; ++a)
-      if(!std::isfinite(CGAL::to_double(points[v][a]))) { offenders.vertices.push_back(v); break; }
-  if(!offenders.vertices.empty()) return Shell_status::NOT_FINITE;
-
-  const std::vector<std::size_t> first = internal::merge_points(points, polygons);
-  const Shell_status status = internal::diagnose_polygons(polygons, offenders);
+  internal::Polygon_soup soup;
+  const Shell_status status = internal::read_oriented_soup(file, soup, offenders);
   if(status != Shell_status::SUCCESS) return status;
-  PMP::orient_polygon_soup(points, polygons,
-                           CGAL::parameters::visitor(internal::Copied_vertices(offenders.vertices)));
-  internal::sort_and_remove_repetitions(offenders.vertices);
-  for(std::size_t& v : offenders.vertices) v = first[v];
-  if(!offenders.vertices.empty() || !PMP::is_polygon_soup_a_polygon_mesh(polygons)) return Shell_status::NON_MANIFOLD;
+  std::vector<Point_3> points;
+  points.reserve(soup.points.size());
+  for(const auto& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
   mesh.clear();
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.polygons, mesh);
   return Shell_status::SUCCESS;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief the same, for callers who do not ask where the file is wrong.
+ */
+template <typename PolygonMesh>
+Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
+{
+  Offending_simplices offenders;
+  return read_polygon_mesh(file, mesh, offenders);
 }
 
 } // namespace Bspline_shells
 } // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/IO/read_polygon_mesh_impl.h>
+#endif
 
 #endif // CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H

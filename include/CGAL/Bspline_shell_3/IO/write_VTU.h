@@ -37,7 +37,7 @@ constexpr int VTK_control_points[64] = {
   21, 22, 25, 26, 37, 38, 41, 42
 };
 
-// Numbers the control points of some cells of a field. What neighbours of one size have in common gets one number: the Bernstein
+// Numbers the control points of some cells of a field. What neighbors of one size have in common gets one number: the Bernstein
 // coefficients there are the same double in each of the cells, as they come from the same coefficients in the same way.
 template <typename Field>
 class Control_points

@@ -7,18 +7,12 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_MESH_SIGNED_DISTANCE_3_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -38,164 +32,38 @@ namespace Bspline_shells {
  */
 class Mesh_signed_distance_3
 {
-  typedef Exact_predicates_inexact_constructions_kernel Exact_side_kernel;
-  typedef Simple_cartesian<double> Distance_kernel;
-  typedef std::vector<Distance_kernel::Triangle_3> Triangles;
-  typedef internal::AABB_traits_3<Distance_kernel, internal::AABB_triangle_primitive_3<Distance_kernel, Triangles::const_iterator> > Traits;
-  typedef AABB_tree<Traits> Distance_tree;
-  typedef Side_of_triangle_mesh<Input_mesh_3::Triangle_mesh, Exact_side_kernel> Side_of_mesh;
-  typedef AABB_tree<internal::AABB_traits_3<Exact_side_kernel, AABB_face_graph_triangle_primitive<Input_mesh_3::Triangle_mesh> > >
-    Side_tree;
-
 public:
-  typedef Exact_side_kernel::Point_3 Point_3;
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef double FT;
   /// a closest point and its facet, to start the search for the next one from
-  typedef Distance_tree::Point_and_primitive_id Hint;
+  struct Hint { Point_3 closest; std::size_t triangle; };
 
   /// \pre `input` is built, and outlives the oracle
-  explicit Mesh_signed_distance_3(const Input_mesh_3& input)
-    : m_size(input.unit()), m_flip(!input.faces_outwards())
-  {
-    for(auto f : input.mesh().faces()) {
-      const auto t = input.triangle(f);
-      m_triangles.emplace_back(to_distance(t[0]), to_distance(t[1]), to_distance(t[2]));
-    }
-    compute_normals(input);
-    m_distance_tree = std::make_unique<Distance_tree>(m_triangles.cbegin(), m_triangles.cend());
-    m_distance_tree->build();
-    m_side_tree = std::make_unique<Side_tree>(faces(input.mesh()).begin(), faces(input.mesh()).end(), input.mesh());
-    m_side_tree->build();
-    m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
-  }
+  explicit Mesh_signed_distance_3(const Input_mesh_3& input);
 
   /// the signed distance
   FT operator()(const Point_3& p) const { return sign(p) * distance(p); }
-
   /// -1, 0 or 1: exact
-  int sign(const Point_3& p) const
-  {
-    const Bounded_side side = (*m_side)(p);
-    if(side == ON_BOUNDARY) return 0;
-    return (side == ON_BOUNDED_SIDE) != m_flip ? -1 : 1;
-  }
-
+  int sign(const Point_3& p) const;
   /// the distance without its sign
-  FT distance(const Point_3& p) const
-  {
-    return std::sqrt(m_distance_tree->squared_distance(to_distance(p)));
-  }
+  FT distance(const Point_3& p) const;
 
   /// a hint to start with
-  Hint any_hint() const { return m_distance_tree->any_reference_point_and_id(); }
-
+  Hint any_hint() const;
   /// the signed distance; the search starts from `hint`, which is replaced. Fast if the last point was near. Where the mesh
   /// intersects itself, the side is that of the closest facet.
-  FT signed_distance(const Point_3& p, Hint& hint) const
-  {
-    const Distance_kernel::Point_3 q = to_distance(p);
-    hint = m_distance_tree->closest_point_and_primitive(q, hint);
-    const Vector away = q - hint.first;
-    const FT length = std::sqrt(away.squared_length());
-    if(!(length > 0)) return 0;
-    // rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on
-    constexpr FT doubtful = 1e-5;
-    if(length < doubtful * m_size) return sign(p) * length;
-    const FT side = away * normal_at(std::size_t(hint.second - m_triangles.cbegin()), hint.first) / length;
-    if(std::abs(side) < doubtful) return sign(p) * length;
-    return side > 0 ? length : -length;
-  }
+  FT signed_distance(const Point_3& p, Hint& hint) const;
 
 private:
-  typedef Distance_kernel::Vector_3 Vector;
-
-  // the normals of a facet, its edges and its vertices; edge `i` begins at vertex `i`. Zero for a facet so thin that rounding
-  // hides where in it a point lies, and for its edges.
-  struct Normals { Vector facet; std::array<Vector, 3> edge, vertex; };
-
-  // a unit vector, or zero for a facet too flat for doubles
-  static Vector unit(Vector v)
-  {
-    const FT largest = (std::max)({ std::abs(v.x()), std::abs(v.y()), std::abs(v.z()) });
-    if(!(largest > 0)) return v;
-    v = v / largest;
-    return v / std::sqrt(v.squared_length());
-  }
-
-  void compute_normals(const Input_mesh_3& input)
-  {
-    const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
-    std::vector<Vector> vertex(mesh.num_vertices(), Vector(NULL_VECTOR));
-    m_normals.resize(m_triangles.size());
-    std::vector<char> thin(m_triangles.size());
-    constexpr FT thinnest = 1e-6;       // relative to coordinates, as rounding is
-    std::size_t n = 0;
-    for(auto f : mesh.faces()) {
-      const Distance_kernel::Triangle_3& t = m_triangles[n];
-      const FT scale = std::sqrt((std::max)((t[1] - t[0]).squared_length(), (t[2] - t[0]).squared_length()));
-      const Vector normal = cross_product((t[1] - t[0]) / scale, (t[2] - t[0]) / scale);
-      m_normals[n].facet = unit(normal);
-      FT largest = 0;
-      for(int i = 0; i < 3; ++i)
-        for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(t[i][a]));
-      thin[n] = !(std::sqrt(normal.squared_length()) * scale > thinnest * largest);
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
-        const Vector u = unit(t[(i + 1) % 3] - t[i]), v = unit(t[(i + 2) % 3] - t[i]);
-        const FT angle = std::atan2(std::sqrt(cross_product(u, v).squared_length()), u * v);
-        Vector& sum = vertex[std::size_t(mesh.source(h))];
-        sum = sum + angle * m_normals[n].facet;
-      }
-      ++n;
-    }
-    // facets are not removed from the mesh: their numbers are consecutive
-    n = 0;
-    for(auto f : mesh.faces()) {
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
-        const std::size_t other = std::size_t(mesh.face(mesh.opposite(h)));
-        m_normals[n].edge[i] = thin[n] || thin[other] ? Vector(NULL_VECTOR) : unit(m_normals[n].facet + m_normals[other].facet);
-        m_normals[n].vertex[i] = unit(vertex[std::size_t(mesh.source(h))]);
-      }
-      ++n;
-    }
-    for(n = 0; n < thin.size(); ++n)
-      if(thin[n]) m_normals[n].facet = NULL_VECTOR;
-  }
-
-  // at a point of a facet
-  const Vector& normal_at(std::size_t facet, const Distance_kernel::Point_3& p) const
-  {
-    const Distance_kernel::Triangle_3& t = m_triangles[facet];
-    const Normals& normals = m_normals[facet];
-    if(normals.facet == NULL_VECTOR) return normals.facet;
-    // how far the point is from edge i, relative to the vertex opposite to it
-    constexpr FT at_edge = 1e-8;
-    bool on_edge[3];
-    for(int i = 0; i < 3; ++i) {
-      const Vector e = t[(i + 1) % 3] - t[i], across = cross_product(normals.facet, e);
-      const FT height = across * (t[(i + 2) % 3] - t[i]);
-      on_edge[i] = !(across * (p - t[i]) > at_edge * height);
-    }
-    for(int i = 0; i < 3; ++i)
-      if(on_edge[i] && on_edge[(i + 2) % 3]) return normals.vertex[i];
-    for(int i = 0; i < 3; ++i)
-      if(on_edge[i]) return normals.edge[i];
-    return normals.facet;
-  }
-
-  static Distance_kernel::Point_3 to_distance(const Point_3& p) { return Distance_kernel::Point_3(p.x(), p.y(), p.z()); }
-
-  Triangles m_triangles;
-  std::vector<Normals> m_normals;
-  std::unique_ptr<Distance_tree> m_distance_tree;
-  std::unique_ptr<Side_tree> m_side_tree;
-  std::unique_ptr<Side_of_mesh> m_side;
-  FT m_size;
-  bool m_flip;
+  class Trees;
+  std::shared_ptr<const Trees> m_trees;
 };
 
 } // namespace Bspline_shells
 } // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3_impl.h>
+#endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_MESH_SIGNED_DISTANCE_3_H

@@ -217,7 +217,8 @@ inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
  *
  * It serves quadrature and the search for extrema, where rounding of the cuts does no harm (a cut point lies within
  * a few units in the last place of the facet and exactly on the planes between cells). Both facets at an edge are cut at the
- * same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane between two cells belong to the cell behind them.
+ * same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane between two cells belong to the cell
+ * behind them.
  */
 class Clipped_mesh_3
 {

@@ -6,29 +6,48 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_VERTEX_CONE_H
 #define CGAL_BSPLINE_SHELL_3_MESH_VERTEX_CONE_H
 
-#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Kernel/global_functions_3.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/Min_sphere_of_points_d_traits_3.h>
-#include <CGAL/Min_sphere_of_spheres_d.h>
-#include <CGAL/QP_functions.h>
-#include <CGAL/QP_models.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+namespace internal {
+
+// the facets at a vertex: each is the triangle of `apex` and the two points of a wing
+struct Vertex_fan
+{
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  Point_3 apex;
+  std::vector<std::pair<Point_3, Point_3> > wings;
+};
+
+template <typename TriangleMesh>
+Vertex_fan vertex_fan(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+{
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  const auto point = [&](auto w) {
+    const auto& p = get(vpm, w);
+    return Vertex_fan::Point_3(p.x(), p.y(), p.z());
+  };
+  Vertex_fan fan;
+  fan.apex = point(v);
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) fan.wings.emplace_back(point(target(next(h, mesh), mesh)), point(source(h, mesh)));
+  return fan;
+}
+
+std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan);
+double cone_margin(const Vertex_fan& fan);
+
+} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
@@ -40,65 +59,15 @@ namespace Bspline_shells {
  * is exact: a candidate is confirmed by the kernel's orientation predicate, and where the mean of the normals is none,
  * a linear program is solved in rational arithmetic.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; its points are of a kernel with
- *         exact predicates and `FT` = `double`
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; the coordinates of its points are of type `double`
  * \pre all facets at `v` are non-degenerate triangles, and `v` is not on a border
  * \return a unit vector (rounded), or nothing for a singular vertex
  */
 template <typename TriangleMesh>
-auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3>
+vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
-  const auto vpm = get(CGAL::vertex_point, mesh);
-  typedef typename boost::property_traits<decltype(vpm)>::value_type Point_3;
-  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
-  typedef typename Kernel::Vector_3 Vector_3;
-  typedef std::optional<Vector_3> Result;
-
-  const Point_3& p = get(vpm, v);
-  std::vector<std::pair<Point_3, Point_3> > wings;     // the facets (p, first, second)
-  Vector_3 mean = NULL_VECTOR;
-  double reach = 0;
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-    const Point_3& q = get(vpm, target(next(h, mesh), mesh));
-    const Point_3& r = get(vpm, source(h, mesh));
-    wings.emplace_back(q, r);
-    const auto n = facet_normal(p, q, r).direction;       // at any scale
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
-    if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
-    reach = (std::max)(reach, (q - p).squared_length());
-  }
-  const auto unit = [](const Vector_3& g) { return Vector_3(g / std::sqrt(g.squared_length())); };
-
-  // The exact direction is the one from p to the rounded point s.
-  if(mean != NULL_VECTOR) {
-    const Point_3 s = p + std::sqrt(reach) * unit(mean);
-    bool faced = true;
-    for(const auto& w : wings) faced = faced && CGAL::orientation(p, w.first, w.second, s) == POSITIVE;
-    if(faced) return Result(unit(s - p));
-  }
-
-  typedef Exact_rational ET;
-  CGAL::Quadratic_program<ET> program(CGAL::LARGER, false, 0, false, 0);     // n_i . g >= 1, g free
-  for(std::size_t i = 0; i < wings.size(); ++i) {
-    ET a[3], b[3];
-    for(int c = 0; c < 3; ++c) {
-      a[c] = ET(wings[i].first[c]) - ET(p[c]);
-      b[c] = ET(wings[i].second[c]) - ET(p[c]);
-    }
-    for(int c = 0; c < 3; ++c)
-      program.set_a(c, int(i), a[(c+1) % 3] * b[(c+2) % 3] - a[(c+2) % 3] * b[(c+1) % 3]);
-    program.set_b(int(i), ET(1));
-  }
-  const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(program, ET());
-  if(solution.is_infeasible()) return Result();
-  ET g[3], largest = 0;
-  int c = 0;
-  for(auto it = solution.variable_values_begin(); it != solution.variable_values_end() && c < 3; ++it, ++c) {
-    g[c] = it->numerator() / it->denominator();
-    largest = (std::max)(largest, ET(CGAL::abs(g[c])));
-  }
-  for(ET& x : g) x /= largest;     // to_double of the components neither overflows nor vanishes
-  return Result(unit(Vector_3(CGAL::to_double(g[0]), CGAL::to_double(g[1]), CGAL::to_double(g[2]))));
+  return internal::cone_direction(internal::vertex_fan(mesh, v));
 }
 
 /*!
@@ -107,20 +76,12 @@ auto vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
  * \brief the direction that unit vectors have most in common: that of the largest \f$\min_i n_i \cdot g\f$ over unit vectors
  * \f$g\f$. Its length is that minimum, if it is positive; none have a direction in common if it is (nearly) zero.
  *
- * It is the point of their convex hull nearest to the origin, and so the centre of the smallest ball around them. Computed in
+ * It is the point of their convex hull nearest to the origin, and so the center of the smallest ball around them. Computed in
  * `double`s, to about 1e-12.
  *
  * \pre there is at least one
  */
-inline std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors)
-{
-  typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
-  CGAL_precondition(!unit_vectors.empty());
-  Min_sphere_of_spheres_d<Traits> ball(unit_vectors.begin(), unit_vectors.end());
-  std::array<double, 3> axis;
-  std::copy(ball.center_cartesian_begin(), ball.center_cartesian_end(), axis.begin());
-  return axis;
-}
+std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors);
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
@@ -131,18 +92,14 @@ inline std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexac
 template <typename TriangleMesh>
 double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
-  const auto vpm = get(CGAL::vertex_point, mesh);
-  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-    const auto n = facet_normal(get(vpm, v), get(vpm, target(next(h, mesh), mesh)), get(vpm, source(h, mesh))).direction;
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
-    normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
-  }
-  const std::array<double, 3> axis = cone_axis(normals);
-  return std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  return internal::cone_margin(internal::vertex_fan(mesh, v));
 }
 
 } // namespace Bspline_shells
 } // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
+#endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_VERTEX_CONE_H

@@ -39,13 +39,15 @@ inline const char* message(Flow_status status)
     case Flow_status::INVALID_MESH:
       return "The target must have triangles only, and finite coordinates: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Flow_status::OTHER_COMPONENTS:
-      return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each other: compare their certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
+      return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each other: compare their "
+             "certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
     case Flow_status::NOT_FINITE:
       return "The point has coordinates that are infinite or not a number.";
     case Flow_status::STARTS_OUTSIDE:
       return "The point is not in the shell: verify the mesh that it comes from (CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::LEAVES_SHELL:
-      return "The curve through the point leaves the shell without meeting the target: verify the target (CGAL::Bspline_shells::Shell_certificate_3).";
+      return "The curve through the point leaves the shell without meeting the target: verify the target "
+             "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::FACES_WRONG_WAY:
       return "The target faces the wrong way where the curve meets it: turn it inside out, or verify it (CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::GRADIENT_VANISHES:

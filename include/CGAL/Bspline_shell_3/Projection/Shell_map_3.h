@@ -39,7 +39,8 @@ namespace Bspline_shells {
  * If both meshes have a certificate of the certified shell (`Shell_certificate_3`) the map is one-to-one. The map asks for no
  * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and a component of it holds
  * no part of one of the meshes, if they are closed: no vertex, and no crossing with the paths through the component.
- * It keeps what both directions need, a tree of boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from several threads at once. The shell and the
+ * It keeps what both directions need, a tree of boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from
+ * several threads at once. The shell and the
  * meshes must outlive them, unchanged.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`

@@ -90,7 +90,8 @@ public:
   bool is_certified() const
   {
     const auto& verdicts = m_report.certificate.verdicts;
-    return status() == Shell_status::SUCCESS && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
+    return status() == Shell_status::SUCCESS
+        && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
   }
   /// the outcome in one sentence: why there is no shell, or whether it is certified
   const char* message() const
@@ -98,7 +99,8 @@ public:
     if(!*this || m_report.refinement == Bspline_shells::Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
     if(is_certified()) return Bspline_shells::message(m_report.refinement);
     return m_report.refinement == Bspline_shells::Refinement_status::LIMIT_REACHED
-         ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has the places."
+         ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has "
+           "the places."
          : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The report has the places.";
   }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)

@@ -34,7 +34,8 @@ inline const char* message(Refinement_status status)
     case Refinement_status::NOT_REFINED: return "Cells were not refined.";
     case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
     case Refinement_status::NOTHING_TO_REFINE: return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
-    case Refinement_status::LIMIT_REACHED: return "A limit of time, memory or rounds was reached before all claims were proved of a shell as thin as asked.";
+    case Refinement_status::LIMIT_REACHED:
+      return "A limit of time, memory or rounds was reached before all claims were proved of a shell as thin as asked.";
     case Refinement_status::DISTANCE_NOT_FINITE: return "The signed-distance oracle returned a value that is infinite or not a number.";
     case Refinement_status::SOLVER_FAILED: return "The linear solver did not reach its tolerance.";
     case Refinement_status::CANCELED: return "The visitor asked to stop.";

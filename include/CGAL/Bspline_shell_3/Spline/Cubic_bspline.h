@@ -17,7 +17,7 @@ namespace Bspline_shells {
  * \brief the univariate uniform cubic B-spline \f$b\f$ of Eq. 3.1 of the paper, on knots of spacing 1.
  *
  * A cell is the unit interval between two knots. The four functions that do not vanish on the cell \f$[i, i+1]\f$
- * are centred at the knots \f$i-1, i, i+1, i+2\f$; all arrays of this class list them in that order, and `t` is the
+ * are centered at the knots \f$i-1, i, i+1, i+2\f$; all arrays of this class list them in that order, and `t` is the
  * position in the cell, from 0 to 1. (Outside \f$[0,1]\f$ the polynomial pieces of the cell are continued.)
  *
  * \tparam NT a field number type (`double`, `Interval_nt<false>`, a rational)

@@ -28,7 +28,7 @@ enum class Shell_status
   NOT_FINITE,                  ///< a coordinate is infinite or not a number
   COORDINATES_OUT_OF_RANGE,    ///< coordinates beyond 1e60, or a box smaller than 1e-60: products would over- or underflow
   NON_MANIFOLD,                ///< an edge has more than two facets, or the facets at a vertex do not form one fan
-  NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbours agree
+  NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbors agree
   OPEN_MESH,                   ///< an edge has only one facet
   DEGENERATE_FACET,            ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,           ///< two facets meet elsewhere than in common vertices and edges
@@ -56,7 +56,8 @@ inline const char* message(Shell_status status)
     case Shell_status::NOT_BUILT:
       return "There is no shell yet.";
     case Shell_status::INVALID_PARAMETER:
-      return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings not negative.";
+      return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings "
+             "not negative.";
     case Shell_status::UNREADABLE_FILE:
       return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
     case Shell_status::TRIANGLE_STRIPS:
@@ -70,17 +71,19 @@ inline const char* message(Shell_status status)
     case Shell_status::NON_MANIFOLD:
       return "The mesh is not manifold at the listed facets or vertices: split them, or wrap the mesh (CGAL::alpha_wrap_3).";
     case Shell_status::NOT_ORIENTABLE:
-      return "The mesh is one-sided: it has no orientation that neighbouring facets share.";
+      return "The mesh is one-sided: it has no orientation that neighboring facets share.";
     case Shell_status::OPEN_MESH:
       return "The mesh is open at the listed facets: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Shell_status::DEGENERATE_FACET:
       return "The listed facets have no area: remove them (CGAL::Polygon_mesh_processing::remove_degenerate_faces).";
     case Shell_status::SELF_INTERSECTION:
-      return "The mesh intersects itself at the listed facets: repair it, or ask for a shell all the same (allow_self_intersections), which then maps nothing one-to-one.";
+      return "The mesh intersects itself at the listed facets: repair it, or ask for a shell all the same (allow_self_intersections), which "
+             "then maps nothing one-to-one.";
     case Shell_status::INCONSISTENT_ORIENTATION:
       return "The mesh does not bound one volume: turn the components that contain the listed facets inside out.";
     case Shell_status::SINGULAR_VERTEX:
-      return "The facets at the listed vertices face no common direction, so that no field can pass all of them the same way: move or split the vertices, or ask for a shell all the same (allow_singular_vertices).";
+      return "The facets at the listed vertices face no common direction, so that no field can pass all of them the same way: move or split "
+             "the vertices, or ask for a shell all the same (allow_singular_vertices).";
     case Shell_status::GRID_TOO_FINE:
       return "The cells are too small for coordinates of that size: lower the resolution, or move the mesh towards the origin.";
     case Shell_status::TOO_MANY_CELLS:
@@ -98,7 +101,8 @@ inline const char* message(Shell_status status)
     case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
       return "A threshold and the field have different cells: define both on the same cells.";
     case Shell_status::UNSOUND_ARITHMETIC:
-      return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target CGAL::CGAL does.";
+      return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target "
+             "CGAL::CGAL does.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
   }

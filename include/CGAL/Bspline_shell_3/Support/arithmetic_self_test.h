@@ -36,8 +36,12 @@ inline const char* message(Arithmetic_status status)
     case Arithmetic_status::NOT_IEEE: return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
     case Arithmetic_status::FLUSHES_TO_ZERO: return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
     case Arithmetic_status::REORDERED: return "Floating point operations are reordered: compile without -ffast-math.";
-    case Arithmetic_status::ROUNDING_MODE_IGNORED: return "The compiler moves floating point operations across changes of the rounding mode: compile with -frounding-math, which the target CGAL::CGAL brings.";
-    case Arithmetic_status::NO_DIRECTED_ROUNDING: return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, which the target CGAL::CGAL brings.";
+    case Arithmetic_status::ROUNDING_MODE_IGNORED:
+      return "The compiler moves floating point operations across changes of the rounding mode: compile with -frounding-math, which the target "
+             "CGAL::CGAL brings.";
+    case Arithmetic_status::NO_DIRECTED_ROUNDING:
+      return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, which the target "
+             "CGAL::CGAL brings.";
   }
   return "";
 }

@@ -56,7 +56,8 @@ inline const char* message(Level_set_status status)
     case Level_set_status::LEVEL_SET_EMPTY:
       return "The field does not pass the level on the selected cells: choose a level between its least and largest value there.";
     case Level_set_status::LEVEL_SET_LEAVES_CELLS:
-      return "The level set runs into the end of the selected cells, so that its mesh would have a border: select all cells that it passes, or widen the band of cells.";
+      return "The level set runs into the end of the selected cells, so that its mesh would have a border: select all cells that it passes, or "
+             "widen the band of cells.";
   }
   return "";
 }
@@ -65,8 +66,8 @@ namespace internal {
 
 // Marching tetrahedra. Leaves that the level certainly misses are left out. The topology depends on the nodes' signs
 // alone, and these on the node, not on the leaf that asks; a node on the level counts as above. So the triangles of
-// each tetrahedron fit those of its neighbours, and the surface is a closed manifold unless a tetrahedron has no
-// neighbour. Vertices lie on edges. An edge is owned by the first selected leaf around it, which numbers its edges
+// each tetrahedron fit those of its neighbors, and the surface is a closed manifold unless a tetrahedron has no
+// neighbor. Vertices lie on edges. An edge is owned by the first selected leaf around it, which numbers its edges
 // consecutively: other leaves find a vertex by the owner and the edge in it.
 template <typename Field, typename Threshold>
 class Level_set_soup

@@ -27,7 +27,7 @@ struct Transfer_report
   /// They have the `default_value()` of the call, or, without one, what they had before.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
   /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as seen from the
-  /// facet's centre, are extrapolated from this side.
+  /// facet's center, are extrapolated from this side.
   std::vector<std::size_t> facets_across_seams;
   /// averages: vertices of the source, by position, whose values are in none of them as they have no image; each with a reason
   std::vector<std::pair<std::size_t, Flow_status> > left_out;

@@ -51,7 +51,7 @@ public:
   }
 
   // Whether the values go on from facet `f` to one with an area that a point of facet `g` is on, which may be on an edge or at a vertex of it;
-  // that facet replaces `g`. Looks no further than from a facet to its neighbours, or, where the two points are so near each other
+  // that facet replaces `g`. Looks no further than from a facet to its neighbors, or, where the two points are so near each other
   // that the way may as well lead around a vertex, to those that have a vertex in common with it.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {

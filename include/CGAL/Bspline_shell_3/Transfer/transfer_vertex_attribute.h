@@ -31,7 +31,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colours, vectors,
+ * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colors, vectors,
  * displacements, and whatever else can be interpolated.
  *
  * The value at a location of the source is interpolated from the three corners of its facet, and, if there is a `mapping()`,

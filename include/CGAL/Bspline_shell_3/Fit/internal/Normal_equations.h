@@ -151,7 +151,7 @@ private:
       }
   }
 
-  // Tiles of 4 x 4 cells of a level across y and z in four colours: functions of two tiles of one colour are apart.
+  // Tiles of 4 x 4 cells of a level across y and z in four colors: functions of two tiles of one color are apart.
   void color_cells()
   {
     constexpr int tile = 4;

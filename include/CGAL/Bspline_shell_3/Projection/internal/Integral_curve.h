@@ -67,7 +67,8 @@ struct Flow_velocity_with_differential
 // A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest where the
 // curve leaves the cell: what is integrated is analytic, and the order of the method is kept, whereas the third derivatives of
 // the field jump between cells. A curve may be beyond a face by `slack` of the cell's width before it changes to the
-// neighbour: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the third ones, and a curve along a face does not go to
+// neighbor: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the third ones, and a curve along a face does not
+// go to
 // and fro.
 template <typename Shell, typename Velocity>
 class Integral_curve

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_H
+
+#include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
+#include <CGAL/Bspline_shell_3/Construction/refine_until_certified.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgBsplineShell3Ref
+/// the shell that `certified_bspline_shell_3()` builds: a hierarchy of cells, and thresholds that vary in space
+typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
+                        Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
+  Certified_bspline_shell_3;
+
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief what `certified_bspline_shell_3()` is asked for.
+ */
+struct Certified_shell_parameters
+{
+  double resolution = 30;               ///< root cells per longest side of the mesh's box
+  double relative_thickness = 0.01;     ///< of the longest side of the mesh's box
+  std::optional<double> thickness;      ///< instead, in user units
+  /// instead, near a point; user units
+  std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
+  Refinement_parameters refinement;
+
+  bool are_valid() const
+  {
+    const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
+    return is_positive(resolution) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
+        && refinement.max_seconds > 0 && refinement.max_bytes > 0 && refinement.weights.are_valid();
+  }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief builds a certified shell of a checked mesh, as `certified_bspline_shell_3()` describes it.
+ *
+ * \param construction has checked the mesh
+ * \param parameters what is asked for
+ * \param oracle the signed distance that the field is fitted to, or nothing: that to the mesh
+ * \param solver any model of `SPDSolver`
+ * \pre the parameters are valid
+ */
+template <typename ConcurrencyTag>
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
+                                                const std::optional<Any_signed_distance_3>& oracle, const Any_spd_solver& solver)
+{
+  typedef Certified_bspline_shell_3 Shell;
+  typedef Shell_status Status;
+  typedef Certified_refinement<ConcurrencyTag> Refinement;
+  Shell_report& report = construction.report();
+  const auto stop = [&](Status status) { return Shell(construction.end(status)); };
+
+  if(!construction.start(Shell_step::CELLS)) return stop(Status::CANCELED);
+  const std::shared_ptr<const Input_mesh_3>& input = construction.input();
+  const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / parameters.resolution);
+  if(!lattice) return stop(Status::GRID_TOO_FINE);
+  const double largest_thickness = parameters.thickness ? *parameters.thickness : parameters.relative_thickness * input->unit();
+  bool is_thickness_valid = true;
+  const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
+    if(!parameters.sizing) return largest_thickness;
+    const double t = parameters.sizing(p);
+    if(t > 0 && std::isfinite(t)) return t;
+    is_thickness_valid = false;       // and nothing is done with what is returned
+    return largest_thickness;
+  };
+  const std::vector<std::uint64_t> surface_keys = cells_entered_by_mesh<ConcurrencyTag>(*input, *lattice);
+  report.surface_cells = surface_keys.size();
+  // room for the shell beyond the cells at the mesh
+  constexpr double most_rings = 20;
+  const double rings = 1 + std::floor(parameters.sizing ? 0 : largest_thickness / lattice->spacing());
+  if(!(rings <= most_rings)) return stop(Status::INVALID_PARAMETER);
+  if(double(surface_keys.size()) * 1e4 > parameters.refinement.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, dilate(surface_keys, -int(rings), int(rings))));
+
+  std::optional<Mesh_signed_distance_3> mesh_distance;
+  if(!oracle) mesh_distance.emplace(*input);
+  Refinement refinement(input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance), thickness, parameters.refinement);
+  const Refinement_status refined
+    = refinement(std::move(cells), solver, [&](Shell_step step) { return is_thickness_valid && construction.start(step); });
+  if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
+  report.rounds = refinement.rounds();
+  report.refinement = refined;
+  if(refined == Refinement_status::CANCELED) return stop(Status::CANCELED);
+  if(refined == Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
+  if(refined == Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);
+  report.cells = refinement.field().number_of_cells();
+  report.unknowns = refinement.field().number_of_coefficients();
+  const typename Refinement::Certificate& certificate = *refinement.certificate();
+  report.certificate = certificate.report();
+  if(certificate.status() != Status::SUCCESS) return stop(certificate.status());
+  if(certificate.verdict(Claim::CONTAINMENT) != Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
+  std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh();
+  std::vector<char> shell_cells(report.cells, 0);
+  if(certificate.cover())
+    for(const Cover_box& box : certificate.cover()->boxes())
+      if(box.component != Cover_box::no_component) shell_cells[box.cell] = 1;
+  std::vector<Level_range> facets(input->number_of_facets_of_origin());
+  for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
+  Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
+              construction.end(Status::SUCCESS));
+  if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
+  return shell;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief the same by the default solver.
+ */
+template <typename ConcurrencyTag>
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
+                                                const std::optional<Any_signed_distance_3>& oracle)
+{
+  // the certificate makes the accuracy of the solver a matter of speed
+  constexpr double tolerance = 1e-4;
+  Conjugate_gradient_solver<ConcurrencyTag> solver(tolerance);
+  return build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+}
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template Certified_bspline_shell_3 build_certified_shell<Parallel_if_available_tag>(
+  Shell_construction&, const Certified_shell_parameters&, const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
+extern template Certified_bspline_shell_3 build_certified_shell<Parallel_if_available_tag>(
+  Shell_construction&, const Certified_shell_parameters&, const std::optional<Any_signed_distance_3>&);
+#endif
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_FIT_ANY_SIGNED_DISTANCE_3_H
+#define CGAL_BSPLINE_SHELL_3_FIT_ANY_SIGNED_DISTANCE_3_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief a reference to any model of `SignedDistanceOracle_3`, so that fits are compiled once for all of them.
+ *
+ * \cgalModels `SignedDistanceOracle_3`
+ */
+class Any_signed_distance_3
+{
+public:
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  typedef double FT;
+
+  /// \tparam Oracle a model of `SignedDistanceOracle_3`
+  /// \pre `oracle` outlives this object
+  template <typename Oracle>
+  Any_signed_distance_3(const Oracle& oracle)
+    : m_at([&oracle](const Point_3& p) { return double(oracle(typename Oracle::Point_3(p.x(), p.y(), p.z()))); })
+  {
+    if constexpr(std::is_same<Oracle, Mesh_signed_distance_3>::value)
+      m_along = [&oracle](const std::vector<Point_3>& points, double* distances) {
+        Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+        for(const Point_3& p : points) *distances++ = oracle.signed_distance(p, hint);
+      };
+    else
+      m_along = [&oracle](const std::vector<Point_3>& points, double* distances) {
+        for(const Point_3& p : points) *distances++ = double(oracle(typename Oracle::Point_3(p.x(), p.y(), p.z())));
+      };
+  }
+  Any_signed_distance_3(const Any_signed_distance_3&) = default;
+
+  FT operator()(const Point_3& p) const { return m_at(p); }
+
+  /// the distances of points of which successive ones are near each other. That of a mesh is found faster, then: the closest facet of one
+  /// point is where the search for the next one starts.
+  /// \param[out] distances one for each point
+  void operator()(const std::vector<Point_3>& points, double* distances) const { m_along(points, distances); }
+
+private:
+  std::function<double(const Point_3&)> m_at;
+  std::function<void(const std::vector<Point_3>&, double*)> m_along;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_FIT_ANY_SIGNED_DISTANCE_3_H

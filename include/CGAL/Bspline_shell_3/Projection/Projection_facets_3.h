@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H
+
+#include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Projection
+ *
+ * \brief the facets of a mesh to project to (`Projection_target_3`), whatever the type of the mesh: their corners, neighbors and normals, and an
+ * AABB tree.
+ *
+ * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called from several threads at once.
+ */
+class Projection_facets_3
+{
+public:
+  typedef std::array<double, 3> Coordinates;
+  typedef std::uint32_t Index;
+  static constexpr Index npos = std::numeric_limits<Index>::max();
+
+  struct Facet
+  {
+    std::array<Coordinates, 3> vertex;
+    std::array<Index, 3> neighbor;        ///< `npos` at a border
+    Coordinates normal;                   ///< twice the area long; found out
+  };
+
+  Projection_facets_3() = default;
+  /// \pre coordinates are finite
+  explicit Projection_facets_3(std::vector<Facet> facets);
+
+  std::size_t number_of_facets() const { return m_facets.size(); }
+  const Coordinates& vertex(Index facet, int i) const { return m_facets[facet].vertex[i]; }
+  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; }     ///< twice the area long
+  bool has_area(Index facet) const { return normal(facet) != Coordinates{}; }
+  Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; }      ///< `npos` at a border
+
+  /// whether no facet is at a border
+  bool is_closed() const
+  {
+    return std::all_of(m_facets.begin(), m_facets.end(), [](const Facet& f) {
+      return std::find(f.neighbor.begin(), f.neighbor.end(), npos) == f.neighbor.end();
+    });
+  }
+
+  /// the connected component that has each facet, and their number
+  std::vector<Index> components(std::size_t& number) const;
+
+  /// the point with these barycentric coordinates
+  Coordinates point(Index facet, const Coordinates& barycentric) const
+  {
+    Coordinates p;
+    for(int a = 0; a < 3; ++a)
+      p[a] = barycentric[0] * vertex(facet, 0)[a] + barycentric[1] * vertex(facet, 1)[a] + barycentric[2] * vertex(facet, 2)[a];
+    return p;
+  }
+
+  /// normal . (p - the plane of the facet)
+  double height(Index facet, const Coordinates& p) const
+  {
+    const Facet& f = m_facets[facet];
+    return dot(f.normal, difference(p, f.vertex[0]));
+  }
+
+  /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it is outside, or
+  /// else from the nearest edge, negative; the edge whose line it is farthest outside of, or nearest to; and the barycentric
+  /// coordinates of the point of the facet that is nearest.
+  struct Position { Coordinates barycentric; double outside; int edge; Coordinates nearest; };
+  /// \pre the facet has an area
+  Position position(Index facet, const Coordinates& p) const;
+
+  /// calls `visit(facet)` for all facets whose boxes meet the box
+  template <typename Visitor>
+  void visit_facets(const Bbox_3& box, const Visitor& visit) const
+  {
+    visit_facets(box, [](const void* visitor, Index facet) { (*static_cast<const Visitor*>(visitor))(facet); }, &visit);
+  }
+
+  /// the facet that the straight segment from `p + first * direction` to `p + last * direction` meets from behind, nearest to `p`, or
+  /// else, among those that come as near to the segment as `margin`, the one that its line misses least; `npos` if there is none
+  Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const;
+
+private:
+  class Tree;
+
+  void visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const;
+  static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
+  template <typename FT>
+  static FT dot(const std::array<FT, 3>& u, const std::array<FT, 3>& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+  template <typename FT>
+  static std::array<FT, 3> cross(const std::array<FT, 3>& u, const std::array<FT, 3>& v)
+  {
+    return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  }
+  static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r);
+  static Coordinates exact_barycentric(const Facet& f, const Coordinates& p);
+
+  std::vector<Facet> m_facets;
+  std::shared_ptr<const Tree> m_tree;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/Projection/Projection_facets_3_impl.h>
+#endif
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H

@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_FACET_ON_CURVE_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_FACET_ON_CURVE_H
+
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// the facet that the integral curve through a point meets
+template <typename Shell>
+class Facet_on_curve
+{
+public:
+  typedef Projection_facets_3::Coordinates Coordinates;
+  typedef Projection_facets_3::Index Index;
+
+  struct Hit
+  {
+    Index facet = Projection_facets_3::npos;
+    double value = 0;                   // of the field
+    Coordinates barycentric = {};
+    double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
+  };
+
+  // pre: shell and facets outlive this object
+  Facet_on_curve(const Shell& shell, const Projection_facets_3& facets, double tolerance)
+    : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
+  {}
+
+  Flow_status operator()(const Coordinates& start, Hit& hit) const;
+
+private:
+  typedef Integral_curve<Shell, Flow_velocity> Curve;
+
+  static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+
+  // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
+  // iteration. Fails if that is not during the step; `s` is then a guess of where.
+  bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
+  {
+    const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
+    const double precision = newton_precision * m_tolerance / speed;
+    double first = curve.begin(), last = curve.value();
+    if(first > last) std::swap(first, last);
+    s = curve.value();
+    x = curve.state();
+    double ds = -m_facets->height(facet, x) / rate;
+    for(int i = 0; i < 20; ++i) {
+      s += ds;
+      if(!(s >= first - precision && s <= last + precision)) return false;
+      if(std::abs(ds) <= precision) {
+        for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
+        return true;
+      }
+      x = curve.at((std::min)((std::max)(s, first), last));
+      ds = -m_facets->height(facet, x) / rate;
+    }
+    return false;
+  }
+
+  // From the facet where the tangent meets the target, over edges, to the one where the curve does. Gives up rather than err.
+  bool walk(Curve& curve, Hit& best) const
+  {
+    const double above = curve.room(true), below = curve.room(false);
+    Index facet = m_facets->facet_on_line(curve.state(), curve.derivative(), below, above, bend * (above - below) * curve.speed());
+    if(facet == Projection_facets_3::npos) return false;
+    Index previous = Projection_facets_3::npos;
+    for(int moves = 0; moves < max_moves; ++moves) {
+      Hit hit;
+      hit.facet = facet;
+      Coordinates x;
+      while(true) {
+        if(!(dot(m_facets->normal(facet), curve.derivative()) > 0)) return false;
+        if(pass_plane(curve, facet, hit.value, x)) break;
+        if(++moves >= max_moves) return false;
+        const double goal = curve.value() + overshoot * (hit.value - curve.value());
+        if(curve.step(goal) != Flow_status::SUCCESS && !pass_plane(curve, facet, hit.value, x)) return false;
+      }
+      const auto position = m_facets->position(facet, x);
+      hit.outside = position.outside;
+      if(hit.outside < best.outside) best = hit;
+      if(hit.outside <= 0) return true;
+      const Index next = m_facets->neighbor(facet, position.edge);
+      if(next == Projection_facets_3::npos || next == previous) break;
+      previous = facet;
+      facet = next;
+    }
+    return best.facet != Projection_facets_3::npos;
+  }
+
+  // Ends the curve at the facet that was found, where it passes its plane: tells whether that is on the facet and in the shell, up to the
+  // tolerance.
+  bool settle(Curve& curve, Hit& hit) const
+  {
+    double goal = hit.value;
+    for(int i = 0; i < 50; ++i) {
+      const double low = (std::min)(curve.begin(), curve.value()), high = (std::max)(curve.begin(), curve.value());
+      if(goal >= low && goal <= high) curve.cut(goal);
+      else if(curve.step(goal) != Flow_status::SUCCESS) return false;
+      if(curve.value() != goal) continue;
+      Coordinates x = curve.state();
+      const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
+      goal += ds;
+      if(!(std::abs(ds) * curve.speed() <= newton_precision * m_tolerance)) continue;
+      for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
+      const auto position = m_facets->position(hit.facet, x);
+      hit.value = goal;
+      hit.barycentric = position.nearest;
+      const Coordinates image = m_facets->point(hit.facet, position.nearest);
+      const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
+      return dot(off, off) <= m_tolerance * m_tolerance && curve.is_within_thresholds(x, goal)
+          && curve.drift(x, goal) * curve.speed() <= m_tolerance;
+    }
+    return false;
+  }
+
+  // A point of the target is its own image, also on facets so steep that rounding moves where the curve passes their planes out of them.
+  bool find_facet_at(const Coordinates& start, Hit& best) const
+  {
+    Curve curve(*m_shell, m_tolerance);
+    curve.start(start);
+    const double margin = newton_precision * m_tolerance;       // as precisely as curves end at facets
+    double least = margin;
+    best = Hit();
+    const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);
+    m_facets->visit_facets(box, [&](Index facet) {
+      if(!(dot(m_facets->normal(facet), curve.derivative()) > 0)) return;
+      Hit hit;
+      hit.facet = facet;
+      hit.value = curve.value();
+      hit.barycentric = m_facets->position(facet, start).nearest;
+      const Coordinates image = m_facets->point(facet, hit.barycentric);
+      hit.outside = std::hypot(image[0] - start[0], image[1] - start[1], image[2] - start[2]);
+      if(!(hit.outside <= least)) return;
+      least = hit.outside;
+      best = hit;
+    });
+    return best.facet != Projection_facets_3::npos;
+  }
+
+  // along the whole curve through a point, all facets near it
+  Flow_status search(const Coordinates& start, Hit& best) const
+  {
+    if(find_facet_at(start, best)) return Flow_status::SUCCESS;
+    best = Hit();
+    bool wrong_way = false;
+    Flow_status failure = Flow_status::LEAVES_SHELL;
+    for(const double direction : { 1., -1. }) {
+      Curve curve(*m_shell, m_tolerance);
+      curve.start(start);
+      Flow_status status = Flow_status::SUCCESS;
+      while(status == Flow_status::SUCCESS && best.outside > 0) {
+        status = curve.step(direction * std::numeric_limits<double>::infinity());
+        look_at_step(curve, best, wrong_way);
+      }
+      if(best.outside <= 0) break;
+      if(status != Flow_status::LEAVES_SHELL) failure = status;
+    }
+    if(best.facet != Projection_facets_3::npos) {
+      Curve curve(*m_shell, m_tolerance);
+      curve.start(start);
+      const bool is_inside = best.outside <= 0;
+      if(settle(curve, best)) return Flow_status::SUCCESS;
+      if(is_inside) return Flow_status::TOO_MANY_STEPS;       // there is an image, but it is not found with the accuracy asked for
+    }
+    return wrong_way ? Flow_status::FACES_WRONG_WAY : failure;
+  }
+
+  void look_at_step(const Curve& curve, Hit& best, bool& wrong_way) const
+  {
+    const double first = curve.begin(), last = curve.value();
+    const Coordinates x0 = curve.at(first), x1 = curve.at(last);
+    Bbox_3 box(x0[0], x0[1], x0[2], x0[0], x0[1], x0[2]);
+    constexpr int parts = 4;
+    for(int i = 1; i <= parts; ++i) {
+      const Coordinates x = curve.at(first + (last - first) * i / parts);
+      box += Bbox_3(x[0], x[1], x[2], x[0], x[1], x[2]);
+    }
+    const double margin = m_tolerance + std::abs(last - first) * curve.speed() / 4;
+    box = Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin,
+                 box.xmax() + margin, box.ymax() + margin, box.zmax() + margin);
+    m_facets->visit_facets(box, [&](Index facet) {
+      const Coordinates& n = m_facets->normal(facet);
+      const double near = m_tolerance * std::sqrt(dot(n, n));
+      if(!(near > 0)) return;       // without an area
+      double s0 = first, s1 = last, h0 = m_facets->height(facet, x0), h1 = m_facets->height(facet, x1);
+      if(!(near > 0) || ((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near)) return;
+      Hit hit;
+      hit.facet = facet;
+      hit.value = std::abs(h0) <= std::abs(h1) ? s0 : s1;
+      Coordinates x = std::abs(h0) <= std::abs(h1) ? x0 : x1;
+      if((h0 < 0) != (h1 < 0))
+        for(int i = 0; i < 100 && s1 != s0; ++i) {       // regula falsi, the Illinois variant
+          hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
+          x = curve.at(hit.value);
+          const double h = m_facets->height(facet, x);
+          if(std::abs(h) <= newton_precision * near) break;
+          if((h < 0) == (h1 < 0)) h0 /= 2;
+          else { s0 = s1; h0 = h1; }
+          s1 = hit.value;
+          h1 = h;
+        }
+      hit.outside = m_facets->position(facet, x).outside;
+      if(!(hit.outside < best.outside && hit.outside <= search_tolerance * m_tolerance) || !curve.is_within_thresholds(x, hit.value)) return;
+      if(dot(n, curve.derivative()) > 0) best = hit;
+      else if(hit.outside <= m_tolerance) wrong_way = true;
+    });
+  }
+
+  static constexpr int max_moves = 64;
+  static constexpr double overshoot = 1.1;
+  static constexpr double bend = 0.1;                   // of a curve, as a part of its length
+  static constexpr double newton_precision = 1e-3;      // of the tolerance
+  static constexpr double search_tolerance = 100;       // of it, for what is less exact within steps
+
+  const Shell* m_shell;
+  const Projection_facets_3* m_facets;
+  double m_tolerance;
+};
+
+template <typename Shell>
+Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Hit& hit) const
+{
+  Curve curve(*m_shell, m_tolerance);
+  const Flow_status status = curve.start(start);
+  if(status != Flow_status::SUCCESS) return status;
+  return walk(curve, hit) && settle(curve, hit) ? Flow_status::SUCCESS : search(start, hit);
+}
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template class Facet_on_curve<Bspline_shell_3<> >;
+extern template class Facet_on_curve<Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
+#endif
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_FACET_ON_CURVE_H

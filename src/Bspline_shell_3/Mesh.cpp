@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+template Shell_status Input_mesh_3::copy(const Input_mesh_3::Triangle_mesh&,
+                                         boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
+template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&);
+#ifdef CGAL_LINKED_WITH_TBB
+template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&);
+#endif
+
+} // namespace Bspline_shells
+} // namespace CGAL
