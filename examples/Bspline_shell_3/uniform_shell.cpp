@@ -11,6 +11,8 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
+namespace BS = CGAL::Bspline_shells;
+
 int main(int argc, char** argv)
 {
   Mesh mesh;
@@ -21,7 +23,7 @@ int main(int argc, char** argv)
 
   // 60 cells along the longest side of the mesh's box
   const CGAL::Bspline_shell_3<> shell =
-    CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(60));
+    CGAL::bspline_shell_3(mesh, BS::parameters::resolution(60));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

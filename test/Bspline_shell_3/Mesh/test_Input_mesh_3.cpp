@@ -2,7 +2,9 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -356,7 +356,7 @@ TEST_CASE("signed distance: where the search starts does not change what it find
         + (n % 10 == 0 ? Vector_3(0, 0, 0) : p - CGAL::ORIGIN);
     CHECK(oracle.signed_distance(p, hint) == Approx(oracle(p)).epsilon(0).margin(rounding));
     // and the new hint is the closest point
-    CHECK(std::sqrt(CGAL::squared_distance(Point_3(hint.first.x(), hint.first.y(), hint.first.z()), p))
+    CHECK(std::sqrt(CGAL::squared_distance(hint.closest, p))
           == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
   }
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Random.h>
 
 #include <algorithm>

@@ -19,6 +19,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -622,7 +623,7 @@ private:
     const Cell_index c = m_field->locate(to_field(middle));
     if(c == Field::npos) return Verdict::UNDECIDED;
     const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
-    const double squared = jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1] + jet.gradient[2] * jet.gradient[2];
+    const double squared = internal::dot(jet.gradient, jet.gradient);
     if(!(squared > 0)) return Verdict::UNDECIDED;
     const auto along = [&](double s) {
       return Triangle_mesh::Point(middle.x() + s * jet.gradient[0], middle.y() + s * jet.gradient[1], middle.z() + s * jet.gradient[2]);

@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -109,8 +110,6 @@ private:
   typedef typename Field::Cell_index Cell_index;
   typedef std::array<double, 3> Coordinates;
 
-  static double squared_norm(const Coordinates& v) { return v[0]*v[0] + v[1]*v[1] + v[2]*v[2]; }
-
   // Points between the thresholds in other cells are outside the shell.
   bool is_in_cells(const Sample& s) const { return s.cell != Field::npos && m_shell->shell_cells()[s.cell]; }
   bool is_in(const Sample& s) const { return is_in_cells(s) && s.above >= 0 && s.below >= 0; }
@@ -123,7 +122,7 @@ private:
       u[a] = q[a] - p[a];
       v[a] = r[a] - p[a];
     }
-    return Bounds::slope(s, { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] }) > 0;
+    return Bounds::slope(s, internal::cross(u, v)) > 0;
   }
 
   void find_samples(const std::vector<Point_3>& link, Memory& memory) const
@@ -241,7 +240,7 @@ auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(cons
     const Cell_index c = field.locate(x);
     if(c == Field::npos) return std::nullopt;
     const auto jet = field.cell(c).first_order_jet(x);
-    const double squared = squared_norm(jet.gradient);
+    const double squared = internal::dot(jet.gradient, jet.gradient);
     if(!(squared > 0)) return std::nullopt;
     const double s = (level - jet.value) / squared;
     x = Point_3(x[0] + s * jet.gradient[0], x[1] + s * jet.gradient[1], x[2] + s * jet.gradient[2]);
@@ -253,7 +252,7 @@ template <typename Field, typename Threshold, typename ConcurrencyTag>
 std::size_t
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
 {
-  const double length = std::sqrt(squared_norm(at_p.gradient));
+  const double length = internal::norm(at_p.gradient);
   if(!(length > 0)) return 0;
   const double s = 16 * m_largest_width / length;
   return link_winding_number(p, Point_3(p[0] + s * at_p.gradient[0], p[1] + s * at_p.gradient[1], p[2] + s * at_p.gradient[2]), link);

@@ -26,6 +26,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Solver_status.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
@@ -288,21 +289,19 @@ private:
     std::vector<std::uint32_t> triangles;
     for(auto f : m_input->mesh().faces())
       if(m_unexamined[f]) triangles.push_back(std::uint32_t(f));
-    std::vector<std::vector<Failure> > failures((triangles.size() + chunk - 1) / chunk);
-    internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Failure>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         const auto t = m_input->triangle(Input_mesh_3::Triangle_mesh::Face_index(triangles[n]));
         const auto point = [&](int v) { return Field::Point_3(t[v].x(), t[v].y(), t[v].z()); };
         Witness w;
         if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
-          failures[begin / chunk].push_back({ triangles[n], m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2])), w.point });
+          found.push_back({ triangles[n], m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2])), w.point });
       }
-    });
-    std::vector<Failure> all;
-    for(const std::vector<Failure>& part : failures) all.insert(all.end(), part.begin(), part.end());
+    };
+    std::vector<Failure> failures = internal::collect_from_chunks<ConcurrencyTag, Failure>(triangles.size(), chunk, find);
     std::fill(m_unexamined.begin(), m_unexamined.end(), 0);
-    for(const Failure& f : all) m_unexamined[f.triangle] = 1;
-    return all;
+    for(const Failure& f : failures) m_unexamined[f.triangle] = 1;
+    return failures;
   }
 
   // the samples of leaves that were there before are kept
@@ -439,7 +438,7 @@ private:
       std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
       for(std::uint32_t f : facets) normals.emplace_back(m_clipped->normal(f)[0], m_clipped->normal(f)[1], m_clipped->normal(f)[2]);
       std::array<double, 3> axis = cone_axis(normals);
-      const double margin = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+      const double margin = internal::norm(axis);
       if(!(margin > least_margin)) continue;
       for(double& x : axis) x /= margin;
       return Slope_condition{ o.cell, facets.front(), cell.local_coordinates(o.point), axis, m_parameters.slope_fraction * margin };

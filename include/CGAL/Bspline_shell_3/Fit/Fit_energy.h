@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -458,7 +459,7 @@ private:
           const std::array<double, 3>& g = jet.gradient;
           const std::array<double, 3>& n = m_clipped.normal(point.facet);
           if(term == Energy_term::NORMAL)
-            visit(n[0]*g[0] + n[1]*g[1] + n[2]*g[2] - 1, point.weight, [&]() { return directional_row(basis, n); });
+            visit(internal::dot(n, g) - 1, point.weight, [&]() { return directional_row(basis, n); });
           else
             for(int a = 0; a < 3; ++a) {
               std::array<double, 3> axis = {};

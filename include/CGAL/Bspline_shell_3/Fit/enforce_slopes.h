@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
@@ -212,7 +213,7 @@ private:
     }
     const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local, basis);
     const std::array<double, 3>&g = jet.gradient, &d = condition.direction;
-    return { scale(condition.cell) * (g[0]*d[0] + g[1]*d[1] + g[2]*d[2]), jet.value, -jet.value };
+    return { scale(condition.cell) * internal::dot(g, d), jet.value, -jet.value };
   }
 
   static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }

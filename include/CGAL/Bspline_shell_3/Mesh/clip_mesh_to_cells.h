@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -258,7 +259,7 @@ public:
       const Point& a = m_points[piece.first + v];
       const Point& b = m_points[piece.first + v + 1];
       const double u[3] = { a[0] - o[0], a[1] - o[1], a[2] - o[2] }, w[3] = { b[0] - o[0], b[1] - o[1], b[2] - o[2] };
-      sum += n[0] * (u[1]*w[2] - u[2]*w[1]) + n[1] * (u[2]*w[0] - u[0]*w[2]) + n[2] * (u[0]*w[1] - u[1]*w[0]);
+      sum += internal::dot(n, internal::cross(u, w));
     }
     return sum / 2;
   }
@@ -303,17 +304,16 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
 {
   const auto triangles = internal::triangles_to_clip(input);
   constexpr std::size_t chunk = 512;
-  std::vector<std::vector<std::uint64_t> > found((triangles.size() + chunk - 1) / chunk);
-  internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  typedef std::vector<std::uint64_t> Keys;
+  const auto find = [&](std::size_t begin, std::size_t end, Keys& found) {
     internal::Polygon_cutter cutter(lattice);
     for(std::size_t n = begin; n < end; ++n)
       cutter.cut(triangles[n], internal::unit_normal(triangles[n]), [&](const Lattice_3::Point& p, const auto&) {
-        found[begin / chunk].push_back(Lattice_key::encode(p[0], p[1], p[2]));
+        found.push_back(Lattice_key::encode(p[0], p[1], p[2]));
       });
-    sort_unique(found[begin / chunk]);
-  });
-  std::vector<std::uint64_t> keys;
-  for(const auto& f : found) keys.insert(keys.end(), f.begin(), f.end());
+    sort_unique(found);
+  };
+  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(triangles.size(), chunk, find);
   sort_unique(keys);
   return keys;
 }

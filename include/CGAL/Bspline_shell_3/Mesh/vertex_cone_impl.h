@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel/global_functions_3.h>
@@ -35,7 +36,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions
   double reach = 0;
   for(const auto& w : wings) {
     const auto n = facet_normal(p, w.first, w.second).direction;       // at any scale
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    const double length = norm(n);
     if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
     reach = (std::max)(reach, (w.first - p).squared_length());
   }
@@ -78,11 +79,11 @@ CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan)
   std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
   for(const auto& w : fan.wings) {
     const auto n = facet_normal(fan.apex, w.first, w.second).direction;
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    const double length = norm(n);
     normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
   }
   const std::array<double, 3> axis = cone_axis(normals);
-  return std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  return norm(axis);
 }
 
 } // namespace internal

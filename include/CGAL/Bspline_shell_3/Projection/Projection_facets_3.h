@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H
 
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Bbox_3.h>
@@ -77,7 +78,7 @@ public:
   double height(Index facet, const Coordinates& p) const
   {
     const Facet& f = m_facets[facet];
-    return dot(f.normal, difference(p, f.vertex[0]));
+    return internal::dot(f.normal, difference(p, f.vertex[0]));
   }
 
   /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it is outside, or
@@ -103,13 +104,6 @@ private:
 
   void visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const;
   static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
-  template <typename FT>
-  static FT dot(const std::array<FT, 3>& u, const std::array<FT, 3>& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
-  template <typename FT>
-  static std::array<FT, 3> cross(const std::array<FT, 3>& u, const std::array<FT, 3>& v)
-  {
-    return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
-  }
   static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r);
   static Coordinates exact_barycentric(const Facet& f, const Coordinates& p);
 

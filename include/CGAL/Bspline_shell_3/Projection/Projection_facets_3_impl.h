@@ -131,6 +131,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<Projection_facets_3::Index> Projection_f
 
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::position(Index facet, const Coordinates& p) const
 {
+  using internal::cross;
+  using internal::dot;
   const Facet& f = m_facets[facet];
   CGAL_precondition(has_area(facet));
   const double squared = dot(f.normal, f.normal);
@@ -186,6 +188,8 @@ Projection_facets_3::visit_facets(const Bbox_3& box, void (*visit)(const void*, 
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
 Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const
 {
+  using internal::cross;
+  using internal::dot;
   Index best = npos;
   double largest_least = -std::numeric_limits<double>::infinity(), nearest = std::numeric_limits<double>::infinity();
   const auto visit = [&](Index n) {
@@ -210,6 +214,8 @@ Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& dire
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates
 Projection_facets_3::normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
 {
+  using internal::cross;
+  using internal::dot;
   const Coordinates u = difference(q, p), v = difference(r, p), n = cross(u, v);
   constexpr double thin = 1e-3;
   if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
@@ -223,6 +229,8 @@ Projection_facets_3::normal(const Coordinates& p, const Coordinates& q, const Co
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates
 Projection_facets_3::exact_barycentric(const Facet& f, const Coordinates& p)
 {
+  using internal::cross;
+  using internal::dot;
   using internal::exact_difference;
   typedef Exact_rational ET;
   const internal::Exact_coordinates n = cross(exact_difference(f.vertex[1], f.vertex[0]), exact_difference(f.vertex[2], f.vertex[0]));

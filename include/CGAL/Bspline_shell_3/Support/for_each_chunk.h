@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -30,6 +31,24 @@ void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
     f(c * chunk, (std::min)(size, (c + 1) * chunk));
     return true;
   });
+}
+
+// The same for functions that find any number of things: f(begin, end, found) appends to `found` what it finds in a chunk. Returns all of it, in the
+// order of the chunks.
+template <typename ConcurrencyTag, typename T, typename Function>
+std::vector<T> collect_from_chunks(std::size_t size, std::size_t chunk, const Function& f)
+{
+  std::vector<std::vector<T> > found((size + chunk - 1) / chunk);
+  for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) { f(begin, end, found[begin / chunk]); });
+  std::size_t total = 0;
+  for(const std::vector<T>& part : found) total += part.size();
+  std::vector<T> all;
+  all.reserve(total);
+  for(std::vector<T>& part : found) {
+    all.insert(all.end(), part.begin(), part.end());
+    std::vector<T>().swap(part);
+  }
+  return all;
 }
 
 } // namespace internal

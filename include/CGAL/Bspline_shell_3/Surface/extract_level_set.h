@@ -92,7 +92,7 @@ public:
     if(leaves && !skip_open) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
     if(soup.m_edges.empty()) return Level_set_status::LEVEL_SET_EMPTY;
     soup.template place_vertices<ConcurrencyTag>(points);
-    soup.template make_triangles<ConcurrencyTag>(triangles);
+    triangles = soup.template make_triangles<ConcurrencyTag>();
     if(leaves) remove_open_components(points, triangles);
     return triangles.empty() ? Level_set_status::LEVEL_SET_LEAVES_CELLS : Level_set_status::SUCCESS;
   }
@@ -204,12 +204,10 @@ private:
   bool find_vertices()
   {
     const std::size_t size = m_candidates.size(), nodes = m_subdivision.number_of_nodes();
-    std::vector<std::vector<Edge> > edges((size + chunk - 1) / chunk);
-    std::vector<char> leaves(edges.size(), 0);
+    std::vector<char> leaves((size + chunk - 1) / chunk, 0);
     m_is_above.resize(size * nodes);
     m_first_edge.assign(size + 1, 0);
-    for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
-      std::vector<Edge>& own = edges[begin / chunk];
+    m_edges = collect_from_chunks<ConcurrencyTag, Edge>(size, chunk, [&](std::size_t begin, std::size_t end, std::vector<Edge>& own) {
       for(std::size_t n = begin; n < end; ++n) {
         const Index c = m_candidates[n];
         const Surroundings surroundings(m_subdivision, c);
@@ -226,11 +224,6 @@ private:
       }
     });
     for(std::size_t n = 0; n < size; ++n) m_first_edge[n + 1] += m_first_edge[n];
-    m_edges.reserve(m_first_edge.back());
-    for(std::vector<Edge>& own : edges) {
-      m_edges.insert(m_edges.end(), own.begin(), own.end());
-      std::vector<Edge>().swap(own);
-    }
     return std::find(leaves.begin(), leaves.end(), 1) != leaves.end();
   }
 
@@ -324,10 +317,9 @@ private:
   }
 
   template <typename ConcurrencyTag>
-  void make_triangles(std::vector<Triangle>& triangles) const
+  std::vector<Triangle> make_triangles() const
   {
-    std::vector<std::vector<Triangle> > parts((m_candidates.size() + chunk - 1) / chunk);
-    for_each_chunk<ConcurrencyTag>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    return collect_from_chunks<ConcurrencyTag, Triangle>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         if(!is_cut(n)) continue;
         const Surroundings surroundings(m_subdivision, m_candidates[n]);
@@ -338,17 +330,10 @@ private:
           return vertices[std::size_t(std::lower_bound(edges.begin(), edges.end(), edge(v, w)) - edges.begin())];
         };
         m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
-          cut_tetrahedron(n, corners, crossing, parts[begin / chunk]);
+          cut_tetrahedron(n, corners, crossing, found);
         });
       }
     });
-    std::size_t size = 0;
-    for(const std::vector<Triangle>& part : parts) size += part.size();
-    triangles.reserve(size);
-    for(std::vector<Triangle>& part : parts) {
-      triangles.insert(triangles.end(), part.begin(), part.end());
-      std::vector<Triangle>().swap(part);
-    }
   }
 
   template <typename Crossing>

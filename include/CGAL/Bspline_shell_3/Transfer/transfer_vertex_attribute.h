@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Transfer/Barycentric_interpolation.h>
 #include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
 #include <CGAL/Bspline_shell_3/Transfer/internal/attribute_samples.h>
@@ -147,7 +148,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   std::vector<double> area(points.size(), 0);
   for(std::size_t c = 0; c < position.size(); ++c) {
     const auto& n = source.normal(typename std::decay_t<decltype(source)>::Index(c / 3));
-    area[position[c]] += std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]) / 6;
+    area[position[c]] += internal::norm(n) / 6;
   }
   const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
   // numbers are summed up as doubles: integers would lose what is behind the point each time

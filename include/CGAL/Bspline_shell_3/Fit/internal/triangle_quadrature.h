@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_INTERNAL_TRIANGLE_QUADRATURE_H
 #define CGAL_BSPLINE_SHELL_3_FIT_INTERNAL_TRIANGLE_QUADRATURE_H
 
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,8 +25,7 @@ inline void for_each_quadrature_point(const std::array<double, 3>& p, const std:
 {
   constexpr double small = 0.25;
   const double u[3] = { q[0] - p[0], q[1] - p[1], q[2] - p[2] }, v[3] = { r[0] - p[0], r[1] - p[1], r[2] - p[2] };
-  const double n[3] = { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
-  const double area = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]) / 2;
+  const double area = norm(cross(u, v)) / 2;
   if(!(area > 0)) return;
   double extent = 0;
   for(int a = 0; a < 3; ++a)

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Bbox_3.h>
@@ -51,8 +52,6 @@ public:
 
 private:
   typedef Integral_curve<Shell, Flow_velocity> Curve;
-
-  static double dot(const Coordinates& u, const Coordinates& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
 
   // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
   // iteration. Fails if that is not during the step; `s` is then a guess of where.
@@ -201,7 +200,7 @@ private:
                  box.xmax() + margin, box.ymax() + margin, box.zmax() + margin);
     m_facets->visit_facets(box, [&](Index facet) {
       const Coordinates& n = m_facets->normal(facet);
-      const double near = m_tolerance * std::sqrt(dot(n, n));
+      const double near = m_tolerance * norm(n);
       if(!(near > 0)) return;       // without an area
       double s0 = first, s1 = last, h0 = m_facets->height(facet, x0), h1 = m_facets->height(facet, x1);
       if(!(near > 0) || ((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near)) return;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -32,7 +33,7 @@ struct Flow_velocity
   void operator()(const State& x, State& dx, double /* s */) const
   {
     const auto g = cell.first_order_jet(x).gradient;
-    const double scale = 1 / (g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
+    const double scale = 1 / dot(g, g);
     for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
   }
 };
@@ -50,13 +51,13 @@ struct Flow_velocity_with_differential
     const auto jet = cell.second_order_jet(x);
     const auto& g = jet.gradient;
     const auto& h = jet.hessian;
-    const double scale = 1 / (g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
+    const double scale = 1 / dot(g, g);
     for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
     for(int j = 3; j < 12; j += 3) {
       const double u[3] = { h[0]*x[j] + h[3]*x[j+1] + h[4]*x[j+2],
                             h[3]*x[j] + h[1]*x[j+1] + h[5]*x[j+2],
                             h[4]*x[j] + h[5]*x[j+1] + h[2]*x[j+2] };
-      const double along = 2 * scale * (g[0]*u[0] + g[1]*u[1] + g[2]*u[2]);
+      const double along = 2 * scale * dot(g, u);
       for(int a = 0; a < 3; ++a) dx[j + a] = scale * (u[a] - along * g[a]);
     }
   }

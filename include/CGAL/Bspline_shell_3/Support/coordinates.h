@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
+#define CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Vectors as three coordinates u[0], u[1], u[2], of doubles or exact numbers: where a kernel's vectors would only be in the way.
+
+template <typename U, typename V>
+auto dot(const U& u, const V& v)
+{
+  typedef std::decay_t<decltype(u[0])> FT;
+  return FT(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
+}
+
+template <typename U, typename V>
+auto cross(const U& u, const V& v)
+{
+  typedef std::decay_t<decltype(u[0])> FT;
+  return std::array<FT, 3>{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
+template <typename Vector>
+double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
