@@ -1,0 +1,97 @@
+// OpenMesh's meshes: shells, maps, edits. CGAL's map of their points rounds to floats what is put into it.
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <iterator>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> Poly_mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+// the same vertices and facets in the same order, with all bits
+Poly_mesh openmesh_of(const Mesh& mesh)
+{
+  Poly_mesh result;
+  std::vector<Poly_mesh::VertexHandle> v;
+  for(auto w : mesh.vertices()) {
+    const Point_3& p = mesh.point(w);
+    v.push_back(result.add_vertex({ p.x(), p.y(), p.z() }));
+  }
+  for(auto f : mesh.faces()) {
+    std::vector<Poly_mesh::VertexHandle> corners;
+    for(auto w : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(v[std::size_t(w)]);
+    result.add_face(corners);
+  }
+  return result;
+}
+
+struct Ball
+{
+  Poly_mesh mesh = openmesh_of(sphere(3));
+  Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.05));
+};
+
+bool is_certified(const Shell& shell, const Poly_mesh& mesh)
+{
+  return BS::Shell_certificate_3<Shell::Field, Shell::Threshold>(shell).verify(mesh);
+}
+
+} // namespace
+
+TEST_CASE("OpenMesh: a certified shell, and the map between two meshes in it")
+{
+  const Ball ball;
+  REQUIRE(ball.shell.is_certified());
+  REQUIRE(ball.shell.facet_ranges().size() == ball.mesh.n_faces());
+  Poly_mesh other = ball.mesh;
+  for(auto v : other.vertices()) other.set_point(v, other.point(v) * 1.001);
+  REQUIRE(is_certified(ball.shell, other));
+  const BS::Shell_map_3 map(ball.shell, ball.mesh, other);
+  bool matched = true;
+  for(auto v : ball.mesh.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    const auto q = other.point(v);
+    matched = matched && CGAL::squared_distance(image.point, Point_3(q[0], q[1], q[2])) < 1e-6;
+  }
+  CHECK(matched);
+}
+
+TEST_CASE("OpenMesh: coordinates count with all their bits")
+{
+  Poly_mesh mesh = openmesh_of(sphere(2));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.05));
+  const Shell same = CGAL::certified_bspline_shell_3(sphere(2), BS::parameters::relative_thickness(0.05));
+  REQUIRE(shell.is_certified());
+  CHECK(shell.report().unit == same.report().unit);
+  CHECK(shell.report().cells == same.report().cells);
+}
+
+TEST_CASE("OpenMesh: simplified and remeshed under proof")
+{
+  Ball ball;
+  // num_faces() counts removed facets until the mesh collects its garbage
+  const auto facets = [&ball] { return std::distance(faces(ball.mesh).begin(), faces(ball.mesh).end()); };
+  const auto before = facets();
+  const auto simplified = BS::simplify_in_shell(ball.mesh, ball.shell);
+  REQUIRE(simplified);
+  CHECK(facets() < before / 2);
+  CHECK(is_certified(ball.shell, ball.mesh));
+
+  const auto remeshed = BS::remesh_in_shell(ball.mesh, 0.3, ball.shell);
+  CHECK(remeshed.status == BS::Edit_status::SUCCESS);
+  CHECK(is_certified(ball.shell, ball.mesh));
+}
