@@ -16,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
