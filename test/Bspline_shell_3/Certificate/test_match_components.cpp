@@ -236,6 +236,11 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   CHECK(match({ beside }).verdict() == Verdict::REFUTED);
   CHECK(match({ beside }).crossings == std::vector<std::optional<int> >{ 0 });
   CHECK(match({ beside, on_vertex, inside }).verdict() == Verdict::PROVED);
+  // a count of one is preferred, in any order
+  for(const auto& paths : { std::vector<BS::Crossing_path>{ inside, beside }, { beside, inside }, { beside, inside, on_edge, beside } }) {
+    CHECK(match(paths).verdict() == Verdict::PROVED);
+    CHECK(match(paths).component_of_shell == std::vector<std::size_t>{ 0 });
+  }
   CHECK(match({}).verdict() == Verdict::UNDECIDED);
   BS::Crossing_path second = inside;
   second.component = 1;
