@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <cfenv>
 #include <cmath>
@@ -692,6 +693,41 @@ TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness 
     for(int a = 0; a < 3; ++a) w[a] = Rational(witness.barycentric[0]) * p[a] + Rational(witness.barycentric[1]) * q[a];
     CHECK(exact_value(field, w) < 0);
   }
+}
+
+TEST_CASE("Predicates: a facet is said to be in flagged cells only if it enters no other, not even by less than rounding")
+{
+  typedef CGAL::Simple_cartesian<Rational> Exact;
+  const Field field = cube_field();
+  const Predicates predicates(field);
+  const BS::Constant_threshold inner(-1), outer(1);
+  CGAL::Random random(91);
+  int entered = 0;
+  for(int n = 0; n < 128; ++n) {
+    // small facets about the origin, where eight cells meet, but for rounding
+    const double size = std::ldexp(1. / 3, -4 - n % 16);
+    const Vector_3 p = size * (random_point(random, 1) - CGAL::ORIGIN), q = size * (random_point(random, 1) - CGAL::ORIGIN), r = -(p + q);
+    const Exact::Point_3 a(p.x(), p.y(), p.z()), b(q.x(), q.y(), q.z()), c(r.x(), r.y(), r.z());
+    const Exact::Vector_3 normal = CGAL::cross_product(b - a, c - a);
+    const Rational offset = normal * (a - CGAL::ORIGIN);
+    if(offset == 0) continue;
+    // the cell with the diagonal that the plane cuts, and where it does
+    const auto sign = [&](int i) { return normal[i] * offset > 0 ? 1 : -1; };
+    const Exact::Vector_3 diagonal(sign(0), sign(1), sign(2));
+    const Exact::Point_3 x = CGAL::ORIGIN + offset / (normal * diagonal) * diagonal;
+    const auto faces = [&](const Exact::Point_3& u, const Exact::Point_3& v) { return normal * CGAL::cross_product(v - u, x - u) > 0; };
+    if(!(faces(a, b) && faces(b, c) && faces(c, a))) continue;
+    ++entered;
+    std::vector<char> flagged(field.number_of_cells(), 1);
+    flagged[field.locate(Point_3(sign(0) / 2., sign(1) / 2., sign(2) / 2.))] = 0;
+    const auto facet = [&](double moved) {
+      const Point_3 o(moved * sign(0), moved * sign(1), moved * sign(2));
+      return Triangle{ o + p, o + q, o + r };
+    };
+    CHECK(predicates.values_within(facet(0), inner, outer, flagged) == Verdict::UNDECIDED);
+    CHECK(predicates.values_within(facet(-2 * size), inner, outer, flagged) == Verdict::PROVED);
+  }
+  CHECK(entered > 60);
 }
 
 TEST_CASE("Thresholds: differences to them and their ranges on cells")

@@ -1,5 +1,6 @@
 // Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are found
 // and named, and nothing is claimed that does not hold.
+#include "exact_spline.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -320,6 +321,59 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
   }
   // at a corner of cells no polynomial is that of a whole neighborhood: it is found, but not proved
   CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Certificate: a critical point that is not in the shell refutes nothing, however near it is")
+{
+  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10 with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond: convex, so that it has no critical
+  // point but its minimum, at x = c. Across the box of the cover that holds it, A'' changes by a factor: Newton's method with the second
+  // derivatives in the middle of the box ends as far from it as is seen in the values.
+  constexpr double c = 0.05 / 128, bend = 1.6e-4, slope = -(bend + c / 2) * c;       // A'(0) = slope
+  Field field = cube_field(4, 1);
+  set(field, [=](double x, double y, double z) {
+    return (1 + bend) / 2 * x*x - std::abs(x) / 2 + slope * x + (std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2)) / 10 - 1. / 15;
+  });
+  const Rational least = exact_value(field, exact(Point_3(c, 0.31, -0.13)));          // at most this
+  const Mesh mesh = sphere(2, 1.5, Point_3(-0.3, 0.31, -0.13));
+  for(int bit = 30; bit < 46; ++bit) {
+    const double inner = CGAL::to_double(least) + std::ldexp(1., -bit);
+    REQUIRE(Rational(inner) > least);
+    const Certificate certificate = certify(field, inner, 1.2, mesh);
+    CAPTURE(bit);
+    REQUIRE(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::REFUTED);
+  }
+  // one that is in it does
+  CHECK(certify(field, CGAL::to_double(least) - 1e-3, 1.2, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
+}
+
+TEST_CASE("Certificate: a critical point in another component of the shell refutes nothing, even where both are in one cover")
+{
+  // two wells along x, with a saddle between them
+  Field field = cube_field(8, 0.5);
+  set(field, [](double x, double y, double z) {
+    return std::pow(x*x - 1, 2) / 4 + 0.03 * x + std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2);
+  });
+  const auto critical_point = [&](double x, double end) {
+    const auto slope = [&](double t) { return field.gradient(Point_3(t, 0.31, -0.13))->x(); };
+    const bool rises = slope(end) > 0;
+    for(int n = 0; n < 60; ++n) (slope((x + end) / 2) > 0) == rises ? end = (x + end) / 2 : x = (x + end) / 2;
+    return Point_3(x, 0.31, -0.13);
+  };
+  const Point_3 left = critical_point(-1.5, -0.7), saddle = critical_point(-0.5, 0.5), right = critical_point(0.7, 1.5);
+  const double at_left = *field.value(left), at_saddle = *field.value(saddle), at_right = *field.value(right);
+  REQUIRE(at_left < at_right - 0.05);
+  REQUIRE(at_right < at_saddle - 0.05);
+  const double inner = (at_left + at_right) / 2;
+  const Mesh mesh = sphere(2, 0.3, left);
+  // A hair above the saddle, both wells are joined. A hair below it they are not, and that on the left has no critical point between
+  // the levels.
+  CHECK(certify(field, inner, at_saddle + 0.01, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
+  const Certificate certificate = certify(field, inner, at_saddle - 1e-7, mesh);
+  CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+  CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
+  // the cover holds both
+  REQUIRE(certificate.cover()->component(right) == 0);
 }
 
 TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
@@ -652,8 +706,27 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
 
 namespace {
 
+// whether a path crosses a mesh once, counted with signs, and that facet which it is said to go through; in no edge, to either side
+bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangle_mesh& mesh)
+{
+  const Point_3 p(path.source[0], path.source[1], path.source[2]), q(path.target[0], path.target[1], path.target[2]);
+  int count = 0;
+  bool crosses_facet = false;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
+    const CGAL::Orientation at_p = CGAL::orientation(a, b, c, p), at_q = CGAL::orientation(a, b, c, q);
+    const CGAL::Orientation ab = CGAL::orientation(p, q, a, b), bc = CGAL::orientation(p, q, b, c), ca = CGAL::orientation(p, q, c, a);
+    if(at_p * at_q > 0 || ab * bc < 0 || bc * ca < 0 || ca * ab < 0) continue;
+    if(at_p * at_q * ab * bc * ca == 0) return false;
+    count += at_q == CGAL::POSITIVE ? 1 : -1;
+    crosses_facet = crosses_facet || std::size_t(f) == path.triangle;
+  }
+  return count == 1 && crosses_facet;
+}
+
 // Whether a path is what the degree is proved by: it begins below the inner threshold, ends above the outer one, and rises above both all the
-// way, so that what is between the thresholds of it lies in one component; it crosses the mesh once, counted with signs, and its facet.
+// way, so that what is between the thresholds of it lies in one component; and it crosses the mesh once.
 template <typename Inner, typename Outer>
 bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inner& inner, const Outer& outer,
                    const BS::Input_mesh_3::Triangle_mesh& mesh)
@@ -673,20 +746,7 @@ bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inne
       last[t] = above[t];
     }
   }
-  if(!(first_below < 0 && last_above > 0)) return false;
-  int count = 0;
-  bool crosses_facet = false;
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
-    const CGAL::Orientation at_p = CGAL::orientation(a, b, c, p), at_q = CGAL::orientation(a, b, c, q);
-    const CGAL::Orientation ab = CGAL::orientation(p, q, a, b), bc = CGAL::orientation(p, q, b, c), ca = CGAL::orientation(p, q, c, a);
-    if(at_p * at_q > 0 || ab * bc < 0 || bc * ca < 0 || ca * ab < 0) continue;
-    if(at_p * at_q * ab * bc * ca == 0) return false;
-    count += at_q == CGAL::POSITIVE ? 1 : -1;
-    crosses_facet = crosses_facet || std::size_t(f) == path.triangle;
-  }
-  return count == 1 && crosses_facet;
+  return first_below < 0 && last_above > 0 && crosses_once(path, mesh);
 }
 
 } // namespace
@@ -721,6 +781,52 @@ TEST_CASE("Certificate: the paths that the degree is proved by begin and end bey
       check(certify(field, 0.5, 1.5, mesh), [](const Point_3&) { return 0.5; }, [](const Point_3&) { return 1.5; });
   }
   CHECK(paths > 20);
+}
+
+TEST_CASE("Certificate: paths go through their facets, also where these are so narrow that rounding moves a path into the next one")
+{
+  constexpr double spacing = 0x1p-20, unit = 0x1p-32;      // a cell, and one in the last place of coordinates
+  const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 }, { 1, 1, 1 });
+  std::vector<std::uint64_t> keys;
+  for(int k = -1; k <= 1; ++k)
+    for(int j = -1; j <= 1; ++j)
+      for(int i = -1; i <= 1; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  Field field(BS::Cell_complex_3(lattice, keys));
+  REQUIRE(field.has_exact_cells());
+  for(const auto& [sides, radius] : std::vector<std::pair<int, int> >{ { 20, 6 }, { 24, 6 }, { 24, 8 }, { 24, 10 }, { 28, 8 }, { 28, 10 } }) {
+    CAPTURE(sides, radius);
+    // a prism about the middle of a cell, and f = (x^2 + y^2) / radius^2 + z^2 / length^2 from there, in units
+    constexpr double length = 500;
+    const double scale[] = { spacing / unit / radius, spacing / unit / radius, spacing / unit / length };
+    set(field, [&](double x, double y, double z) {
+      return std::pow(scale[0] * (x / spacing - 0.5), 2) + std::pow(scale[1] * (y / spacing - 0.5), 2) + std::pow(scale[2] * (z / spacing - 0.5), 2)
+           - (scale[0] * scale[0] + scale[1] * scale[1] + scale[2] * scale[2]) / 3;
+    });
+    Mesh mesh;
+    const double middle = 0x1p20 + spacing / 2;
+    const auto add = [&](double x, double y, double z) {
+      return mesh.add_vertex(Point_3(middle + std::nearbyint(x) * unit, middle + std::nearbyint(y) * unit, middle + z * unit));
+    };
+    std::vector<Mesh::Vertex_index> bottom, top;
+    for(int n = 0; n < sides; ++n) {
+      const double angle = 2 * CGAL_PI * (n + 0.5) / sides;
+      bottom.push_back(add(radius * std::cos(angle), radius * std::sin(angle), -length));
+      top.push_back(add(radius * std::cos(angle), radius * std::sin(angle), length));
+    }
+    const auto south = add(0, 0, -length), north = add(0, 0, length);
+    for(int n = 0; n < sides; ++n) {
+      const int m = (n + 1) % sides;
+      mesh.add_face(bottom[n], bottom[m], top[m]);
+      mesh.add_face(bottom[n], top[m], top[n]);
+      mesh.add_face(top[n], top[m], north);
+      mesh.add_face(bottom[m], bottom[n], south);
+    }
+    const Certificate certificate = certify(field, 0.5, 2.5, mesh);
+    REQUIRE(certificate.paths().size() == 1);
+    std::vector<BS::Crossing_path> all = certificate.report().spare_paths;
+    all.push_back(certificate.paths()[0]);
+    for(const BS::Crossing_path& path : all) CHECK(crosses_once(path, certificate.examined_mesh()));
+  }
 }
 
 TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")
@@ -846,24 +952,31 @@ TEST_CASE("Certificate: witnesses are bounded, and counted")
 TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the field, however small both are")
 {
   typedef BS::Spline_threshold<Field> Varying;
-  for(double s : { 1., 1e-150, 1.8e-163, 1.84e-163, 1.9e-163, 1e-200, 1e-290 }) {
-    CAPTURE(s);
-    // f = s x^2, and a threshold that has its value at x = 4.05 with the slope 8.3 s instead of 8.1 s
+  const auto check = [](int axes, double s) {
+    CAPTURE(axes, s);
+    // f = s u^2 with u = x, x + y, or x + y + z, and a threshold that has its value at u = 4.05 with the slope 8.3 s instead of 8.1 s
+    const auto u = [&](double x, double y, double z) { return x + (axes > 1 ? y : 0) + (axes > 2 ? z : 0); };
     Field field = cube_field(5, 1), inner = field, outer = field;
-    set(field, [=](double x, double, double) { return s * (x*x - 1./3); });
-    set(inner, [=](double, double, double) { return s; });
-    set(outer, [=](double x, double, double) { return s * (16.4025 + 8.3 * (x - 4.05)); });
+    set(field, [&](double x, double y, double z) { return s * (std::pow(u(x, y, z), 2) - axes / 3.); });
+    set(inner, [&](double, double, double) { return s; });
+    set(outer, [&](double x, double y, double z) { return s * (16.4025 + 8.3 * (u(x, y, z) - 4.05)); });
     BS::Shell_cover_3<Field, Varying> cover(field, Varying(inner), Varying(outer));
-    cover.flood<CGAL::Sequential_tag>(Point_3(4.02, 0.5, 0.5), 0);
-    std::size_t boxes = 0;
+    const double inside = 4.02 / axes;
+    cover.flood<CGAL::Sequential_tag>(Point_3(inside, axes > 1 ? inside : 0.5, axes > 2 ? inside : 0.5), 0);
+    std::size_t boxes = 0, undecided = 0;
     for(const BS::Cover_box& box : cover.boxes()) {
       const CGAL::Bbox_3 b = cover.bbox(box);
-      if(box.component != 0 || b.xmin() > 4.05 || b.xmax() < 4.05) continue;
+      if(box.component != 0 || u(b.xmin(), b.ymin(), b.zmin()) > 4.05 || u(b.xmax(), b.ymax(), b.zmax()) < 4.05) continue;
       ++boxes;
-      CHECK(box.kind == BS::Box_kind::UNDECIDED);
+      undecided += box.kind == BS::Box_kind::UNDECIDED;
     }
     CHECK(boxes > 0);
-  }
+    CHECK(undecided == boxes);
+  };
+  for(double s : { 1., 1e-150, 1.8e-163, 1.84e-163, 1.9e-163, 1e-200, 1e-290 }) check(1, s);
+  // of several axes, where each product of slopes is rounded by itself
+  for(int axes : { 2, 3 })
+    for(double s : { 1.8e-163, 3e-163, 1e-162 }) check(axes, s);
 }
 
 TEST_CASE("Cover: the least gradient is not more than what the field has, however small it is")

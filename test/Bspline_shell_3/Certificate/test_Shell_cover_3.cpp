@@ -592,3 +592,36 @@ TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers be
   CHECK(cover.least_gradient<Tag>() > 1e308);
   CHECK(cover.least_gradient<Tag>() <= std::numeric_limits<double>::max());
 }
+
+namespace {
+
+// a field whose Bernstein coefficients are exact
+struct Exact_field : Field
+{
+  explicit Exact_field(const Field& field) : Field(field) {}
+  Cell cell(Cell_index c) const
+  {
+    const Cell rounded = Field::cell(c);
+    return Cell(rounded.corner(), rounded.width(), rounded.coefficients(), 0);
+  }
+};
+
+} // namespace
+
+TEST_CASE("Covers: bounds of the gradient are not above what it is by a rounding, of a field that is known exactly")
+{
+  CGAL::Random random(33);
+  const Field cells = random_cells(random, 3, 1, 1);
+  for(const std::array<int, 3>& g : { std::array<int, 3>{ 0, -1, 0 }, { 1, 0, 1 }, { 3, -5, 7 } }) {
+    CAPTURE(g[0], g[1], g[2]);
+    const Exact_field field(with(cells, [&](double x, double y, double z) { return 6 * (g[0] * x + g[1] * y + g[2] * z); }));
+    BS::Shell_cover_3<Exact_field> cover(field, Constant(-1000), Constant(1000));
+    cover.flood<Tag>(Point_3(0.5, 0.5, 0.5), 0);
+    REQUIRE(cover.number_of_undecided_boxes() == 0);
+    const Rational squared = 36 * (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    for(double bound : cover.least_gradients<Tag>()) {
+      CHECK(Rational(bound) * Rational(bound) <= squared);
+      CHECK(bound * bound > 0.999 * CGAL::to_double(squared));
+    }
+  }
+}

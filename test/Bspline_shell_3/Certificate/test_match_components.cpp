@@ -236,10 +236,34 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   CHECK(match({ beside }).verdict() == Verdict::REFUTED);
   CHECK(match({ beside }).crossings == std::vector<std::optional<int> >{ 0 });
   CHECK(match({ beside, on_vertex, inside }).verdict() == Verdict::PROVED);
+  // a count of one is preferred, in any order
+  for(const auto& paths : { std::vector<BS::Crossing_path>{ inside, beside }, { beside, inside }, { beside, inside, on_edge, beside } }) {
+    CHECK(match(paths).verdict() == Verdict::PROVED);
+    CHECK(match(paths).component_of_shell == std::vector<std::size_t>{ 0 });
+  }
   CHECK(match({}).verdict() == Verdict::UNDECIDED);
   BS::Crossing_path second = inside;
   second.component = 1;
   CHECK(match({ on_edge, second }).verdict() == Verdict::UNDECIDED);
+}
+
+TEST_CASE("Components: a mesh that a path crosses twice, or from the front to the back, does not match")
+{
+  // triangles of which each is a component, across the z-axis
+  const auto match = [](const std::vector<double>& heights, const BS::Crossing_path& path) {
+    return BS::match_components({ path }, heights.size(), heights.size(), [&](std::size_t n) {
+      return std::array<Point_3, 3>{ Point_3(-1, -1, heights[n]), Point_3(2, -1, heights[n]), Point_3(-1, 2, heights[n]) };
+    }, [](std::size_t n) { return n; });
+  };
+  const BS::Crossing_path up = { 0, 0, { 0, 0, -1 }, { 0, 0, 1 } }, down = { 0, 0, { 0, 0, 1 }, { 0, 0, -1 } };
+  CHECK(match({ 0 }, up).verdict() == Verdict::PROVED);
+  CHECK(match({ 0 }, down).crossings == std::vector<std::optional<int> >{ -1 });
+  CHECK(match({ 0 }, down).verdict() == Verdict::REFUTED);
+  CHECK(match({ 0, 0.5 }, up).crossings == std::vector<std::optional<int> >{ 2 });
+  CHECK(match({ 0, 0.5 }, up).component_of_shell == std::vector<std::size_t>{ 0, 0 });
+  CHECK(match({ 0, 0.5 }, up).verdict() == Verdict::REFUTED);
+  CHECK(match({ 0, 2 }, up).component_of_shell == std::vector<std::size_t>{ 0, BS::Component_match::none });
+  CHECK(match({ 0, 2 }, up).verdict() == Verdict::REFUTED);
 }
 
 TEST_CASE("Components: nothing is transferred through a map that is refused")
