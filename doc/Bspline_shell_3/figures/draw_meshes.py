@@ -1,0 +1,243 @@
+#!/usr/bin/python3
+"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, and a texture that is carried over.
+
+Usage: draw_meshes.py DATA PICTURES
+"""
+import sys
+
+import numpy as np
+import vtk
+from matplotlib.lines import Line2D
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from palette import CURVE, FACET, INNER, MESH, OTHER_MESH, OUTER, figure, rgb, save
+from render_shell import half, lines, outline, read
+
+SAMPLES = 3         # per pixel and direction
+CHECKS = (64, 140, 140), (246, 236, 214)        # colors; 16 of them along a unit of the texture
+
+
+def surface(data, color=None, opacity=1.0, ambient=0.45):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    p = actor.GetProperty()
+    if color is not None:
+        mapper.ScalarVisibilityOff()
+        p.SetColor(*rgb(color))
+    p.SetOpacity(opacity)
+    p.SetInterpolationToFlat()
+    p.SetAmbient(ambient)
+    p.SetDiffuse(1.05 - ambient)
+    return actor
+
+
+def edges(data, color=MESH, width=1.0):
+    extract = vtk.vtkExtractEdges()
+    extract.SetInputData(data)
+    extract.Update()
+    return lines(extract.GetOutput(), rgb(color), width)
+
+
+def creases(data):
+    features = vtk.vtkFeatureEdges()
+    features.SetInputData(data)
+    features.SetFeatureAngle(60)
+    features.ColoringOff()
+    features.Update()
+    return lines(features.GetOutput(), rgb(MESH), 2.2)
+
+
+def polydata(points, polygons=None, polylines=None):
+    data = vtk.vtkPolyData()
+    data.SetPoints(vtk.vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
+    for cells, set_cells in ((polygons, data.SetPolys), (polylines, data.SetLines)):
+        if cells is not None:
+            array = vtk.vtkCellArray()
+            for cell in cells:
+                array.InsertNextCell(len(cell), list(map(int, cell)))
+            set_cells(array)
+    return data
+
+
+def tubes(curves, color, radius):
+    ends = np.cumsum([0] + [len(c) for c in curves])
+    tube = vtk.vtkTubeFilter()
+    tube.SetInputData(polydata(np.concatenate(curves), polylines=[range(a, b) for a, b in zip(ends[:-1], ends[1:])]))
+    tube.SetRadius(radius)
+    tube.SetNumberOfSides(12)
+    tube.CappingOn()
+    tube.Update()
+    actor = surface(tube.GetOutput(), color)
+    actor.GetProperty().SetInterpolationToGouraud()
+    return actor
+
+
+def balls(points, color, radius):
+    source = vtk.vtkSphereSource()
+    source.SetThetaResolution(16)
+    source.SetPhiResolution(16)
+    source.SetRadius(radius)
+    glyph = vtk.vtkGlyph3D()
+    glyph.SetInputData(polydata(points))
+    glyph.SetSourceConnection(source.GetOutputPort())
+    glyph.ScalingOff()
+    glyph.Update()
+    actor = surface(glyph.GetOutput(), color)
+    actor.GetProperty().SetInterpolationToGouraud()
+    return actor
+
+
+def render(actors, size, focus, direction, up, height):
+    """A picture of `size` pixels, in parallel projection; `height` is what fits, in the units of the actors."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetAlphaBitPlanes(1)
+    window.SetSize(*(SAMPLES * n for n in size))
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.SetUseDepthPeeling(1)
+    renderer.SetMaximumNumberOfPeels(8)
+    for actor in actors:
+        renderer.AddActor(actor)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(np.array(focus) + 10 * height * np.array(direction) / np.linalg.norm(direction)))
+    camera.SetViewUp(*up)
+    camera.SetParallelScale(height / 2)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    shrink = vtk.vtkImageShrink3D()
+    shrink.SetInputConnection(image.GetOutputPort())
+    shrink.SetShrinkFactors(SAMPLES, SAMPLES, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    data = shrink.GetOutput()
+    width, height, _ = data.GetDimensions()
+    return vtk_to_numpy(data.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
+
+
+def fit(data, size, direction, up):
+    """What `render` needs to show all of a mesh: focus, direction, up and height."""
+    view = np.array(direction) / np.linalg.norm(direction)
+    right = np.cross(up, view)
+    right /= np.linalg.norm(right)
+    axes = np.array([right, np.cross(view, right)])
+    seen = vtk_to_numpy(data.GetPoints().GetData()) @ axes.T
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    width, height = 1.03 * (high - low)
+    return (low + high) / 2 @ axes, direction, up, max(height, width * size[1] / size[0])
+
+
+def plane(origin, normal):
+    p = vtk.vtkPlane()
+    p.SetOrigin(*origin)
+    p.SetNormal(*normal)
+    return p
+
+
+def show(axes, image, title=""):
+    axes.imshow(image)
+    axes.axis("off")
+    axes.set_title(title, pad=4)
+
+
+def spread(curves, distance):
+    """Some of the curves, whose outer ends are so far from each other."""
+    kept = []
+    for c in curves:
+        if all(np.linalg.norm(c[-1] - k[-1]) > distance for k in kept):
+            kept.append(c)
+    return kept
+
+
+def draw_curves(prefix, picture):
+    mesh, simplified, inner, outer = (read(f"{prefix}_{part}.ply") for part in ("mesh", "simplified", "inner", "outer"))
+    with open(f"{prefix}_curves.txt") as rows:
+        curves = [np.array(row.split(), float).reshape(-1, 3) for row in rows]
+    b = mesh.GetBounds()
+    middle = (b[2] + b[3]) / 2
+
+    # layers taken off one by one, along the longest side
+    def part(data, from_, to):
+        return half(half(data, plane((0, 0, from_), (0, 0, 1))), plane((0, 0, to), (0, 0, -1)))
+
+    bottom, first, second, top = -1, -0.15, 0.15, 1
+    layer = part(mesh, first, second)
+    layers = [surface(part(outer, bottom, first), OUTER), surface(layer, FACET), edges(layer), surface(part(inner, second - 0.06, top), INNER),
+              tubes([c[2:] for c in curves if c[0, 2] > first], CURVE, 0.0022)]
+    left_view = render(layers, (570, 930), (0.0, middle, -0.01), (0.25, 1, 0.35), (0, 0, 1), 1.12)
+
+    # a part of the half below the plane
+    cut = plane((0, middle, 0), (0, -1, 0))
+    at_cut = spread([c for c in curves if abs(c[0, 1] - middle) < 1e-6], 0.03)
+    below = [surface(half(inner, cut), INNER), surface(half(outer, cut), OUTER, 0.3), surface(half(mesh, cut), FACET),
+             edges(half(mesh, cut), MESH, 0.5), tubes([c[2:] for c in at_cut], CURVE, 0.0013),
+             balls([c[0] for c in at_cut], MESH, 0.003), balls([c[1] for c in at_cut], OTHER_MESH, 0.003)]
+    below += [outline(data, cut, rgb(color), 2.5) for data, color in ((inner, INNER), (outer, OUTER), (mesh, MESH), (simplified, OTHER_MESH))]
+    right_view = render(below, (750, 930), (-0.07, middle, 0.30), (0.0, 1, 0.15), (0, 0, 1), 0.56)
+    fig, ((left, right),) = figure(1, 2, 680, gridspec_kw={"width_ratios": [570, 750]})
+    show(left, left_view)
+    show(right, right_view)
+    fig.subplots_adjust(0.005, 0.07, 0.995, 0.995, 0.02)
+    names = (INNER, "inner surface"), (MESH, "mesh"), (OTHER_MESH, "simplified mesh"), (OUTER, "outer surface"), (CURVE, "integral curves")
+    fig.legend(handles=[Line2D([], [], color=color, lw=3, label=label) for color, label in names],
+               loc="lower center", ncol=5, frameon=False, handlelength=1.2, columnspacing=1.4)
+    save(fig, picture)
+
+
+def draw_remeshing(prefix, picture):
+    before, after = (read(f"{prefix}_{part}.ply") for part in ("mesh", "remeshed"))
+    size = 650, 700
+    view = fit(before, size, (0.5, 0.6, 1), (0, 1, 0))
+    fig, (axes,) = figure(1, 2, 510)
+    for ax, data, what in zip(axes, (before, after), ("before", "after")):
+        image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.8), creases(data)], size, *view)
+        show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.94, 0.02)
+    save(fig, picture)
+
+
+def checkerboard():
+    squares = (np.indices((16, 16)).sum(axis=0) % 2)[..., None]
+    colors = np.where(squares, CHECKS[0], CHECKS[1]).repeat(16, axis=0).repeat(16, axis=1).astype(np.uint8)
+    image = vtk.vtkImageData()
+    image.SetDimensions(256, 256, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(colors.reshape(-1, 3), deep=True))
+    texture = vtk.vtkTexture()
+    texture.SetInputData(image)
+    texture.RepeatOn()
+    texture.InterpolateOn()
+    return texture
+
+
+def draw_texture(prefix, picture):
+    size = 650, 750
+    fig, (axes,) = figure(1, 2, 545)
+    for ax, what in zip(axes, ("before", "after")):
+        corners = np.loadtxt(f"{prefix}_{what}.txt")
+        data = polydata(corners[:, :3], polygons=np.arange(len(corners)).reshape(-1, 3))
+        data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(corners[:, 3:]), deep=True))
+        actor = surface(data)
+        actor.SetTexture(checkerboard())
+        image = render([actor, edges(data, MESH, 0.6)], size, *fit(data, size, (0.3, 0.15, 1), (0, 1, 0)))
+        show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
+    fig.subplots_adjust(0.005, 0.01, 0.995, 0.94, 0.02)
+    save(fig, picture)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    data, pictures = sys.argv[1:]
+    draw_curves(f"{data}/eight", f"{pictures}/integral_curves.png")
+    draw_remeshing(f"{data}/joint", f"{pictures}/remeshing.png")
+    draw_texture(f"{data}/elephant", f"{pictures}/texture_transfer.png")

@@ -1,0 +1,206 @@
+// Writes what the figures of the manual show; make_figures.sh says which.
+//
+//   figure_data rounds  MESH PREFIX THICKNESS           the shell after each round of refinement
+//   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves between them
+//   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
+//   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
+#include "../../../examples/Bspline_shell_3/example_output.h"
+
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/write_VTU.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef Shell::Point_3 Point;
+typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
+
+void require(bool condition, const char* otherwise)
+{
+  if(!condition) throw std::runtime_error(otherwise);
+}
+
+Shell certified_shell(const Mesh& mesh, double thickness)
+{
+  Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
+  require(shell.is_certified(), shell.message());
+  return shell;
+}
+
+Mesh simplified(Mesh mesh, const Shell& shell, std::size_t facets)
+{
+  const auto result = BS::simplify_in_shell(mesh, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)));
+  require(bool(result), message(result.status));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+// the field and the thresholds, exactly; points where the claim on the gradient fails; and numbers
+void write_state(const std::string& prefix, const Shell& shell, double thickness)
+{
+  for(const auto& [name, field] : { std::pair("field", &shell.field()), std::pair("inner", &shell.inner_threshold().field()),
+                                    std::pair("outer", &shell.outer_threshold().field()) })
+    require(BS::write_VTU(prefix + "_" + name + ".vtu", *field) == BS::Shell_file_status::SUCCESS, "A field cannot be written.");
+  std::ofstream failures(prefix + "_failures.txt"), numbers(prefix + "_numbers.txt");
+  for(const BS::Certificate_witness& w : shell.report().certificate.witnesses)
+    if(w.claim == BS::Claim::GRADIENT) failures << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
+  const BS::Refinement_round& last = shell.report().rounds.back();
+  numbers << last.cells << " " << last.thick_cells << " " << last.undecided_cells << " " << thickness * shell.report().unit << "\n";
+  require(failures.flush() && numbers.flush(), "A round cannot be written.");
+}
+
+// A limit of memory between what two rounds need ends the construction after the first of them. It expects 2000 bytes for a cell and 5000 for a
+// lattice point, of which there are at least as many as unknowns.
+void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  const std::vector<BS::Refinement_round>& rounds = shell.report().rounds;
+  for(std::size_t n = 1; n < rounds.size(); ++n) {
+    const double growth = double(rounds[n].cells) / double(rounds[n-1].cells);
+    const double limit = growth * (2000. * double(rounds[n-1].cells) + 5000. * double(rounds[n-1].unknowns)) - 1;
+    const Shell state = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
+    require(bool(state), state.message());
+    require(state.report().rounds.size() == n, "The limit of memory does not end the construction after this round.");
+    write_state(prefix + "_" + std::to_string(n), state, thickness);
+  }
+  write_state(prefix + "_" + std::to_string(rounds.size()), shell, thickness);
+}
+
+// The part in the shell of the integral curve through a point, in steps by which the field grows, shorter ones at the ends.
+std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p, double step)
+{
+  std::vector<Point> points = { p };
+  for(double direction : { -1., 1. }) {
+    for(double s = step; s > 1e-3 * step; ) {
+      const auto arrival = flow.trace(points.back(), *flow.shell().field().value(points.back()) + direction * s);
+      if(arrival && flow.shell().bounded_side(arrival.point) != CGAL::ON_UNBOUNDED_SIDE) points.push_back(arrival.point);
+      else s /= 2;
+    }
+    if(direction < 0) std::reverse(points.begin(), points.end());
+  }
+  return points;
+}
+
+// Curves through the vertices of the mesh, and through the points where its edges meet the plane through the middle of its box, across its shortest
+// side; and where they meet both meshes.
+void write_curves(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  const Mesh coarse = simplified(mesh, shell, facets);
+  require(write_mesh(prefix + "_simplified.ply", coarse), "A mesh cannot be written.");
+  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0, "No inner surface.");
+  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0, "No outer surface.");
+
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  int axis = 0;
+  for(int a : { 1, 2 })
+    if((box.max)(a) - (box.min)(a) < (box.max)(axis) - (box.min)(axis)) axis = a;
+  const double middle = ((box.min)(axis) + (box.max)(axis)) / 2;
+  const BS::Gradient_flow_3<Shell> flow(shell);
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, coarse);
+  std::ofstream curves(prefix + "_curves.txt");
+  curves.precision(10);
+  const auto write_point = [&](const auto& p) { curves << p[0] << " " << p[1] << " " << p[2] << " "; };
+  // the two points on the meshes, then the curve
+  const auto write_curve = [&](const Kernel::Point_3& p) {
+    const auto image = map.to_target()(p);
+    require(bool(image), message(image.status));
+    write_point(p);
+    write_point(image.point);
+    for(const Point& q : curve(flow, Point(p.x(), p.y(), p.z()), shell.thickness() / 20)) write_point(q);
+    curves << "\n";
+  };
+  for(Mesh::Vertex_index v : mesh.vertices()) write_curve(mesh.point(v));
+  for(Mesh::Edge_index e : mesh.edges()) {
+    const Kernel::Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+    if((p[axis] < middle) != (q[axis] < middle)) write_curve(p + (middle - p[axis]) / (q[axis] - p[axis]) * (q - p));
+  }
+  require(bool(curves.flush()), "Curves cannot be written.");
+}
+
+void remesh(Mesh mesh, const std::string& prefix, double thickness, double edges)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, sharp);
+  const auto report = BS::remesh_in_shell(mesh, shell.report().unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
+  require(bool(report), message(report.status));
+  mesh.collect_garbage();
+  require(write_mesh(prefix + "_remeshed.ply", mesh), "A mesh cannot be written.");
+}
+
+// corners one by one, as they have texture coordinates of their own
+void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinates uv)
+{
+  std::ofstream out(file);
+  out.precision(10);
+  for(Mesh::Face_index f : mesh.faces())
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      out << mesh.point(mesh.target(h)) << " " << uv[h] << "\n";
+  require(bool(out.flush()), "A textured mesh cannot be written.");
+}
+
+// around the vertical axis through the middle of the box, and along it; facets across the seam behind are on one side of it
+void transfer_texture(Mesh mesh, const std::string& prefix, double thickness, std::size_t facets)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  Mesh coarse = simplified(mesh, shell, facets);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto uv_on_coarse = coarse.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  for(Mesh::Face_index f : mesh.faces()) {
+    double first = 0;
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Kernel::Point_3& p = mesh.point(mesh.target(h));
+      double u = std::atan2(p.x() - (box.xmin() + box.xmax()) / 2, p.z() - (box.zmin() + box.zmax()) / 2) / (2 * CGAL_PI);
+      if(h == mesh.halfedge(f)) first = u;
+      u += std::nearbyint(first - u);
+      uv[h] = Kernel::Point_2(u, (p.y() - box.ymin()) / (box.ymax() - box.ymin()));
+    }
+  }
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, coarse);
+  const BS::Transfer_report report = BS::transfer_corner_attribute(map, uv, uv_on_coarse);
+  require(bool(report), "Some facets have no texture coordinates.");
+  write_textured(prefix + "_before.txt", mesh, uv);
+  write_textured(prefix + "_after.txt", coarse, uv_on_coarse);
+}
+
+int main(int argc, char** argv)
+{
+  try {
+    const std::string what = argc > 1 ? argv[1] : "";
+    require(argc == (what == "rounds" ? 5 : 6), "Wrong number of arguments.");
+    const std::string prefix = argv[3];
+    const double thickness = std::atof(argv[4]), number = argc > 5 ? std::atof(argv[5]) : 0;
+    Mesh mesh;
+    BS::Offending_simplices offenders;
+    const BS::Shell_status read = BS::read_polygon_mesh(argv[2], mesh, offenders);
+    require(read == BS::Shell_status::SUCCESS, message(read));
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+    require(write_mesh(prefix + "_mesh.ply", mesh), "A mesh cannot be written.");
+    if(what == "rounds") write_rounds(mesh, prefix, thickness);
+    else if(what == "curves") write_curves(mesh, prefix, thickness, std::size_t(number));
+    else if(what == "remesh") remesh(mesh, prefix, thickness, number);
+    else if(what == "texture") transfer_texture(mesh, prefix, thickness, std::size_t(number));
+    else throw std::runtime_error("There is no figure " + what + ".");
+  } catch(const std::exception& error) {
+    std::cerr << "figure_data: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Remakes the figures of the manual that this folder has scripts for, in doc/Bspline_shell_3/fig (Debian 12):
+#   bash doc/Bspline_shell_3/figures/make_figures.sh
+# Installs what is missing, builds figure_data.cpp, runs it on meshes of the Debian package libcgal-demo, and draws what it writes.
+# The pictures of shells of the elephant are drawn by examples/Bspline_shell_3/render_shell.py.
+set -euo pipefail
+cd "$(dirname "$0")/../../.."
+. cmake/install_packages.sh
+install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth
+
+here=doc/Bspline_shell_3/figures build=build/figures data=build/figures/out fig=doc/Bspline_shell_3/fig
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}"
+cmake --build "$build"
+
+rm -rf "$data"
+mkdir -p "$data"
+run() { echo "figure_data $*"; "$build/figure_data" "$1" "$build/data/meshes/$2.off" "$data/$2" "${@:3}"; }
+run curves eight 0.1 150
+run rounds homer 0.02
+run remesh joint 0.01 20
+run texture elephant 0.02 800
+
+export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
+/usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
+/usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
+xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
