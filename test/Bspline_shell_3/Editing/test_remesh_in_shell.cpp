@@ -4,6 +4,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/bspline_shell_3.h>
@@ -163,12 +164,12 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
 }
 
 template <typename Sizing, typename NamedParameters>
-BS::Remeshing_report remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell, const NamedParameters& np)
+BS::Remeshing_result<Mesh> remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell, const NamedParameters& np)
 {
   return BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, sizing, shell, np);
 }
 template <typename Sizing>
-BS::Remeshing_report remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell)
+BS::Remeshing_result<Mesh> remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell)
 {
   return remesh(mesh, sizing, shell, CGAL::parameters::default_values());
 }
@@ -456,6 +457,74 @@ TEST_CASE("Remeshing: vertices that move return to the mesh as it was, unless th
   CHECK(shares[1] < 0.2);
 }
 
+TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
+{
+  // Needles are collapsed and long edges split, so that elements that were removed are used again.
+  const Mesh start = sliced_sphere(300, 12);
+  Mesh mesh = start;
+  const double target = 0.1;
+  const auto result = remesh(mesh, target, sphere_shell(), P::number_of_iterations(3));
+  check_result(result, sphere_shell(), mesh);
+  REQUIRE(result.collapses > 1000);
+  REQUIRE(result.splits > 1000);
+  REQUIRE(result.images.size() == start.number_of_vertices());
+  std::set<Mesh::Vertex_index> images(result.images.begin(), result.images.end());
+  for(auto v : images) CHECK_FALSE(mesh.is_removed(v));
+  // each collapse takes a vertex away, and those of the result that are no images come from splits
+  CHECK(images.size() + result.collapses >= start.number_of_vertices());
+  CHECK(mesh.number_of_vertices() <= images.size() + result.splits);
+  // What is collapsed was short, so that images are near.
+  double farthest = 0;
+  for(auto v : start.vertices())
+    farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(start.point(v), mesh.point(result.images[v.idx()]))));
+  CHECK(farthest < 3 * target);
+  CHECK(farthest > 0);
+  CHECK(result.locations.empty());
+
+  // without collapses every vertex is its own image
+  mesh = start;
+  const auto flipped = remesh(mesh, target, sphere_shell(), P::number_of_iterations(0));
+  REQUIRE(flipped.images.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) CHECK(flipped.images[v.idx()] == v);
+}
+
+TEST_CASE("Remeshing: constrained vertices are their own images, in a Polyhedron_3 as well")
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  typedef boost::graph_traits<Polyhedron>::vertex_descriptor Vertex;
+  Polyhedron mesh;
+  CGAL::copy_face_graph(sphere(3), mesh);
+  std::vector<Vertex> all(vertices(mesh).begin(), vertices(mesh).end());
+  std::set<Vertex> kept;
+  for(std::size_t n = 0; n < all.size(); n += 50) kept.insert(all[n]);
+  const auto result = BS::remesh_in_shell<CGAL::Sequential_tag>(
+    mesh, 0.3, sphere_shell(), P::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<Vertex> >(kept)));
+  REQUIRE(result);
+  CHECK(result.collapses > 100);
+  REQUIRE(result.images.size() == all.size());
+  for(std::size_t n = 0; n < all.size(); n += 50) CHECK(result.images[n] == all[n]);
+  const std::set<Vertex> images(result.images.begin(), result.images.end());
+  const std::set<Vertex> of_result(vertices(mesh).begin(), vertices(mesh).end());
+  CHECK(std::includes(of_result.begin(), of_result.end(), images.begin(), images.end()));
+}
+
+TEST_CASE("Remeshing: on request vertices are located on the result as the map between both meshes locates them")
+{
+  const Mesh start = sphere(3);
+  Mesh mesh = start;
+  const auto result = remesh(mesh, 0.3, sphere_shell(), P::locate_vertices(true));
+  check_result(result, sphere_shell(), mesh);
+  const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
+  REQUIRE(result.locations.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    CHECK(result.locations[v.idx()] == image.location);
+  }
+  mesh = start;
+  CHECK(remesh(mesh, 0.3, sphere_shell(), P::locate_vertices(false)).locations.empty());
+}
+
 TEST_CASE("Remeshing: one thread and several give the same mesh")
 {
   Mesh mesh = torus(1, 0.4, 40, 20), parallel = mesh;
@@ -559,6 +628,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     CHECK_FALSE(report);
     CHECK(report.facets == before.number_of_faces());
     CHECK(report.facets_before == before.number_of_faces());
+    CHECK(report.images.empty());
     CHECK(is_equal(mesh, before));
     CHECK(std::string(message(report.status)).size() > 20);
     return report;
@@ -614,8 +684,10 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, double> >("e:pair", { 1., 2. });
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, std::size_t> >("e:key", { 3., 4 });
   const Mesh before = mesh;
-  const auto report = remesh(mesh, 0.2, sphere_shell());
+  const auto report = remesh(mesh, 0.2, sphere_shell(), P::locate_vertices(true));
   CHECK(report.status == Status::NOT_CERTIFIED);
+  CHECK(report.images.empty());
+  CHECK(report.locations.empty());
   CHECK(report.splits + report.collapses + report.flips + report.moves > 0);
   CHECK(report.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(report.certificate.verdict(BS::Claim::ONE_SHEET) != BS::Verdict::PROVED);

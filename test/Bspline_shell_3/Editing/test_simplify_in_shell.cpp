@@ -3,6 +3,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -125,6 +126,21 @@ TEST_CASE("Simplification: the result is certified, as coarse as asked for, and 
     images.insert(v);
   }
   CHECK(images.size() == mesh.number_of_vertices());
+}
+
+TEST_CASE("Simplification: on request vertices are located on the result as the map between both meshes locates them")
+{
+  const Mesh start = sphere(3);
+  Mesh mesh = start;
+  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(300)).locate_vertices(true));
+  REQUIRE(result);
+  const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
+  REQUIRE(result.locations.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    CHECK(result.locations[v.idx()] == image.location);
+  }
 }
 
 TEST_CASE("Simplification: without a stop it ends where every collapse is refused; a second time does nothing")

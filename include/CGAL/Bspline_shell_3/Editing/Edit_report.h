@@ -28,10 +28,10 @@ struct Edit_report
   std::size_t facets_before = 0, facets = 0;    ///< of the mesh
   Placement_statistics placements;              ///< all that were tried, by verdict
   Certificate_report certificate;               ///< of the result
-  /// times of the first check, the edit, and the certificate
-  double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0;
+  /// times of the first check, the edit, the certificate, and the location of vertices
+  double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;
 
-  double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds; }
+  double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds + location_seconds; }
   explicit operator bool() const { return status == Edit_status::SUCCESS; }
 };
 

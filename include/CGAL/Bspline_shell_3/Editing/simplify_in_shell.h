@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
@@ -68,21 +69,12 @@ struct Never_stop_predicate
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a report, and where the vertices went.
+ * \brief how the simplification of a mesh went, and where its vertices went.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
 template <typename TriangleMesh>
-struct Simplification_result : Simplification_report
-{
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-
-  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was collapsed; empty
-  /// without success
-  std::vector<vertex_descriptor> images;
-
-  explicit operator bool() const { return this->status == Edit_status::SUCCESS; }
-};
+using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
 
 namespace internal {
 
@@ -282,10 +274,12 @@ struct Accepted_filter
  *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
  *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
  *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
+ *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
  * \cgalHeading{Cost} a collapse costs the proofs for the facets at one vertex, and these a bound for each cell that they pass through,
- * where the field is curved. The certificate costs what it costs for any mesh in the shell.
+ * where the field is curved. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the result's facets, and
+ * some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
           typename TriangleMesh, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -321,7 +315,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  const Status edited = internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, result, [&](const auto& oracle) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
@@ -368,9 +362,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     result.placements = filter.statistics();
     for(auto v : all) result.images.push_back(history.history().image(v));
     return Status::SUCCESS;
-  });
-  if(edited != Status::SUCCESS) result.images.clear();
-  return ended(edited);
+  }));
 }
 
 } // namespace Bspline_shells

@@ -10,7 +10,9 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
+#include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -116,11 +118,21 @@ void restore(const TriangleMesh& before, const std::vector<Point>& points, Trian
   }
 }
 
-// Checks the mesh, edits it, and certifies the result; what is not certified is undone. `edit(oracle)` returns why it is to be undone, or
-// success; properties that it attaches to the mesh must be gone when it returns. \pre `check_before_edits()` accepts the mesh
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold, typename Edit>
-Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell, Edit_report& report,
-                             const Edit& edit)
+// where the integral curves through points meet a mesh
+template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh, typename VertexPointMap>
+void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm, Result& result)
+{
+  for(const auto& image : project_points<ConcurrencyTag>(shell, points, mesh, CGAL::parameters::vertex_point_map(vpm)))
+    result.locations.push_back(image.location);
+}
+
+// Checks the mesh, edits it, and certifies the result; what is not certified is undone. `edit(oracle)` writes images and counts to the result, and
+// returns why it is to be undone, or success; properties that it attaches to the mesh must be gone when it returns.
+// \pre `check_before_edits()` accepts the mesh
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold, typename NamedParameters,
+          typename Result, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell, const NamedParameters& np,
+                             Result& result, const Edit& edit)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   Real_timer timer;
@@ -131,8 +143,8 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
   };
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
-  const bool accepted = is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
-  lap(report.check_seconds);
+  const bool accepted = is_accepted<ConcurrencyTag>(mesh, vpm, oracle, result.offending_simplices);
+  lap(result.check_seconds);
   if(!accepted) return Edit_status::NOT_IN_SHELL;
 
   const TriangleMesh before(mesh);
@@ -140,19 +152,27 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
   for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
   const auto undone = [&](Edit_status status) {
     restore(before, points, mesh, vpm);
-    report.facets = report.facets_before;
+    result.facets = result.facets_before;
+    result.images.clear();
     return status;
   };
   const Edit_status edited = edit(oracle);
-  report.facets = faces(mesh).size();
-  lap(report.edit_seconds);
+  result.facets = faces(mesh).size();
+  lap(result.edit_seconds);
   if(edited != Edit_status::SUCCESS) return undone(edited);
 
   Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
-  report.certificate = certificate.report();
-  lap(report.certificate_seconds);
-  return certified ? Edit_status::SUCCESS : undone(Edit_status::NOT_CERTIFIED);
+  result.certificate = certificate.report();
+  lap(result.certificate_seconds);
+  if(!certified) return undone(Edit_status::NOT_CERTIFIED);
+  // not compiled for those who do not ask
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
+    if(CGAL::parameters::get_parameter(np, parameter_tags::locate_vertices)) {
+      locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
+      lap(result.location_seconds);
+    }
+  return Edit_status::SUCCESS;
 }
 
 } // namespace internal
