@@ -2,6 +2,7 @@
 // cannot be done leaves the mesh as it was, and what the caller constrains stays.
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>       // first: it must bring what it needs
 
+#include "frozen_facets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -69,30 +70,6 @@ const Shell& box_shell()
 {
   static const Shell shell = widened(CGAL::bspline_shell_3(box({ 0, 0, 0 }, { 1, 1, 1 }), P::resolution(16)), 0.01);
   return shell;
-}
-
-// a sphere of slices: its triangles get the thinner, the nearer the poles
-Mesh sliced_sphere(int slices, int rings)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
-  std::vector<Mesh::Vertex_index> v;
-  for(int i = 1; i < rings; ++i)
-    for(int j = 0; j < slices; ++j) {
-      const double a = pi * i / rings, b = 2 * pi * j / slices;
-      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a))));
-    }
-  const auto at = [&](int i, int j) { return v[(i - 1) * slices + j % slices]; };
-  for(int j = 0; j < slices; ++j) {
-    mesh.add_face(north, at(1, j), at(1, j + 1));
-    mesh.add_face(south, at(rings - 1, j + 1), at(rings - 1, j));
-    for(int i = 1; i + 1 < rings; ++i) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  return mesh;
 }
 
 double length(const Mesh& mesh, Mesh::Edge_index e)
@@ -665,6 +642,79 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
   CHECK(reversed.offending_simplices.facets.size() == mesh.number_of_faces());
 }
 
+TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, and the others remeshed")
+{
+  Mesh start = sphere(3);
+  const Vector_3 out = start.point(Mesh::Vertex_index(7)) - CGAL::ORIGIN;
+  start.point(Mesh::Vertex_index(7)) = CGAL::ORIGIN;
+  for(double target : { 0.1, 0.4 }) {
+    Mesh mesh = start;
+    CHECK(remesh(mesh, target, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
+    REQUIRE(is_equal(mesh, start));
+    const auto result = remesh(mesh, target, sphere_shell(), P::freeze_rejected_facets(true));
+    check_frozen_result(result, sphere_shell(), start, mesh);
+    // the star of the vertex, and nothing else
+    CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
+    CHECK(result.frozen_facets_before == result.offending_simplices.facets);
+    CHECK(result.offending_simplices.vertices.empty());
+    CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED);
+    // vertices of frozen facets are their own images
+    CHECK(result.images[7] == Mesh::Vertex_index(7));
+    for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+    if(target == 0.1) CHECK(result.facets > 2 * start.number_of_faces());
+    else CHECK(2 * result.facets < start.number_of_faces());
+    CHECK(result.moves > 0);
+    // far from them, edges are as long as asked for
+    std::size_t far = 0, good = 0;
+    for(auto e : mesh.edges()) {
+      const Point_3 middle = CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+      if((middle - CGAL::ORIGIN) * out > 0) continue;
+      ++far;
+      good += 0.8 * target <= length(mesh, e) && length(mesh, e) <= 4. / 3 * target;
+    }
+    CHECK(double(good) > 0.9 * double(far));
+  }
+}
+
+TEST_CASE("Remeshing: on request facets at a vertex are frozen that are all in the shell, but wind twice")
+{
+  const int slices = 25;
+  const Mesh start = sliced_sphere(slices, 12, 2);
+  Mesh mesh = start;
+  const auto refused = remesh(mesh, 0.2, sphere_shell());
+  CHECK(refused.status == Status::NOT_IN_SHELL);
+  CHECK(refused.offending_simplices.facets.empty());
+  CHECK(refused.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(refused.frozen_facets_before.empty());
+  CHECK(is_equal(mesh, start));
+  const auto result = remesh(mesh, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(result.frozen_facets.size() == std::size_t(2 * slices));
+  CHECK(result.splits + result.collapses > 100);
+  // each facet is good, and what they do together is not
+  CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(result.certificate.verdict(BS::Claim::TRANSVERSALITY) == BS::Verdict::PROVED);
+  CHECK(result.certificate.verdict(BS::Claim::DEGREE_ONE) != BS::Verdict::PROVED);
+}
+
+TEST_CASE("Remeshing: that facets may be frozen changes nothing where none is rejected, or all are")
+{
+  Mesh mesh = sphere(2), other = mesh;
+  REQUIRE(remesh(mesh, 0.2, sphere_shell()));
+  const auto result = remesh(other, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  check_result(result, sphere_shell(), other);
+  CHECK(result.frozen_facets.empty());
+  CHECK(is_equal(mesh, other));
+  Mesh reversed = sphere(2);
+  PMP::reverse_face_orientations(reversed);
+  mesh = reversed;
+  const auto refused = remesh(mesh, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  CHECK(refused.status == Status::NOT_IN_SHELL);
+  CHECK(refused.offending_simplices.facets.size() == mesh.number_of_faces());
+  CHECK(is_equal(mesh, reversed));
+}
+
 TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all that the caller attached to it")
 {
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
@@ -703,7 +753,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   auto numbered = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   for(auto e : mesh.edges()) constraints.edges[e] = e.idx() % 10 == 0;
   for(auto v : mesh.vertices()) put(numbered, v, v.idx());
-  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false)).status == Status::NOT_CERTIFIED);
+  // No facet is rejected, and so none can be frozen.
+  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false).freeze_rejected_facets(true)).status == Status::NOT_CERTIFIED);
   CHECK(is_equal(mesh, before));
   CHECK(mesh.is_valid());
   CHECK(mesh.number_of_removed_vertices() == before.number_of_removed_vertices());

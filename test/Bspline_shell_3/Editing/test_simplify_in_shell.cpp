@@ -1,5 +1,6 @@
 // simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller asks for
 // is honoured.
+#include "frozen_facets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -241,6 +242,63 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
   CHECK(result.facets == facets);
   CHECK(result.images.size() == facets / 2 + 3);
   CHECK(is_certified(sphere_shell(), mesh));
+}
+
+TEST_CASE("Simplification: on request facets that are not in the shell are frozen, and the others simplified")
+{
+  Mesh start = sphere(3);
+  start.point(Mesh::Vertex_index(7)) = CGAL::ORIGIN;
+  Mesh mesh = start;
+  CHECK(simplify(mesh, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
+  REQUIRE(is_equal(mesh, start));
+  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(200)));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.facets == 200);
+  CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
+  CHECK(result.frozen_facets_before == result.offending_simplices.facets);
+  CHECK(result.images[7] == Mesh::Vertex_index(7));
+  for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+  // a fan that winds twice, at each pole
+  const Mesh folded = sliced_sphere(25, 12, 2);
+  mesh = folded;
+  const auto of_folded = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true));
+  check_frozen_result(of_folded, sphere_shell(), folded, mesh);
+  CHECK(of_folded.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(of_folded.frozen_facets.size() == 50);
+  CHECK(2 * of_folded.facets < of_folded.facets_before);
+  // nothing to freeze
+  Mesh one = sphere(2), other = one;
+  REQUIRE(simplify(one, sphere_shell(), CGAL::parameters::default_values()));
+  const auto certified = simplify(other, sphere_shell(), P::freeze_rejected_facets(true));
+  CHECK(certified);
+  CHECK(certified.frozen_facets.empty());
+  CHECK(is_equal(one, other));
+}
+
+TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and are frozen at them")
+{
+  // a vertex and one at the same place, with two facets that have no area between them
+  const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
+    const auto h = mesh.halfedge(v);
+    const Point_3 p = mesh.point(v);
+    const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+    mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
+    PMP::triangulate_faces(mesh);
+  };
+  Mesh start = sphere(2);
+  const Mesh::Vertex_index out(0), far(1);
+  const std::size_t ring = start.degree(out);
+  const Mesh::Vertex_index near = *CGAL::vertices_around_target(start.halfedge(out), start).begin();
+  add_zero_edge(start, near);
+  add_zero_edge(start, far);
+  start.point(out) = CGAL::ORIGIN;
+  REQUIRE(start.number_of_faces() == 324);
+  Mesh mesh = start;
+  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(322)));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.facets == 322);
+  CHECK(result.offending_simplices.facets.size() >= ring);
+  CHECK(result.frozen_facets.size() > result.offending_simplices.facets.size());
 }
 
 TEST_CASE("Simplification: what cannot be simplified is refused with a reason, and stays as it is")

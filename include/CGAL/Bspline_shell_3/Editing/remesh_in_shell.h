@@ -74,6 +74,10 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *     split, their halves being constrained, and collapsed along themselves where two of them meet.
  *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
  *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split or
+ *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
@@ -141,7 +145,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     typedef Shell_projection_3<Shell, TriangleMesh> Projection;
     const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
@@ -151,7 +155,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     };
     internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
                              std::remove_cv_t<decltype(vertex_is_constrained)> >
-      remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, result);
+      remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, result);
     for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
       remesher.flip_to_larger_angles();
       remesher.split_long_edges();

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
@@ -157,15 +158,32 @@ struct Continued_cost
   void update_after_collapse(const Profile& profile, const Vertex& v) const { cost->update_after_collapse(profile, v); }
 };
 
+// Edges that CGAL does not even consider: those that are constrained, and those of frozen facets.
+template <typename TriangleMesh, typename EdgeIsConstrainedMap>
+struct Kept_edges_map
+{
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
+  typedef bool value_type;
+  typedef bool reference;
+  typedef boost::readable_property_map_tag category;
+
+  EdgeIsConstrainedMap constrained;
+  const Frozen_facets<TriangleMesh>* frozen;
+
+  friend bool get(const Kept_edges_map& map, const key_type& e) { return map.frozen->has_edge(e) || get(map.constrained, e); }
+};
+
 // For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
-// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are.
-template <typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
+// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are, and edges with a
+// frozen vertex are not accepted anywhere.
+template <typename TriangleMesh, typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
 class Retrying_placement
 {
 public:
   Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
-                     const EdgeIsConstrainedMap& constrained, Collapse_state& state)
-    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained), m_state(&state)
+                     const EdgeIsConstrainedMap& constrained, const Frozen_facets<TriangleMesh>& frozen, Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained)
+    , m_frozen(&frozen), m_state(&state)
   {}
 
   template <typename Profile>
@@ -182,8 +200,9 @@ public:
     if(!m_state->is_waiting) return placement;
     m_state->is_waiting = false;
 
-    m_state->is_accepted = bool(placement) && bool((*m_filter)(profile, placement));
-    if(m_state->is_accepted || fixed_0 || fixed_1) return placement;
+    const bool is_frozen = m_frozen->has_vertex(profile.v0()) || m_frozen->has_vertex(profile.v1());
+    m_state->is_accepted = !is_frozen && bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || is_frozen || fixed_0 || fixed_1) return placement;
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     std::vector<std::pair<double, Point> > others;
     const auto add = [&](const Point& p) {
@@ -224,6 +243,7 @@ private:
   const Filter* m_filter;
   const Oracle* m_oracle;
   EdgeIsConstrainedMap m_constrained;
+  const Frozen_facets<TriangleMesh>* m_frozen;
   Collapse_state* m_state;
 };
 
@@ -274,6 +294,10 @@ struct Accepted_filter
  *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
  *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
  *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are not
+ *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
@@ -315,7 +339,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
@@ -332,15 +356,19 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
       typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
       typedef std::remove_cv_t<decltype(stop)> Stop;
       typedef std::remove_cv_t<decltype(constrained)> Constrained;
-      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
-        retrying(cost, placement, filter, oracle, constrained, state);
+      const internal::Retrying_placement<TriangleMesh, Cost, Placement, Filter, Oracle, Constrained>
+        retrying(cost, placement, filter, oracle, constrained, frozen, state);
+      const auto kept = [&] {
+        if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value) return constrained;
+        else return internal::Kept_edges_map<TriangleMesh, Constrained>{ constrained, &frozen };
+      }();
       static_cast<History&>(history).OnStarted(mesh);
       // Places that cost more than what is due wait for a later run.
       for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
         state.allowance = allowance;
         state.has_deferred = false;
         SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
-                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
+                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(kept)
                                             .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
                                             .filter(internal::Accepted_filter{ &state }).visitor(history));
         if(state.has_stopped || !state.has_deferred) break;

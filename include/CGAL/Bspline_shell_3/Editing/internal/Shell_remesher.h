@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -57,9 +58,9 @@ class Shell_remesher
 
 public:
   Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
-                 EdgeIsConstrainedMap edge_is_constrained, VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
-                 Remeshing_report& report)
-    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_edge_is_constrained(edge_is_constrained)
+                 const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
+                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints, Remeshing_report& report)
+    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen), m_edge_is_constrained(edge_is_constrained)
     , m_vertex_is_constrained(vertex_is_constrained), m_protect_constraints(protect_constraints), m_report(report)
     , m_key(get(dynamic_edge_property_t<Key>(), mesh)), m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
@@ -90,7 +91,7 @@ public:
     Queue queue;
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
-      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      if(m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
       if(length > longest) insert(queue, -length, h);
     };
@@ -109,7 +110,7 @@ public:
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
       remove(queue, e);
-      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      if(m_frozen.has_end_of(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
       if(length < shortest) insert(queue, length, h);
     };
@@ -230,7 +231,10 @@ private:
         if(get(m_edge_is_constrained, edge(h, m_mesh))) ++number;
     return number;
   }
-  bool is_fixed(vertex_descriptor v) const { return get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0; }
+  bool is_fixed(vertex_descriptor v) const
+  {
+    return m_frozen.has_vertex(v) || get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0;
+  }
   // whether constrained edges pass through it, so that it may vanish with one of them
   bool is_passed(vertex_descriptor v) const
   {
@@ -416,7 +420,7 @@ private:
   // if the facets get better than `least`
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
-    if(get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
+    if(m_frozen.has_edge(edge(h, m_mesh)) || get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
        || halfedge(q.c, q.d, m_mesh).second)
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
@@ -462,6 +466,7 @@ private:
   VertexPointMap m_vpm;
   const Oracle& m_oracle;
   const Sizing& m_sizing;
+  const Frozen_facets<TriangleMesh>& m_frozen;
   EdgeIsConstrainedMap m_edge_is_constrained;
   VertexIsConstrainedMap m_vertex_is_constrained;
   bool m_protect_constraints;
