@@ -336,6 +336,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
       for(int end : { 0, 1 }) CHECK(is_at_edge(mesh.point(mesh.vertex(e, end))));
       CHECK(is_at_edge(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
     }
+    CHECK(report.constrained_edges == flagged);
     // twelve edges, all covered, none twice; coordinates are multiples of a power of two
     CHECK(sum == 12);
     // quarters of the sides; then halves, or a quarter, a half and a quarter

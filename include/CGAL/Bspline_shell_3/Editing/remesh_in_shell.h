@@ -73,7 +73,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay where they are. They are
  *     split, their halves being constrained, and collapsed along themselves where two of them meet.
  *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
- *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`
+ *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike that of `simplify_in_shell()`
  *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
  *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split or
  *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
@@ -167,6 +167,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     }
     remesher.flip_to_larger_angles();
     result.images = remesher.images();
+    if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
+      for(auto e : edges(mesh)) result.constrained_edges += get(edge_is_constrained, e) ? 1 : 0;
     return is_sizing_valid ? Status::SUCCESS : Status::INVALID_PARAMETER;
   }));
 }

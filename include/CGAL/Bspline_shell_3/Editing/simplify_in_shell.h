@@ -10,7 +10,7 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Collapse_rules.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
@@ -94,13 +94,13 @@ struct Collapse_state
   std::size_t collapsed = 0, retried = 0;
 };
 
-// Several runs look like one, and the selected edge is marked after all others have been told.
-template <typename TriangleMesh, typename Visitor>
+// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the edges before anyone is told.
+template <typename TriangleMesh, typename Visitor, typename Rules>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
-  Selecting_visitor(Visitor& visitor, Collapse_state& state) : Base(visitor), m_state(&state) {}
+  Selecting_visitor(Visitor& visitor, Rules& rules, Collapse_state& state) : Base(visitor), m_rules(&rules), m_state(&state) {}
 
   void OnStarted(TriangleMesh&) {}
   void OnFinished(TriangleMesh&) {}
@@ -117,9 +117,17 @@ public:
     Base::OnCollapsing(profile, placement);
     m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
     ++m_state->collapsed;
+    m_rules->before_collapse(profile);
+  }
+  template <typename Profile, typename Vertex>
+  void OnCollapsed(const Profile& profile, const Vertex& v)
+  {
+    m_rules->after_collapse(profile, v);
+    Base::OnCollapsed(profile, v);
   }
 
 private:
+  Rules* m_rules;
   Collapse_state* m_state;
 };
 
@@ -158,32 +166,16 @@ struct Continued_cost
   void update_after_collapse(const Profile& profile, const Vertex& v) const { cost->update_after_collapse(profile, v); }
 };
 
-// Edges that CGAL does not even consider: those that are constrained, and those of frozen facets.
-template <typename TriangleMesh, typename EdgeIsConstrainedMap>
-struct Kept_edges_map
-{
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor key_type;
-  typedef bool value_type;
-  typedef bool reference;
-  typedef boost::readable_property_map_tag category;
-
-  EdgeIsConstrainedMap constrained;
-  const Frozen_facets<TriangleMesh>* frozen;
-
-  friend bool get(const Kept_edges_map& map, const key_type& e) { return map.frozen->has_edge(e) || get(map.constrained, e); }
-};
-
 // For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
-// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are, and edges with a
-// frozen vertex are not accepted anywhere.
-template <typename TriangleMesh, typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
+// passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow only some places, they take that of the
+// policy's; where they allow none, nothing is accepted.
+template <typename Cost, typename Placement, typename Filter, typename Oracle, typename Rules>
 class Retrying_placement
 {
 public:
-  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
-                     const EdgeIsConstrainedMap& constrained, const Frozen_facets<TriangleMesh>& frozen, Collapse_state& state)
-    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained)
-    , m_frozen(&frozen), m_state(&state)
+  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle, const Rules& rules,
+                     Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_rules(&rules), m_state(&state)
   {}
 
   template <typename Profile>
@@ -192,17 +184,17 @@ public:
     typedef typename Profile::Point Point;
     typedef Optional<Point> Place;
 
-    const bool fixed_0 = has_constrained_edge(profile, profile.v0()), fixed_1 = has_constrained_edge(profile, profile.v1());
+    const auto allowed = m_rules->allowed_places(profile);
     Place placement;
-    if(fixed_0) placement = profile.p0();
-    else if(fixed_1) placement = profile.p1();
-    else placement = (*m_placement)(profile);
+    if(allowed.are_all) placement = (*m_placement)(profile);
+    else if(!allowed.places.empty()) placement = cheapest(profile, allowed.places);
+    else placement = profile.p0();
     if(!m_state->is_waiting) return placement;
     m_state->is_waiting = false;
 
-    const bool is_frozen = m_frozen->has_vertex(profile.v0()) || m_frozen->has_vertex(profile.v1());
-    m_state->is_accepted = !is_frozen && bool(placement) && bool((*m_filter)(profile, placement));
-    if(m_state->is_accepted || is_frozen || fixed_0 || fixed_1) return placement;
+    const bool is_allowed = allowed.are_all || !allowed.places.empty();
+    m_state->is_accepted = is_allowed && bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || !is_allowed) return placement;
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     std::vector<std::pair<double, Point> > others;
     const auto add = [&](const Point& p) {
@@ -211,11 +203,16 @@ public:
       if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
       else m_state->has_deferred = true;
     };
-    const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
-    for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
-    for(const Place& from : { placement, Place(middle) })
-      if(from)
-        if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+    if(allowed.are_all) {
+      const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
+      for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
+      for(const Place& from : { placement, Place(middle) })
+        if(from)
+          if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+    } else {
+      for(const Point& p : allowed.places)
+        if(p != *placement) add(p);
+    }
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& other : others)
       if((*m_filter)(profile, Place(other.second))) {
@@ -228,22 +225,26 @@ public:
   }
 
 private:
-  template <typename Profile>
-  bool has_constrained_edge(const Profile& profile, typename Profile::vertex_descriptor v) const
+  template <typename Profile, typename Point>
+  Optional<Point> cheapest(const Profile& profile, const std::vector<Point>& places) const
   {
-    typedef typename Profile::Triangle_mesh Triangle_mesh;
-    if constexpr(!std::is_same<EdgeIsConstrainedMap, Surface_mesh_simplification::No_constrained_edge_map<Triangle_mesh> >::value)
-      for(auto h : CGAL::halfedges_around_target(v, profile.surface_mesh()))
-        if(get(m_constrained, edge(h, profile.surface_mesh()))) return true;
-    return false;
+    Optional<Point> best;
+    double least = 0;
+    for(const Point& p : places) {
+      const auto cost = (*m_cost)(profile, Optional<Point>(p));
+      const double value = cost ? CGAL::to_double(*cost) : std::numeric_limits<double>::infinity();
+      if(best && !(value < least)) continue;
+      best = p;
+      least = value;
+    }
+    return best;
   }
 
   const Cost* m_cost;
   const Placement* m_placement;
   const Filter* m_filter;
   const Oracle* m_oracle;
-  EdgeIsConstrainedMap m_constrained;
-  const Frozen_facets<TriangleMesh>* m_frozen;
+  const Rules* m_rules;
   Collapse_state* m_state;
 };
 
@@ -293,7 +294,13 @@ struct Accepted_filter
  *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected edge, the calls are
  *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
  *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
- *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
+ *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they are
+ *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed along themselves, as
+ *     `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish in favor of one of its neighbors on them, while ends, and
+ *     vertices where more of them meet, stay where they are. What is left of a polyline connects vertices that it had, and how many edges that are,
+ *     `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds how far
+ *     a polyline gets from the mesh, but not how far it moves along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero
+ *     beside it stays as long as this one does.
  *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
  *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are not
  *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
@@ -324,9 +331,15 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   typedef Edit_status Status;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
-  const auto constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
+  typedef std::decay_t<decltype(choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
+    get_parameter(np, internal_np::edge_is_constrained)))> Constrained;
+  const Constrained constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
     get_parameter(np, internal_np::edge_is_constrained));
   const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
+  constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
+  constexpr bool may_merge = has_constraints && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value;
+  constexpr bool may_freeze = !is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value;
+  typedef internal::Collapse_rules<TriangleMesh, Vertex_point_map, Constrained, may_merge> Rules;
 
   Simplification_result<TriangleMesh> result;
   const auto ended = [&](Status status) {
@@ -347,21 +360,23 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
     const Filter filter(oracle, std::cref(base_filter));
 
+    Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true), frozen);
+    const auto kept = [&] {
+      if constexpr(may_merge || may_freeze)
+        return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
+      else return constrained;
+    }();
+
     internal::Collapse_state state;
     state.initial_edges = edges(mesh).size();
-    typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > History;
-    internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > history(visitor, state);
+    typedef std::remove_reference_t<decltype(visitor)> Visitor;
+    typedef Collapse_visitor<TriangleMesh, Visitor> History;
+    internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, rules, state);
     const auto collapse = [&](const auto& cost, const auto& placement) {
       typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
       typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
       typedef std::remove_cv_t<decltype(stop)> Stop;
-      typedef std::remove_cv_t<decltype(constrained)> Constrained;
-      const internal::Retrying_placement<TriangleMesh, Cost, Placement, Filter, Oracle, Constrained>
-        retrying(cost, placement, filter, oracle, constrained, frozen, state);
-      const auto kept = [&] {
-        if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value) return constrained;
-        else return internal::Kept_edges_map<TriangleMesh, Constrained>{ constrained, &frozen };
-      }();
+      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Rules> retrying(cost, placement, filter, oracle, rules, state);
       static_cast<History&>(history).OnStarted(mesh);
       // Places that cost more than what is due wait for a later run.
       for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
@@ -388,6 +403,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     result.collapsed = history.history().collapsed;
     result.retried = state.retried;
     result.placements = filter.statistics();
+    if constexpr(has_constraints)
+      for(auto e : edges(mesh)) result.constrained_edges += get(constrained, e) ? 1 : 0;
     for(auto v : all) result.images.push_back(history.history().image(v));
     return Status::SUCCESS;
   }));

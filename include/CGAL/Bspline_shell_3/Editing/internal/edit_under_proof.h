@@ -241,6 +241,7 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
   const auto undone = [&](Edit_status status) {
     restore(before, points, mesh, vpm);
     result.facets = result.facets_before;
+    result.constrained_edges = 0;
     result.images.clear();
     result.frozen_facets.clear();
     return status;
