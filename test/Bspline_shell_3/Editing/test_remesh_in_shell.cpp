@@ -198,7 +198,31 @@ struct Computed_points
   }
 };
 
+// flags of edges in an array of the user's, which grows with the mesh
+struct Flags_outside
+{
+  typedef Mesh::Edge_index key_type;
+  typedef bool value_type;
+  typedef bool reference;
+  typedef boost::read_write_property_map_tag category;
+
+  std::shared_ptr<std::vector<char> > flags = std::make_shared<std::vector<char> >();
+
+  friend bool get(const Flags_outside& map, Mesh::Edge_index e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()] != 0; }
+  friend void put(const Flags_outside& map, Mesh::Edge_index e, bool value)
+  {
+    if(e.idx() >= map.flags->size()) map.flags->resize(e.idx() + 1);
+    (*map.flags)[e.idx()] = value;
+  }
+};
+
 typedef std::function<double(const Point_3&)> Sizing_function;
+
+// a length that is none after so many calls: then edges were split already
+Sizing_function failing_after(std::size_t calls, double length)
+{
+  return [calls, length](const Point_3&) mutable { return calls > 0 ? --calls, length : 0.; };
+}
 
 // flags for edges and vertices, as property maps of a mesh
 struct Constraints
@@ -776,4 +800,57 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   for(auto v : mesh.vertices()) put(points, v, mesh.point(v));
   CHECK(remesh(mesh, 0.2, sphere_shell(), P::vertex_point_map(points)).status == Status::NOT_CERTIFIED);
   for(auto v : mesh.vertices()) CHECK(get(points, v) == before.point(v));
+}
+
+TEST_CASE("Remeshing: without success a map of constrained edges says what it said, wherever it keeps that")
+{
+  const Mesh start = torus(1, 0.4, 40, 20);
+  const auto is_chosen = [](const Point_3& p, const Point_3& q) { return p.z() == 0 && q.z() == 0; };
+  const std::size_t calls = start.number_of_vertices() + start.number_of_faces() + start.number_of_edges() + 2000;
+  {
+    Mesh mesh = start;
+    Flags_outside map;
+    for(auto e : mesh.edges()) put(map, e, is_chosen(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    const std::vector<char> before = *map.flags;
+    REQUIRE(std::count(before.begin(), before.end(), 1) == 40);
+    const auto report = remesh(mesh, failing_after(calls, 0.1), torus_shell(), P::edge_is_constrained_map(map));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(report.splits > 100);
+    CHECK(report.constrained_edges == 0);
+    CHECK(is_equal(mesh, start));
+    REQUIRE(map.flags->size() > before.size());
+    CHECK(std::equal(before.begin(), before.end(), map.flags->begin()));
+    // there are no others
+    CHECK(std::count(map.flags->begin() + std::ptrdiff_t(before.size()), map.flags->end(), 1) == 0);
+  }
+  {
+    Mesh mesh = start;
+    std::set<Mesh::Edge_index> chosen;
+    for(auto e : mesh.edges())
+      if(is_chosen(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) chosen.insert(e);
+    const std::set<Mesh::Edge_index> before = chosen;
+    const auto report = remesh(mesh, failing_after(calls, 0.1), torus_shell(),
+                               P::edge_is_constrained_map(CGAL::Boolean_property_map<std::set<Mesh::Edge_index> >(chosen)));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(chosen == before);
+  }
+  {
+    // The elements of a Polyhedron_3 are new, and the same edges of it are constrained.
+    typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+    typedef std::set<boost::graph_traits<Polyhedron>::edge_descriptor> Edges;
+    Polyhedron mesh;
+    CGAL::copy_face_graph(start, mesh);
+    const auto are_chosen = [&] {
+      Edges result;
+      for(auto e : edges(mesh))
+        if(is_chosen(source(e, mesh)->point(), target(e, mesh)->point())) result.insert(e);
+      return result;
+    };
+    Edges chosen = are_chosen();
+    REQUIRE(chosen.size() == 40);
+    const auto report = BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, failing_after(calls, 0.1), torus_shell(),
+                                                                  P::edge_is_constrained_map(CGAL::Boolean_property_map<Edges>(chosen)));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(chosen == are_chosen());
+  }
 }

@@ -373,6 +373,28 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
   for(const auto& v : number) CHECK(v.second == 2);
 }
 
+TEST_CASE("Simplification: without success a map of constrained edges says what it said")
+{
+  // A constrained edge of length zero is never collapsed, and then there is no certificate.
+  Mesh mesh = fine_box();
+  Edge_set constrained = edges_between(mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
+  const auto h = mesh.halfedge(*constrained.begin());
+  const auto half = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
+  CGAL::Euler::split_face(half, mesh.next(h), mesh);
+  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
+  constrained.insert(mesh.edge(half));
+  const Edge_set edges_before = constrained;
+  const Mesh before = mesh;
+  const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
+                                                    .protect_constraints(false));
+  CHECK(result.status == Status::NOT_CERTIFIED);
+  CHECK(result.collapsed > 100);
+  CHECK(result.constrained_edges == 0);
+  CHECK(is_equal(mesh, before));
+  CHECK(constrained == edges_before);
+}
+
 TEST_CASE("Simplification: edges of length zero are collapsed, and the result is certified")
 {
   Mesh mesh = sphere(2);

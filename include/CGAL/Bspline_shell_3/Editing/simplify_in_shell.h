@@ -280,8 +280,9 @@ struct Accepted_filter
  *         predicates and `FT` = `double`
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then;
- *        the elements of other meshes are new, so that descriptors and maps that the caller has of them are invalid. With all other
+ *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so
+ *        has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the
+ *        caller has of them are invalid. With all other
  *        statuses it was not touched.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
@@ -352,7 +353,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, np, result, [&](const auto& oracle, const auto& frozen) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result, [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);

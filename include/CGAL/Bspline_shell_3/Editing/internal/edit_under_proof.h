@@ -199,6 +199,41 @@ void restore(const TriangleMesh& before, const std::vector<Point>& points, Trian
   }
 }
 
+// What a map says of the edges of a mesh, for when these are edited, and restored: maps that are not part of the mesh do not come back with it. Maps
+// that cannot be written to need no care.
+template <typename TriangleMesh, typename EdgeIsConstrainedMap>
+class Constraints_before
+{
+  typedef boost::property_traits<EdgeIsConstrainedMap> Traits;
+  static constexpr bool is_writable = std::is_convertible<typename Traits::category, boost::writable_property_map_tag>::value
+                                   && !std::is_const<std::remove_reference_t<typename Traits::reference> >::value;
+public:
+  Constraints_before(const TriangleMesh& mesh, EdgeIsConstrainedMap map) : m_map(map)
+  {
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) m_values.push_back(get(map, e) ? 1 : 0);
+  }
+
+  // of edges that are about to vanish: they may be keys of the map
+  void release(const TriangleMesh& mesh)
+  {
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) put(m_map, e, false);
+  }
+
+  // \pre the mesh is what it was
+  void restore(const TriangleMesh& mesh)
+  {
+    std::size_t n = 0;
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) put(m_map, e, m_values[n++] != 0);
+  }
+
+private:
+  EdgeIsConstrainedMap m_map;
+  std::vector<char> m_values;       // in the order of edges(mesh)
+};
+
 // where the integral curves through points meet a mesh
 template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh, typename VertexPointMap>
 void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm, Result& result)
@@ -211,10 +246,10 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
 // `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the mesh
 // must be gone when it returns.
 // \pre `check_before_edits()` accepts the mesh
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold, typename NamedParameters,
-          typename Result, typename Edit>
-Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell, const NamedParameters& np,
-                             Result& result, const Edit& edit)
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
+          typename NamedParameters, typename Result, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
+                             const Bspline_shell_3<Field, Threshold>& shell, const NamedParameters& np, Result& result, const Edit& edit)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   typedef Frozen_facets<TriangleMesh> Frozen;
@@ -238,8 +273,11 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
   const TriangleMesh before(mesh);
   std::vector<Point> points;
   for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
+  Constraints_before<TriangleMesh, EdgeIsConstrainedMap> constraints_before(mesh, edge_is_constrained);
   const auto undone = [&](Edit_status status) {
+    constraints_before.release(mesh);
     restore(before, points, mesh, vpm);
+    constraints_before.restore(mesh);
     result.facets = result.facets_before;
     result.constrained_edges = 0;
     result.images.clear();
