@@ -2,8 +2,10 @@
 // cannot be done leaves the mesh as it was, and what the caller constrains stays.
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>       // first: it must bring what it needs
 
+#include "frozen_facets.h"
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/bspline_shell_3.h>
@@ -69,30 +71,6 @@ const Shell& box_shell()
 {
   static const Shell shell = widened(CGAL::bspline_shell_3(box({ 0, 0, 0 }, { 1, 1, 1 }), P::resolution(16)), 0.01);
   return shell;
-}
-
-// a sphere of slices: its triangles get the thinner, the nearer the poles
-Mesh sliced_sphere(int slices, int rings)
-{
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
-  std::vector<Mesh::Vertex_index> v;
-  for(int i = 1; i < rings; ++i)
-    for(int j = 0; j < slices; ++j) {
-      const double a = pi * i / rings, b = 2 * pi * j / slices;
-      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a))));
-    }
-  const auto at = [&](int i, int j) { return v[(i - 1) * slices + j % slices]; };
-  for(int j = 0; j < slices; ++j) {
-    mesh.add_face(north, at(1, j), at(1, j + 1));
-    mesh.add_face(south, at(rings - 1, j + 1), at(rings - 1, j));
-    for(int i = 1; i + 1 < rings; ++i) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  return mesh;
 }
 
 double length(const Mesh& mesh, Mesh::Edge_index e)
@@ -164,12 +142,12 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
 }
 
 template <typename Sizing, typename NamedParameters>
-BS::Remeshing_report remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell, const NamedParameters& np)
+BS::Remeshing_result<Mesh> remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell, const NamedParameters& np)
 {
   return BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, sizing, shell, np);
 }
 template <typename Sizing>
-BS::Remeshing_report remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell)
+BS::Remeshing_result<Mesh> remesh(Mesh& mesh, const Sizing& sizing, const Shell& shell)
 {
   return remesh(mesh, sizing, shell, CGAL::parameters::default_values());
 }
@@ -221,7 +199,31 @@ struct Computed_points
   }
 };
 
+// flags of edges in an array of the user's, which grows with the mesh
+struct Flags_outside
+{
+  typedef Mesh::Edge_index key_type;
+  typedef bool value_type;
+  typedef bool reference;
+  typedef boost::read_write_property_map_tag category;
+
+  std::shared_ptr<std::vector<char> > flags = std::make_shared<std::vector<char> >();
+
+  friend bool get(const Flags_outside& map, Mesh::Edge_index e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()] != 0; }
+  friend void put(const Flags_outside& map, Mesh::Edge_index e, bool value)
+  {
+    if(e.idx() >= map.flags->size()) map.flags->resize(e.idx() + 1);
+    (*map.flags)[e.idx()] = value;
+  }
+};
+
 typedef std::function<double(const Point_3&)> Sizing_function;
+
+// a length that is none after so many calls: then edges were split already
+Sizing_function failing_after(std::size_t calls, double length)
+{
+  return [calls, length](const Point_3&) mutable { return calls > 0 ? --calls, length : 0.; };
+}
 
 // flags for edges and vertices, as property maps of a mesh
 struct Constraints
@@ -359,6 +361,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
       for(int end : { 0, 1 }) CHECK(is_at_edge(mesh.point(mesh.vertex(e, end))));
       CHECK(is_at_edge(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
     }
+    CHECK(report.constrained_edges == flagged);
     // twelve edges, all covered, none twice; coordinates are multiples of a power of two
     CHECK(sum == 12);
     // quarters of the sides; then halves, or a quarter, a half and a quarter
@@ -455,6 +458,74 @@ TEST_CASE("Remeshing: vertices that move return to the mesh as it was, unless th
   }
   CHECK(shares[0] > 0.95);
   CHECK(shares[1] < 0.2);
+}
+
+TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
+{
+  // Needles are collapsed and long edges split, so that elements that were removed are used again.
+  const Mesh start = sliced_sphere(300, 12);
+  Mesh mesh = start;
+  const double target = 0.1;
+  const auto result = remesh(mesh, target, sphere_shell(), P::number_of_iterations(3));
+  check_result(result, sphere_shell(), mesh);
+  REQUIRE(result.collapses > 1000);
+  REQUIRE(result.splits > 1000);
+  REQUIRE(result.images.size() == start.number_of_vertices());
+  std::set<Mesh::Vertex_index> images(result.images.begin(), result.images.end());
+  for(auto v : images) CHECK_FALSE(mesh.is_removed(v));
+  // each collapse takes a vertex away, and those of the result that are no images come from splits
+  CHECK(images.size() + result.collapses >= start.number_of_vertices());
+  CHECK(mesh.number_of_vertices() <= images.size() + result.splits);
+  // What is collapsed was short, so that images are near.
+  double farthest = 0;
+  for(auto v : start.vertices())
+    farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(start.point(v), mesh.point(result.images[v.idx()]))));
+  CHECK(farthest < 3 * target);
+  CHECK(farthest > 0);
+  CHECK(result.locations.empty());
+
+  // without collapses every vertex is its own image
+  mesh = start;
+  const auto flipped = remesh(mesh, target, sphere_shell(), P::number_of_iterations(0));
+  REQUIRE(flipped.images.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) CHECK(flipped.images[v.idx()] == v);
+}
+
+TEST_CASE("Remeshing: constrained vertices are their own images, in a Polyhedron_3 as well")
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  typedef boost::graph_traits<Polyhedron>::vertex_descriptor Vertex;
+  Polyhedron mesh;
+  CGAL::copy_face_graph(sphere(3), mesh);
+  std::vector<Vertex> all(vertices(mesh).begin(), vertices(mesh).end());
+  std::set<Vertex> kept;
+  for(std::size_t n = 0; n < all.size(); n += 50) kept.insert(all[n]);
+  const auto result = BS::remesh_in_shell<CGAL::Sequential_tag>(
+    mesh, 0.3, sphere_shell(), P::vertex_is_constrained_map(CGAL::Boolean_property_map<std::set<Vertex> >(kept)));
+  REQUIRE(result);
+  CHECK(result.collapses > 100);
+  REQUIRE(result.images.size() == all.size());
+  for(std::size_t n = 0; n < all.size(); n += 50) CHECK(result.images[n] == all[n]);
+  const std::set<Vertex> images(result.images.begin(), result.images.end());
+  const std::set<Vertex> of_result(vertices(mesh).begin(), vertices(mesh).end());
+  CHECK(std::includes(of_result.begin(), of_result.end(), images.begin(), images.end()));
+}
+
+TEST_CASE("Remeshing: on request vertices are located on the result as the map between both meshes locates them")
+{
+  const Mesh start = sphere(3);
+  Mesh mesh = start;
+  const auto result = remesh(mesh, 0.3, sphere_shell(), P::locate_vertices(true));
+  check_result(result, sphere_shell(), mesh);
+  const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
+  REQUIRE(result.locations.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    CHECK(result.locations[v.idx()] == image.location);
+  }
+  mesh = start;
+  CHECK(remesh(mesh, 0.3, sphere_shell(), P::locate_vertices(false)).locations.empty());
 }
 
 TEST_CASE("Remeshing: one thread and several give the same mesh")
@@ -560,6 +631,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     CHECK_FALSE(report);
     CHECK(report.facets == before.number_of_faces());
     CHECK(report.facets_before == before.number_of_faces());
+    CHECK(report.images.empty());
     CHECK(is_equal(mesh, before));
     CHECK(std::string(message(report.status)).size() > 20);
     return report;
@@ -596,6 +668,79 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
   CHECK(reversed.offending_simplices.facets.size() == mesh.number_of_faces());
 }
 
+TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, and the others remeshed")
+{
+  Mesh start = sphere(3);
+  const Vector_3 out = start.point(Mesh::Vertex_index(7)) - CGAL::ORIGIN;
+  start.point(Mesh::Vertex_index(7)) = CGAL::ORIGIN;
+  for(double target : { 0.1, 0.4 }) {
+    Mesh mesh = start;
+    CHECK(remesh(mesh, target, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
+    REQUIRE(is_equal(mesh, start));
+    const auto result = remesh(mesh, target, sphere_shell(), P::freeze_rejected_facets(true));
+    check_frozen_result(result, sphere_shell(), start, mesh);
+    // the star of the vertex, and nothing else
+    CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
+    CHECK(result.frozen_facets_before == result.offending_simplices.facets);
+    CHECK(result.offending_simplices.vertices.empty());
+    CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED);
+    // vertices of frozen facets are their own images
+    CHECK(result.images[7] == Mesh::Vertex_index(7));
+    for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+    if(target == 0.1) CHECK(result.facets > 2 * start.number_of_faces());
+    else CHECK(2 * result.facets < start.number_of_faces());
+    CHECK(result.moves > 0);
+    // far from them, edges are as long as asked for
+    std::size_t far = 0, good = 0;
+    for(auto e : mesh.edges()) {
+      const Point_3 middle = CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+      if((middle - CGAL::ORIGIN) * out > 0) continue;
+      ++far;
+      good += 0.8 * target <= length(mesh, e) && length(mesh, e) <= 4. / 3 * target;
+    }
+    CHECK(double(good) > 0.9 * double(far));
+  }
+}
+
+TEST_CASE("Remeshing: on request facets at a vertex are frozen that are all in the shell, but wind twice")
+{
+  const int slices = 25;
+  const Mesh start = sliced_sphere(slices, 12, 2);
+  Mesh mesh = start;
+  const auto refused = remesh(mesh, 0.2, sphere_shell());
+  CHECK(refused.status == Status::NOT_IN_SHELL);
+  CHECK(refused.offending_simplices.facets.empty());
+  CHECK(refused.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(refused.frozen_facets_before.empty());
+  CHECK(is_equal(mesh, start));
+  const auto result = remesh(mesh, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(result.frozen_facets.size() == std::size_t(2 * slices));
+  CHECK(result.splits + result.collapses > 100);
+  // each facet is good, and what they do together is not
+  CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(result.certificate.verdict(BS::Claim::TRANSVERSALITY) == BS::Verdict::PROVED);
+  CHECK(result.certificate.verdict(BS::Claim::DEGREE_ONE) != BS::Verdict::PROVED);
+}
+
+TEST_CASE("Remeshing: that facets may be frozen changes nothing where none is rejected, or all are")
+{
+  Mesh mesh = sphere(2), other = mesh;
+  REQUIRE(remesh(mesh, 0.2, sphere_shell()));
+  const auto result = remesh(other, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  check_result(result, sphere_shell(), other);
+  CHECK(result.frozen_facets.empty());
+  CHECK(is_equal(mesh, other));
+  Mesh reversed = sphere(2);
+  PMP::reverse_face_orientations(reversed);
+  mesh = reversed;
+  const auto refused = remesh(mesh, 0.2, sphere_shell(), P::freeze_rejected_facets(true));
+  CHECK(refused.status == Status::NOT_IN_SHELL);
+  CHECK(refused.offending_simplices.facets.size() == mesh.number_of_faces());
+  CHECK(is_equal(mesh, reversed));
+}
+
 TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all that the caller attached to it")
 {
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
@@ -615,8 +760,10 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, double> >("e:pair", { 1., 2. });
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, std::size_t> >("e:key", { 3., 4 });
   const Mesh before = mesh;
-  const auto report = remesh(mesh, 0.2, sphere_shell());
+  const auto report = remesh(mesh, 0.2, sphere_shell(), P::locate_vertices(true));
   CHECK(report.status == Status::NOT_CERTIFIED);
+  CHECK(report.images.empty());
+  CHECK(report.locations.empty());
   CHECK(report.splits + report.collapses + report.flips + report.moves > 0);
   CHECK(report.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(report.certificate.verdict(BS::Claim::ONE_SHEET) != BS::Verdict::PROVED);
@@ -632,7 +779,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   auto numbered = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   for(auto e : mesh.edges()) constraints.edges[e] = e.idx() % 10 == 0;
   for(auto v : mesh.vertices()) put(numbered, v, v.idx());
-  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false)).status == Status::NOT_CERTIFIED);
+  // No facet is rejected, and so none can be frozen.
+  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false).freeze_rejected_facets(true)).status == Status::NOT_CERTIFIED);
   CHECK(is_equal(mesh, before));
   CHECK(mesh.is_valid());
   CHECK(mesh.number_of_removed_vertices() == before.number_of_removed_vertices());
@@ -653,4 +801,57 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   for(auto v : mesh.vertices()) put(points, v, mesh.point(v));
   CHECK(remesh(mesh, 0.2, sphere_shell(), P::vertex_point_map(points)).status == Status::NOT_CERTIFIED);
   for(auto v : mesh.vertices()) CHECK(get(points, v) == before.point(v));
+}
+
+TEST_CASE("Remeshing: without success a map of constrained edges says what it said, wherever it keeps that")
+{
+  const Mesh start = torus(1, 0.4, 40, 20);
+  const auto is_chosen = [](const Point_3& p, const Point_3& q) { return p.z() == 0 && q.z() == 0; };
+  const std::size_t calls = start.number_of_vertices() + start.number_of_faces() + start.number_of_edges() + 2000;
+  {
+    Mesh mesh = start;
+    Flags_outside map;
+    for(auto e : mesh.edges()) put(map, e, is_chosen(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    const std::vector<char> before = *map.flags;
+    REQUIRE(std::count(before.begin(), before.end(), 1) == 40);
+    const auto report = remesh(mesh, failing_after(calls, 0.1), torus_shell(), P::edge_is_constrained_map(map));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(report.splits > 100);
+    CHECK(report.constrained_edges == 0);
+    CHECK(is_equal(mesh, start));
+    REQUIRE(map.flags->size() > before.size());
+    CHECK(std::equal(before.begin(), before.end(), map.flags->begin()));
+    // there are no others
+    CHECK(std::count(map.flags->begin() + std::ptrdiff_t(before.size()), map.flags->end(), 1) == 0);
+  }
+  {
+    Mesh mesh = start;
+    std::set<Mesh::Edge_index> chosen;
+    for(auto e : mesh.edges())
+      if(is_chosen(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) chosen.insert(e);
+    const std::set<Mesh::Edge_index> before = chosen;
+    const auto report = remesh(mesh, failing_after(calls, 0.1), torus_shell(),
+                               P::edge_is_constrained_map(CGAL::Boolean_property_map<std::set<Mesh::Edge_index> >(chosen)));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(chosen == before);
+  }
+  {
+    // The elements of a Polyhedron_3 are new, and the same edges of it are constrained.
+    typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+    typedef std::set<boost::graph_traits<Polyhedron>::edge_descriptor> Edges;
+    Polyhedron mesh;
+    CGAL::copy_face_graph(start, mesh);
+    const auto are_chosen = [&] {
+      Edges result;
+      for(auto e : edges(mesh))
+        if(is_chosen(source(e, mesh)->point(), target(e, mesh)->point())) result.insert(e);
+      return result;
+    };
+    Edges chosen = are_chosen();
+    REQUIRE(chosen.size() == 40);
+    const auto report = BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, failing_after(calls, 0.1), torus_shell(),
+                                                                  P::edge_is_constrained_map(CGAL::Boolean_property_map<Edges>(chosen)));
+    REQUIRE(report.status == Status::INVALID_PARAMETER);
+    CHECK(chosen == are_chosen());
+  }
 }

@@ -1,8 +1,10 @@
 // simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller asks for
 // is honoured.
+#include "frozen_facets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -47,6 +49,60 @@ const Shell& torus_shell()
 {
   static const Shell shell = widened(CGAL::bspline_shell_3(torus(1, 0.4, 40, 20), P::resolution(20)), 0.03);
   return shell;
+}
+
+const Shell& box_shell()
+{
+  static const Shell shell = widened(CGAL::bspline_shell_3(box({ 0, 0, 0 }, { 1, 1, 1 }), P::resolution(16)), 0.01);
+  return shell;
+}
+
+// the unit box, its sides cut into 8 x 8 squares of two facets; coordinates are multiples of 1/8
+Mesh fine_box()
+{
+  Mesh mesh;
+  std::map<Point_3, Mesh::Vertex_index> vertices;
+  const auto vertex = [&](int side, int i, int j) {
+    double p[3];
+    p[side / 2] = side % 2;
+    p[(side / 2 + 1) % 3] = i / 8.;
+    p[(side / 2 + 2) % 3] = j / 8.;
+    const Point_3 point(p[0], p[1], p[2]);
+    const auto found = vertices.find(point);
+    return found != vertices.end() ? found->second : vertices.emplace(point, mesh.add_vertex(point)).first->second;
+  };
+  for(int side = 0; side < 6; ++side)
+    for(int i = 0; i < 8; ++i)
+      for(int j = 0; j < 8; ++j) {
+        const auto a = vertex(side, i, j), b = vertex(side, i + 1, j), c = vertex(side, i + 1, j + 1), d = vertex(side, i, j + 1);
+        if(side % 2 == 1) { mesh.add_face(a, b, c); mesh.add_face(a, c, d); }
+        else { mesh.add_face(a, c, b); mesh.add_face(a, d, c); }
+      }
+  return mesh;
+}
+
+bool is_at_edge_of_box(const Point_3& p)
+{
+  int sides = 0;
+  for(int i = 0; i < 3; ++i) sides += p[i] == 0 || p[i] == 1;
+  return sides >= 2;
+}
+
+// Edges as a set of the caller's. A set that has only edges of the mesh, and all that are constrained, has followed them.
+typedef std::set<Mesh::Edge_index> Edge_set;
+
+template <typename Predicate>
+Edge_set edges_between(const Mesh& mesh, const Predicate& is_on_line)
+{
+  Edge_set result;
+  for(auto e : mesh.edges())
+    if(is_on_line(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) result.insert(e);
+  return result;
+}
+
+double length(const Mesh& mesh, Mesh::Edge_index e)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
 bool is_certified(const Shell& shell, const Mesh& mesh)
@@ -125,6 +181,21 @@ TEST_CASE("Simplification: the result is certified, as coarse as asked for, and 
     images.insert(v);
   }
   CHECK(images.size() == mesh.number_of_vertices());
+}
+
+TEST_CASE("Simplification: on request vertices are located on the result as the map between both meshes locates them")
+{
+  const Mesh start = sphere(3);
+  Mesh mesh = start;
+  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(300)).locate_vertices(true));
+  REQUIRE(result);
+  const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
+  REQUIRE(result.locations.size() == start.number_of_vertices());
+  for(auto v : start.vertices()) {
+    const auto image = map(v);
+    REQUIRE(image);
+    CHECK(result.locations[v.idx()] == image.location);
+  }
 }
 
 TEST_CASE("Simplification: without a stop it ends where every collapse is refused; a second time does nothing")
@@ -207,6 +278,123 @@ TEST_CASE("Simplification: edges that are constrained stay, with their vertices"
   }
 }
 
+TEST_CASE("Simplification: constrained edges that are not protected are merged along straight lines, which stay")
+{
+  const Mesh start = fine_box();
+  const auto is_on_line = [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); };
+  for(bool protect : { true, false }) {
+    Mesh mesh = start;
+    Edge_set constrained = edges_between(mesh, is_on_line);
+    REQUIRE(constrained.size() == 96);
+    const CGAL::Boolean_property_map<Edge_set> map(constrained);
+    const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(map).protect_constraints(protect));
+    REQUIRE(result);
+    CHECK(result.constrained_edges == constrained.size());
+    if(protect) {
+      CHECK(constrained == edges_between(start, is_on_line));
+    } else {
+      // one for each edge of the box, and the box is what it was
+      CHECK(result.constrained_edges == 12);
+      CHECK(result.facets == 12);
+    }
+    double sum = 0;
+    for(auto e : constrained) {
+      REQUIRE_FALSE(mesh.is_removed(e));
+      CHECK(is_on_line(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+      for(int end : { 0, 1 }) CHECK(is_at_edge_of_box(mesh.point(mesh.vertex(e, end))));
+      sum += length(mesh, e);
+    }
+    CHECK(sum == 12);       // all lengths are multiples of 1/8
+  }
+}
+
+TEST_CASE("Simplification: ends of constrained polylines stay, and vertices where more than two edges meet")
+{
+  // a cross in the side z = 1: four arms of three edges each
+  Mesh mesh = fine_box();
+  const auto is_on_cross = [](const Point_3& p, const Point_3& q) {
+    const Point_3 middle = CGAL::midpoint(p, q);
+    const auto is_on_arm = [](double along, double across) { return across == 0.5 && std::abs(along - 0.5) < 0.375; };
+    return p.z() == 1 && q.z() == 1 && (is_on_arm(middle.x(), middle.y()) || is_on_arm(middle.y(), middle.x()));
+  };
+  Edge_set constrained = edges_between(mesh, is_on_cross);
+  REQUIRE(constrained.size() == 12);
+  const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
+                                                    .protect_constraints(false));
+  REQUIRE(result);
+  CHECK(result.constrained_edges == 4);
+  CHECK(constrained.size() == 4);
+  std::multiset<Point_3> ends;
+  for(auto e : constrained) {
+    REQUIRE_FALSE(mesh.is_removed(e));
+    CHECK(length(mesh, e) == 0.375);
+    for(int end : { 0, 1 }) ends.insert(mesh.point(mesh.vertex(e, end)));
+  }
+  CHECK(ends.count(Point_3(0.5, 0.5, 1)) == 4);
+  for(const Point_3& p : { Point_3(0.125, 0.5, 1), Point_3(0.875, 0.5, 1), Point_3(0.5, 0.125, 1), Point_3(0.5, 0.875, 1) })
+    CHECK(ends.count(p) == 1);
+}
+
+TEST_CASE("Simplification: a closed constrained polyline stays one, with vertices that it had")
+{
+  Mesh mesh = torus(1, 0.4, 40, 20);
+  const auto is_on_equator = [](const Point_3& p, const Point_3& q) {
+    return p.z() == 0 && q.z() == 0 && p.x() * p.x() + p.y() * p.y() > 1 && q.x() * q.x() + q.y() * q.y() > 1;
+  };
+  Edge_set constrained = edges_between(mesh, is_on_equator);
+  REQUIRE(constrained.size() == 40);
+  std::set<Point_3> before;
+  for(auto e : constrained) before.insert(mesh.point(mesh.vertex(e, 0)));
+  // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, does not tear it: another edge is split at its very end.
+  const auto h = mesh.prev(mesh.halfedge(*constrained.begin()));
+  const auto half = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
+  CGAL::Euler::split_face(half, mesh.next(h), mesh);
+  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
+  REQUIRE(CGAL::is_triangle_mesh(mesh));
+  const std::size_t facets = mesh.number_of_faces();
+
+  const auto result = simplify(mesh, torus_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
+                                                      .protect_constraints(false));
+  REQUIRE(result);
+  CHECK(2 * result.facets < facets);
+  CHECK(result.constrained_edges == constrained.size());
+  CHECK(constrained.size() < 40);
+  CHECK(constrained.size() >= 3);
+  std::map<Mesh::Vertex_index, int> number;
+  for(auto e : constrained) {
+    REQUIRE_FALSE(mesh.is_removed(e));
+    for(int end : { 0, 1 }) {
+      CHECK(before.count(mesh.point(mesh.vertex(e, end))) == 1);
+      ++number[mesh.vertex(e, end)];
+    }
+  }
+  CHECK(number.size() == constrained.size());
+  for(const auto& v : number) CHECK(v.second == 2);
+}
+
+TEST_CASE("Simplification: without success a map of constrained edges says what it said")
+{
+  // A constrained edge of length zero is never collapsed, and then there is no certificate.
+  Mesh mesh = fine_box();
+  Edge_set constrained = edges_between(mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
+  const auto h = mesh.halfedge(*constrained.begin());
+  const auto half = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
+  CGAL::Euler::split_face(half, mesh.next(h), mesh);
+  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
+  constrained.insert(mesh.edge(half));
+  const Edge_set edges_before = constrained;
+  const Mesh before = mesh;
+  const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
+                                                    .protect_constraints(false));
+  CHECK(result.status == Status::NOT_CERTIFIED);
+  CHECK(result.collapsed > 100);
+  CHECK(result.constrained_edges == 0);
+  CHECK(is_equal(mesh, before));
+  CHECK(constrained == edges_before);
+}
+
 TEST_CASE("Simplification: edges of length zero are collapsed, and the result is certified")
 {
   Mesh mesh = sphere(2);
@@ -225,6 +413,63 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
   CHECK(result.facets == facets);
   CHECK(result.images.size() == facets / 2 + 3);
   CHECK(is_certified(sphere_shell(), mesh));
+}
+
+TEST_CASE("Simplification: on request facets that are not in the shell are frozen, and the others simplified")
+{
+  Mesh start = sphere(3);
+  start.point(Mesh::Vertex_index(7)) = CGAL::ORIGIN;
+  Mesh mesh = start;
+  CHECK(simplify(mesh, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
+  REQUIRE(is_equal(mesh, start));
+  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(200)));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.facets == 200);
+  CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
+  CHECK(result.frozen_facets_before == result.offending_simplices.facets);
+  CHECK(result.images[7] == Mesh::Vertex_index(7));
+  for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+  // a fan that winds twice, at each pole
+  const Mesh folded = sliced_sphere(25, 12, 2);
+  mesh = folded;
+  const auto of_folded = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true));
+  check_frozen_result(of_folded, sphere_shell(), folded, mesh);
+  CHECK(of_folded.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
+  CHECK(of_folded.frozen_facets.size() == 50);
+  CHECK(2 * of_folded.facets < of_folded.facets_before);
+  // nothing to freeze
+  Mesh one = sphere(2), other = one;
+  REQUIRE(simplify(one, sphere_shell(), CGAL::parameters::default_values()));
+  const auto certified = simplify(other, sphere_shell(), P::freeze_rejected_facets(true));
+  CHECK(certified);
+  CHECK(certified.frozen_facets.empty());
+  CHECK(is_equal(one, other));
+}
+
+TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and are frozen at them")
+{
+  // a vertex and one at the same place, with two facets that have no area between them
+  const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
+    const auto h = mesh.halfedge(v);
+    const Point_3 p = mesh.point(v);
+    const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+    mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
+    PMP::triangulate_faces(mesh);
+  };
+  Mesh start = sphere(2);
+  const Mesh::Vertex_index out(0), far(1);
+  const std::size_t ring = start.degree(out);
+  const Mesh::Vertex_index near = *CGAL::vertices_around_target(start.halfedge(out), start).begin();
+  add_zero_edge(start, near);
+  add_zero_edge(start, far);
+  start.point(out) = CGAL::ORIGIN;
+  REQUIRE(start.number_of_faces() == 324);
+  Mesh mesh = start;
+  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(322)));
+  check_frozen_result(result, sphere_shell(), start, mesh);
+  CHECK(result.facets == 322);
+  CHECK(result.offending_simplices.facets.size() >= ring);
+  CHECK(result.frozen_facets.size() > result.offending_simplices.facets.size());
 }
 
 TEST_CASE("Simplification: what cannot be simplified is refused with a reason, and stays as it is")

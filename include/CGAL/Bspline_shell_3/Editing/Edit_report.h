@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -24,14 +25,19 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell
+  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell, before the edit
+  /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit, ascending, and of the same
+  /// facets, in the same order, in that of the result
+  std::vector<std::size_t> frozen_facets_before, frozen_facets;
   std::size_t facets_before = 0, facets = 0;    ///< of the mesh
+  std::size_t constrained_edges = 0;            ///< of the result; 0 without success
   Placement_statistics placements;              ///< all that were tried, by verdict
-  Certificate_report certificate;               ///< of the result
-  /// times of the first check, the edit, and the certificate
-  double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0;
+  Certificate_report certificate;               ///< of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
+  /// times of the first check, the edit, the certificate, and the location of vertices
+  double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;
 
-  double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds; }
+  double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds + location_seconds; }
+  /// whether the mesh was edited and the result is certified
   explicit operator bool() const { return status == Edit_status::SUCCESS; }
 };
 

@@ -10,17 +10,20 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
-/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` means that it is as it was before.
+/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` and `EDITED_EXCEPT_FROZEN` means that it is as it was
+/// before.
 enum class Edit_status
 {
   SUCCESS,               ///< the result is certified
+  EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; the others are proved to lie
+                         ///< in the shell and to face along the gradient
   NO_SHELL,              ///< there is no shell
   INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
   NOT_IN_SHELL,          ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
-  NOT_CERTIFIED          ///< all facets are in the shell, but the certificate of the result fails: the report says where
+  NOT_CERTIFIED          ///< no facet was rejected to begin with, but the certificate of the result fails: the report says where
 };
 
 /// \ingroup PkgBsplineShell3Editing
@@ -30,6 +33,9 @@ inline const char* message(Edit_status status)
   switch(status) {
     case Edit_status::SUCCESS:
       return "The mesh was edited, and the result is certified.";
+    case Edit_status::EDITED_EXCEPT_FROZEN:
+      return "The mesh was edited except for the frozen facets, and is not certified: only its other facets are proved to lie in the shell and "
+             "to face along the gradient.";
     case Edit_status::NO_SHELL:
       return "There is no shell: its own status says why.";
     case Edit_status::INVALID_PARAMETER:
@@ -41,7 +47,8 @@ inline const char* message(Edit_status status)
     case Edit_status::OPEN_MESH:
       return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Edit_status::NOT_IN_SHELL:
-      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh for which the shell is certified.";
+      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh for which the shell is certified, or leave "
+             "these facets as they are (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
       return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "
              "certified shell of this mesh.";

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 
+#include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Shell_remesher.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
@@ -33,6 +34,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
+ * \brief how the remeshing of a mesh went, and where its vertices went.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ */
+template <typename TriangleMesh>
+using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
  * \brief remeshes a mesh in a shell: edges get about the length asked for and facets become nearly equilateral, by operations after which
  * every facet still lies in the shell and faces along the gradient. The result is certified anew, so that it has no self-intersections, and the
  * integral curves map it one-to-one onto the mesh before.
@@ -51,8 +62,9 @@ namespace Bspline_shells {
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
  *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
- *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then; the elements of other meshes are new,
- *        so that descriptors and maps that the caller has of them are invalid. With all other statuses it was not touched.
+ *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
+ *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has of
+ *        them are invalid. With all other statuses it was not touched.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
  *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.
@@ -62,17 +74,23 @@ namespace Bspline_shells {
  *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay where they are. They are
  *     split, their halves being constrained, and collapsed along themselves where two of them meet.
  *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
- *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`
+ *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike that of `simplify_in_shell()`
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split or
+ *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
+ *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
  * \cgalHeading{Cost} an operation costs the proofs for the facets at one vertex. The certificate costs what it costs for any mesh
- * in the shell.
+ * in the shell. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
           typename TriangleMesh, typename Sizing, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspline_shell_3<Field, Threshold>& shell,
-                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+Remeshing_result<TriangleMesh>
+remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspline_shell_3<Field, Threshold>& shell,
+                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -92,12 +110,12 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                       Static_boolean_property_map<vertex_descriptor, false>());
 
-  Remeshing_report report;
+  Remeshing_result<TriangleMesh> result;
   const auto ended = [&](Status status) {
-    report.status = status;
-    return report;
+    result.status = status;
+    return result;
   };
-  report.facets_before = report.facets = faces(mesh).size();
+  result.facets_before = result.facets = faces(mesh).size();
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
@@ -128,7 +146,7 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, report, [&](const auto& oracle) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result, [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     typedef Shell_projection_3<Shell, TriangleMesh> Projection;
     const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
@@ -138,7 +156,7 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
     };
     internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
                              std::remove_cv_t<decltype(vertex_is_constrained)> >
-      remesher(mesh, vpm, oracle, sizing, edge_is_constrained, vertex_is_constrained, protect, report);
+      remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, result);
     for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
       remesher.flip_to_larger_angles();
       remesher.split_long_edges();
@@ -149,6 +167,9 @@ Remeshing_report remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_l
         else remesher.relax([](const Point& p) { return p; });
     }
     remesher.flip_to_larger_angles();
+    result.images = remesher.images();
+    if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
+      for(auto e : edges(mesh)) result.constrained_edges += get(edge_is_constrained, e) ? 1 : 0;
     return is_sizing_valid ? Status::SUCCESS : Status::INVALID_PARAMETER;
   }));
 }

@@ -7,8 +7,10 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Collapse_rules.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
@@ -68,21 +70,12 @@ struct Never_stop_predicate
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a report, and where the vertices went.
+ * \brief how the simplification of a mesh went, and where its vertices went.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
 template <typename TriangleMesh>
-struct Simplification_result : Simplification_report
-{
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-
-  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was collapsed; empty
-  /// without success
-  std::vector<vertex_descriptor> images;
-
-  explicit operator bool() const { return this->status == Edit_status::SUCCESS; }
-};
+using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
 
 namespace internal {
 
@@ -101,13 +94,13 @@ struct Collapse_state
   std::size_t collapsed = 0, retried = 0;
 };
 
-// Several runs look like one, and the selected edge is marked after all others have been told.
-template <typename TriangleMesh, typename Visitor>
+// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the edges before anyone is told.
+template <typename TriangleMesh, typename Visitor, typename Rules>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
-  Selecting_visitor(Visitor& visitor, Collapse_state& state) : Base(visitor), m_state(&state) {}
+  Selecting_visitor(Visitor& visitor, Rules& rules, Collapse_state& state) : Base(visitor), m_rules(&rules), m_state(&state) {}
 
   void OnStarted(TriangleMesh&) {}
   void OnFinished(TriangleMesh&) {}
@@ -124,9 +117,17 @@ public:
     Base::OnCollapsing(profile, placement);
     m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
     ++m_state->collapsed;
+    m_rules->before_collapse(profile);
+  }
+  template <typename Profile, typename Vertex>
+  void OnCollapsed(const Profile& profile, const Vertex& v)
+  {
+    m_rules->after_collapse(profile, v);
+    Base::OnCollapsed(profile, v);
   }
 
 private:
+  Rules* m_rules;
   Collapse_state* m_state;
 };
 
@@ -166,14 +167,15 @@ struct Continued_cost
 };
 
 // For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
-// passes the filter; if there is none, or it costs more than is due, the policy's. Vertices of constrained edges stay where they are.
-template <typename Cost, typename Placement, typename Filter, typename Oracle, typename EdgeIsConstrainedMap>
+// passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow only some places, they take that of the
+// policy's; where they allow none, nothing is accepted.
+template <typename Cost, typename Placement, typename Filter, typename Oracle, typename Rules>
 class Retrying_placement
 {
 public:
-  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
-                     const EdgeIsConstrainedMap& constrained, Collapse_state& state)
-    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_constrained(constrained), m_state(&state)
+  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle, const Rules& rules,
+                     Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_rules(&rules), m_state(&state)
   {}
 
   template <typename Profile>
@@ -182,16 +184,17 @@ public:
     typedef typename Profile::Point Point;
     typedef Optional<Point> Place;
 
-    const bool fixed_0 = has_constrained_edge(profile, profile.v0()), fixed_1 = has_constrained_edge(profile, profile.v1());
+    const auto allowed = m_rules->allowed_places(profile);
     Place placement;
-    if(fixed_0) placement = profile.p0();
-    else if(fixed_1) placement = profile.p1();
-    else placement = (*m_placement)(profile);
+    if(allowed.are_all) placement = (*m_placement)(profile);
+    else if(!allowed.places.empty()) placement = cheapest(profile, allowed.places);
+    else placement = profile.p0();
     if(!m_state->is_waiting) return placement;
     m_state->is_waiting = false;
 
-    m_state->is_accepted = bool(placement) && bool((*m_filter)(profile, placement));
-    if(m_state->is_accepted || fixed_0 || fixed_1) return placement;
+    const bool is_allowed = allowed.are_all || !allowed.places.empty();
+    m_state->is_accepted = is_allowed && bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || !is_allowed) return placement;
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     std::vector<std::pair<double, Point> > others;
     const auto add = [&](const Point& p) {
@@ -200,11 +203,16 @@ public:
       if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
       else m_state->has_deferred = true;
     };
-    const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
-    for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
-    for(const Place& from : { placement, Place(middle) })
-      if(from)
-        if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+    if(allowed.are_all) {
+      const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
+      for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
+      for(const Place& from : { placement, Place(middle) })
+        if(from)
+          if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+    } else {
+      for(const Point& p : allowed.places)
+        if(p != *placement) add(p);
+    }
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& other : others)
       if((*m_filter)(profile, Place(other.second))) {
@@ -217,21 +225,26 @@ public:
   }
 
 private:
-  template <typename Profile>
-  bool has_constrained_edge(const Profile& profile, typename Profile::vertex_descriptor v) const
+  template <typename Profile, typename Point>
+  Optional<Point> cheapest(const Profile& profile, const std::vector<Point>& places) const
   {
-    typedef typename Profile::Triangle_mesh Triangle_mesh;
-    if constexpr(!std::is_same<EdgeIsConstrainedMap, Surface_mesh_simplification::No_constrained_edge_map<Triangle_mesh> >::value)
-      for(auto h : CGAL::halfedges_around_target(v, profile.surface_mesh()))
-        if(get(m_constrained, edge(h, profile.surface_mesh()))) return true;
-    return false;
+    Optional<Point> best;
+    double least = 0;
+    for(const Point& p : places) {
+      const auto cost = (*m_cost)(profile, Optional<Point>(p));
+      const double value = cost ? CGAL::to_double(*cost) : std::numeric_limits<double>::infinity();
+      if(best && !(value < least)) continue;
+      best = p;
+      least = value;
+    }
+    return best;
   }
 
   const Cost* m_cost;
   const Placement* m_placement;
   const Filter* m_filter;
   const Oracle* m_oracle;
-  EdgeIsConstrainedMap m_constrained;
+  const Rules* m_rules;
   Collapse_state* m_state;
 };
 
@@ -267,8 +280,9 @@ struct Accepted_filter
  *         predicates and `FT` = `double`
  *
  * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then;
- *        the elements of other meshes are new, so that descriptors and maps that the caller has of them are invalid. With all other
+ *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so
+ *        has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the
+ *        caller has of them are invalid. With all other
  *        statuses it was not touched.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
@@ -281,11 +295,23 @@ struct Accepted_filter
  *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected edge, the calls are
  *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
  *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
- *   - `edge_is_constrained_map(M)`: edges that are kept, with their vertices where they are
+ *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they are
+ *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed along themselves, as
+ *     `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish in favor of one of its neighbors on them, while ends, and
+ *     vertices where more of them meet, stay where they are. What is left of a polyline connects vertices that it had, and how many edges that are,
+ *     `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds how far
+ *     a polyline gets from the mesh, but not how far it moves along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero
+ *     beside it stays as long as this one does.
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are not
+ *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     `Edit_status::EDITED_EXCEPT_FROZEN`.
+ *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
  * \cgalHeading{Cost} a collapse costs the proofs for the facets at one vertex, and these a bound for each cell that they pass through,
- * where the field is curved. The certificate costs what it costs for any mesh in the shell.
+ * where the field is curved. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the result's facets, and
+ * some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
           typename TriangleMesh, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -306,9 +332,15 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   typedef Edit_status Status;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
-  const auto constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
+  typedef std::decay_t<decltype(choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
+    get_parameter(np, internal_np::edge_is_constrained)))> Constrained;
+  const Constrained constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
     get_parameter(np, internal_np::edge_is_constrained));
   const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
+  constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
+  constexpr bool may_merge = has_constraints && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value;
+  constexpr bool may_freeze = !is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value;
+  typedef internal::Collapse_rules<TriangleMesh, Vertex_point_map, Constrained, may_merge> Rules;
 
   Simplification_result<TriangleMesh> result;
   const auto ended = [&](Status status) {
@@ -321,7 +353,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  const Status edited = internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, shell, result, [&](const auto& oracle) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result, [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
@@ -329,24 +361,30 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
     const Filter filter(oracle, std::cref(base_filter));
 
+    Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true), frozen);
+    const auto kept = [&] {
+      if constexpr(may_merge || may_freeze)
+        return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
+      else return constrained;
+    }();
+
     internal::Collapse_state state;
     state.initial_edges = edges(mesh).size();
-    typedef Collapse_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > History;
-    internal::Selecting_visitor<TriangleMesh, std::remove_reference_t<decltype(visitor)> > history(visitor, state);
+    typedef std::remove_reference_t<decltype(visitor)> Visitor;
+    typedef Collapse_visitor<TriangleMesh, Visitor> History;
+    internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, rules, state);
     const auto collapse = [&](const auto& cost, const auto& placement) {
       typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
       typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
       typedef std::remove_cv_t<decltype(stop)> Stop;
-      typedef std::remove_cv_t<decltype(constrained)> Constrained;
-      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Constrained>
-        retrying(cost, placement, filter, oracle, constrained, state);
+      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Rules> retrying(cost, placement, filter, oracle, rules, state);
       static_cast<History&>(history).OnStarted(mesh);
       // Places that cost more than what is due wait for a later run.
       for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
         state.allowance = allowance;
         state.has_deferred = false;
         SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
-                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(constrained)
+                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(kept)
                                             .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
                                             .filter(internal::Accepted_filter{ &state }).visitor(history));
         if(state.has_stopped || !state.has_deferred) break;
@@ -366,11 +404,11 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     result.collapsed = history.history().collapsed;
     result.retried = state.retried;
     result.placements = filter.statistics();
+    if constexpr(has_constraints)
+      for(auto e : edges(mesh)) result.constrained_edges += get(constrained, e) ? 1 : 0;
     for(auto v : all) result.images.push_back(history.history().image(v));
     return Status::SUCCESS;
-  });
-  if(edited != Status::SUCCESS) result.images.clear();
-  return ended(edited);
+  }));
 }
 
 } // namespace Bspline_shells

@@ -38,6 +38,8 @@ enum symmetry_t { symmetry };
 enum samples_per_facet_t { samples_per_facet };
 enum default_value_t { default_value };
 enum stop_t { stop };
+enum locate_vertices_t { locate_vertices };
+enum freeze_rejected_facets_t { freeze_rejected_facets };
 
 } // namespace parameter_tags
 
@@ -81,6 +83,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
   ADD(parameter_tags::default_value_t, default_value)                                             \
   ADD(parameter_tags::stop_t, stop)                                                               \
+  ADD(parameter_tags::locate_vertices_t, locate_vertices)                                         \
+  ADD(parameter_tags::freeze_rejected_facets_t, freeze_rejected_facets)                           \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
   ADD(internal_np::visitor_t, visitor)                                                            \

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -57,19 +58,40 @@ class Shell_remesher
 
 public:
   Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
-                 EdgeIsConstrainedMap edge_is_constrained, VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
-                 Remeshing_report& report)
-    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_edge_is_constrained(edge_is_constrained)
+                 const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
+                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints, Remeshing_report& report)
+    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen), m_edge_is_constrained(edge_is_constrained)
     , m_vertex_is_constrained(vertex_is_constrained), m_protect_constraints(protect_constraints), m_report(report)
-    , m_key(get(dynamic_edge_property_t<Key>(), mesh))
-  {}
+    , m_key(get(dynamic_edge_property_t<Key>(), mesh)), m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+  {
+    for(vertex_descriptor v : vertices(mesh)) {
+      put(m_first_old, v, m_next_old.size());
+      m_next_old.push_back(m_next_old.size());
+    }
+  }
+
+  // of the vertices that the mesh had: those into which they were collapsed
+  std::vector<vertex_descriptor> images() const
+  {
+    std::vector<vertex_descriptor> result(m_next_old.size());
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      const std::size_t first = get(m_first_old, v);
+      if(first == none) continue;
+      std::size_t n = first;
+      do {
+        result[n] = v;
+        n = m_next_old[n];
+      } while(n != first);
+    }
+    return result;
+  }
 
   void split_long_edges()
   {
     Queue queue;
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
-      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      if(m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
       if(length > longest) insert(queue, -length, h);
     };
@@ -88,7 +110,7 @@ public:
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
       remove(queue, e);
-      if(m_protect_constraints && get(m_edge_is_constrained, e)) return;
+      if(m_frozen.has_end_of(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
       if(length < shortest) insert(queue, length, h);
     };
@@ -209,7 +231,10 @@ private:
         if(get(m_edge_is_constrained, edge(h, m_mesh))) ++number;
     return number;
   }
-  bool is_fixed(vertex_descriptor v) const { return get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0; }
+  bool is_fixed(vertex_descriptor v) const
+  {
+    return m_frozen.has_vertex(v) || get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0;
+  }
   // whether constrained edges pass through it, so that it may vanish with one of them
   bool is_passed(vertex_descriptor v) const
   {
@@ -310,6 +335,7 @@ private:
     const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
     const vertex_descriptor v = target(half, m_mesh);
     put(m_vpm, v, p);
+    put(m_first_old, v, none);
     // a map may have any value for edges that are new, unless it is told
     set_constrained(edge(half, m_mesh), is_constrained);
     set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
@@ -375,16 +401,26 @@ private:
   vertex_descriptor collapse(halfedge_descriptor h, const Point& p)
   {
     set_constrained(edge(h, m_mesh), false);
+    join_old_vertices(source(h, m_mesh), target(h, m_mesh));
     const vertex_descriptor v = Euler::collapse_edge(edge(h, m_mesh), m_mesh, m_edge_is_constrained);
     put(m_vpm, v, p);
     ++m_report.collapses;
     return v;
   }
 
+  // Old vertices that have the same image form a ring, and two of these are joined where their ends are exchanged.
+  void join_old_vertices(vertex_descriptor removed, vertex_descriptor kept)
+  {
+    const std::size_t from = get(m_first_old, removed), to = get(m_first_old, kept);
+    if(from == none) return;
+    if(to == none) put(m_first_old, kept, from);
+    else std::swap(m_next_old[from], m_next_old[to]);
+  }
+
   // if the facets get better than `least`
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
-    if(get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
+    if(m_frozen.has_edge(edge(h, m_mesh)) || get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
        || halfedge(q.c, q.d, m_mesh).second)
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
@@ -423,18 +459,23 @@ private:
     return Vector(move[0], move[1], move[2]);
   }
 
+  static constexpr std::size_t none = std::size_t(-1);
   static constexpr double least_cosine = 0.9;         // between facets of which the edge may be flipped
 
   TriangleMesh& m_mesh;
   VertexPointMap m_vpm;
   const Oracle& m_oracle;
   const Sizing& m_sizing;
+  const Frozen_facets<TriangleMesh>& m_frozen;
   EdgeIsConstrainedMap m_edge_is_constrained;
   VertexIsConstrainedMap m_vertex_is_constrained;
   bool m_protect_constraints;
   Remeshing_report& m_report;
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Key> >::type m_key;
   std::size_t m_serial = 0;
+  // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one the next
+  typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first_old;
+  std::vector<std::size_t> m_next_old;
   std::vector<Point> m_link;
 };
 

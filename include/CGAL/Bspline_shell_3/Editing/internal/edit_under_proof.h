@@ -10,7 +10,10 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -22,9 +25,11 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -45,46 +50,124 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
   return Edit_status::SUCCESS;
 }
 
-// What a filter keeps must hold to begin with: facets accepted, fans that wind once. Facets with an edge of length zero do not count:
-// they are collapsed first.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
-bool is_accepted(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, Offending_simplices& offenders)
+// an edge of length zero, or a facet with one
+template <typename TriangleMesh, typename VertexPointMap>
+bool is_zero(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& mesh, VertexPointMap vpm)
 {
+  return get(vpm, source(h, mesh)) == get(vpm, target(h, mesh));
+}
+template <typename TriangleMesh, typename VertexPointMap>
+bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& mesh, VertexPointMap vpm)
+{
+  const auto h = halfedge(f, mesh);
+  return is_zero(h, mesh, vpm) || is_zero(next(h, mesh), mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
+}
+
+// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once. Frozen facets, and fans that have
+// some, do not count, nor, on request, facets with an edge of length zero.
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
+Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
+                                                 const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,
+                                                 Offending_simplices& offenders)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   constexpr std::size_t chunk = 256;
-  const auto has_zero_edge = [&](const auto& h) {
-    return get(vpm, source(h, mesh)) == get(vpm, target(h, mesh));
-  };
-  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> facets(faces(mesh).begin(), faces(mesh).end());
+  const std::vector<typename Graph_traits::face_descriptor> facets(faces(mesh).begin(), faces(mesh).end());
   std::vector<char> is_good(facets.size(), 1);
   for_each_chunk<ConcurrencyTag>(facets.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
+      if(frozen.has_facet(facets[n]) || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm))) continue;
       const auto h = halfedge(facets[n], mesh);
-      if(has_zero_edge(h) || has_zero_edge(next(h, mesh)) || has_zero_edge(prev(h, mesh))) continue;
       is_good[n] = oracle(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)))
                      == Placement_verdict::ACCEPTED;
     }
   });
-  for(std::size_t n = 0; n < is_good.size(); ++n)
-    if(!is_good[n]) offenders.facets.push_back(n);
-  if(!offenders.facets.empty()) return false;
+  Frozen_facets<TriangleMesh> rejected(mesh);
+  for(std::size_t n = 0; n < facets.size(); ++n)
+    if(!is_good[n]) {
+      offenders.facets.push_back(n);
+      rejected.freeze(facets[n]);
+    }
+  std::vector<typename Graph_traits::vertex_descriptor> folded;
   std::vector<Point> link;
   std::size_t position = 0;
   for(auto v : vertices(mesh)) {
     const std::size_t n = position++;
-    if(halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) continue;
+    if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
     link.clear();
     bool is_degenerate = false;
     for(auto h : CGAL::halfedges_around_target(v, mesh)) {
       link.push_back(get(vpm, source(h, mesh)));
-      is_degenerate = is_degenerate || has_zero_edge(h) || has_zero_edge(prev(h, mesh));
+      is_degenerate = is_degenerate || is_zero(h, mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
     }
     if(is_degenerate) continue;
     std::reverse(link.begin(), link.end());
-    if(oracle.winding_number(get(vpm, v), link) != 1) offenders.vertices.push_back(n);
+    if(oracle.winding_number(get(vpm, v), link) == 1) continue;
+    offenders.vertices.push_back(n);
+    folded.push_back(v);
   }
-  return offenders.vertices.empty();
+  for(auto v : folded)
+    for(auto f : CGAL::faces_around_target(halfedge(v, mesh), mesh)) rejected.freeze(f);
+  return rejected;
 }
+
+// Facets with an edge of length zero vanish, unless a frozen vertex keeps the edge: then they are frozen, too.
+template <typename TriangleMesh, typename VertexPointMap>
+void freeze_zero_edges(const TriangleMesh& mesh, VertexPointMap vpm, Frozen_facets<TriangleMesh>& frozen)
+{
+  for(bool has_grown = true; has_grown; ) {
+    has_grown = false;
+    for(auto e : edges(mesh)) {
+      const auto h = halfedge(e, mesh);
+      if(!frozen.has_end_of(e) || !is_zero(h, mesh, vpm)) continue;
+      for(auto f : { face(h, mesh), face(opposite(h, mesh), mesh) }) has_grown = frozen.freeze(f) || has_grown;
+    }
+  }
+}
+
+// the corners of frozen facets, and where they are in faces(mesh)
+template <typename TriangleMesh, typename VertexPointMap>
+class Frozen_state
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+public:
+  Frozen_state(const Frozen_facets<TriangleMesh>& frozen, const TriangleMesh& mesh, VertexPointMap vpm)
+  {
+    std::size_t position = 0;
+    for(face_descriptor f : faces(mesh)) {
+      const std::size_t n = position++;
+      if(!frozen.has_facet(f)) continue;
+      m_facets.push_back(f);
+      m_positions.push_back(n);
+      m_corners.push_back({});
+      std::size_t i = 0;
+      for(auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh)) m_corners.back()[i++] = get(vpm, v);
+    }
+  }
+
+  const std::vector<std::size_t>& positions() const { return m_positions; }
+
+  // Whether all facets are what they were in another state; `numbers` are their positions now, in the order that they had then. The order of facets
+  // may change where a mesh uses the places of removed ones.
+  bool is_as(const Frozen_state& before, std::vector<std::size_t>& numbers) const
+  {
+    std::unordered_map<face_descriptor, std::size_t> now;
+    for(std::size_t n = 0; n < m_facets.size(); ++n) now.emplace(m_facets[n], n);
+    for(std::size_t n = 0; n < before.m_facets.size(); ++n) {
+      const auto found = now.find(before.m_facets[n]);
+      if(found == now.end() || m_corners[found->second] != before.m_corners[n]) return false;
+      numbers.push_back(m_positions[found->second]);
+    }
+    return true;
+  }
+
+private:
+  std::vector<face_descriptor> m_facets;
+  std::vector<std::size_t> m_positions;
+  std::vector<std::array<Point, 3> > m_corners;
+};
 
 template <typename TriangleMesh>
 void assign(const TriangleMesh& before, TriangleMesh& mesh)
@@ -116,13 +199,62 @@ void restore(const TriangleMesh& before, const std::vector<Point>& points, Trian
   }
 }
 
-// Checks the mesh, edits it, and certifies the result; what is not certified is undone. `edit(oracle)` returns why it is to be undone, or
-// success; properties that it attaches to the mesh must be gone when it returns. \pre `check_before_edits()` accepts the mesh
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold, typename Edit>
-Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell, Edit_report& report,
-                             const Edit& edit)
+// What a map says of the edges of a mesh, for when these are edited, and restored: maps that are not part of the mesh do not come back with it. Maps
+// that cannot be written to need no care.
+template <typename TriangleMesh, typename EdgeIsConstrainedMap>
+class Constraints_before
+{
+  typedef boost::property_traits<EdgeIsConstrainedMap> Traits;
+  static constexpr bool is_writable = std::is_convertible<typename Traits::category, boost::writable_property_map_tag>::value
+                                   && !std::is_const<std::remove_reference_t<typename Traits::reference> >::value;
+public:
+  Constraints_before(const TriangleMesh& mesh, EdgeIsConstrainedMap map) : m_map(map)
+  {
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) m_values.push_back(get(map, e) ? 1 : 0);
+  }
+
+  // of edges that are about to vanish: they may be keys of the map
+  void release(const TriangleMesh& mesh)
+  {
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) put(m_map, e, false);
+  }
+
+  // \pre the mesh is what it was
+  void restore(const TriangleMesh& mesh)
+  {
+    std::size_t n = 0;
+    if constexpr(is_writable)
+      for(auto e : edges(mesh)) put(m_map, e, m_values[n++] != 0);
+  }
+
+private:
+  EdgeIsConstrainedMap m_map;
+  std::vector<char> m_values;       // in the order of edges(mesh)
+};
+
+// where the integral curves through points meet a mesh
+template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh, typename VertexPointMap>
+void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm, Result& result)
+{
+  for(const auto& image : project_points<ConcurrencyTag>(shell, points, mesh, CGAL::parameters::vertex_point_map(vpm)))
+    result.locations.push_back(image.location);
+}
+
+// Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
+// `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the mesh
+// must be gone when it returns.
+// \pre `check_before_edits()` accepts the mesh
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
+          typename NamedParameters, typename Result, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
+                             const Bspline_shell_3<Field, Threshold>& shell, const NamedParameters& np, Result& result, const Edit& edit)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  typedef Frozen_facets<TriangleMesh> Frozen;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   Real_timer timer;
   timer.start();
   const auto lap = [&timer](double& seconds) {
@@ -131,28 +263,50 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
   };
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
-  const bool accepted = is_accepted<ConcurrencyTag>(mesh, vpm, oracle, report.offending_simplices);
-  lap(report.check_seconds);
-  if(!accepted) return Edit_status::NOT_IN_SHELL;
+  Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
+  if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
+  lap(result.check_seconds);
+  const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+  if(!frozen.empty() && (!freezes || frozen.size() == result.facets_before)) return Edit_status::NOT_IN_SHELL;
+  const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
 
   const TriangleMesh before(mesh);
   std::vector<Point> points;
   for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
+  Constraints_before<TriangleMesh, EdgeIsConstrainedMap> constraints_before(mesh, edge_is_constrained);
   const auto undone = [&](Edit_status status) {
+    constraints_before.release(mesh);
     restore(before, points, mesh, vpm);
-    report.facets = report.facets_before;
+    constraints_before.restore(mesh);
+    result.facets = result.facets_before;
+    result.constrained_edges = 0;
+    result.images.clear();
+    result.frozen_facets.clear();
     return status;
   };
-  const Edit_status edited = edit(oracle);
-  report.facets = faces(mesh).size();
-  lap(report.edit_seconds);
+  result.frozen_facets_before = frozen_before.positions();
+  const Edit_status edited = edit(oracle, frozen);
+  result.facets = faces(mesh).size();
+  lap(result.edit_seconds);
   if(edited != Edit_status::SUCCESS) return undone(edited);
 
   Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
-  report.certificate = certificate.report();
-  lap(report.certificate_seconds);
-  return certified ? Edit_status::SUCCESS : undone(Edit_status::NOT_CERTIFIED);
+  result.certificate = certificate.report();
+  // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must still be accepted.
+  const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
+  Offending_simplices others;
+  const bool is_proved = certified
+    || (!frozen.empty() && are_kept && find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty());
+  lap(result.certificate_seconds);
+  if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
+  // not compiled for those who do not ask
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
+    if(get_parameter(np, parameter_tags::locate_vertices)) {
+      locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
+      lap(result.location_seconds);
+    }
+  return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
 }
 
 } // namespace internal
