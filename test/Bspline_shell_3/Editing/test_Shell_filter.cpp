@@ -12,7 +12,6 @@
 #include <CGAL/Polyhedral_envelope.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 
@@ -79,11 +78,18 @@ std::vector<Point_3> polar_link(std::initializer_list<int> order, double radius)
   return link;
 }
 
+struct Edge_count_stop
+{
+  std::size_t edges;
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const { return current < edges; }
+};
+
 // Collapses edges to their middles, shortest first, under a filter, to n edges.
 template <typename Filter, typename Visitor = SMS::internal::Dummy_visitor>
 int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
 {
-  return SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(edges),
+  return SMS::edge_collapse(mesh, Edge_count_stop{ edges },
                             CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>()).get_placement(SMS::Midpoint_placement<Mesh>())
                                              .filter(filter).visitor(visitor));
 }

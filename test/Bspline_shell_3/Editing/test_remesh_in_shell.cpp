@@ -243,8 +243,8 @@ struct Constraints
   // the same flags in a copy of the mesh
   Constraints of(Mesh& copy) const
   {
-    return { copy.property_map<Mesh::Edge_index, bool>("e:constrained").first,
-             copy.property_map<Mesh::Vertex_index, bool>("v:constrained").first };
+    return { copy.add_property_map<Mesh::Edge_index, bool>("e:constrained").first,      // it has them
+             copy.add_property_map<Mesh::Vertex_index, bool>("v:constrained").first };
   }
   auto parameters(bool protect) const
   {
@@ -770,8 +770,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   CHECK(report.facets == before.number_of_faces());
   CHECK(is_equal(mesh, before));
   CHECK(mesh.properties<Mesh::Edge_index>() == before.properties<Mesh::Edge_index>());
-  const auto numbers = mesh.property_map<Mesh::Edge_index, std::size_t>("e:number");
-  REQUIRE(numbers.second);
+  const auto numbers = mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number");
+  REQUIRE_FALSE(numbers.second);        // it is there
   for(auto e : mesh.edges()) CHECK(numbers.first[e] == 17);
 
   // maps that the caller has stay valid, and say what they said, though constrained edges were split
