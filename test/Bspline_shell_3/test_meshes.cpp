@@ -5,16 +5,15 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 Mesh demo_mesh(const std::string& name)
 {
   Mesh mesh;
-  const bool read = CGAL::Bspline_shells::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh) == CGAL::Bspline_shells::Shell_status::SUCCESS;
-  REQUIRE(read);
+  if(CGAL::Bspline_shells::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh) != CGAL::Bspline_shells::Shell_status::SUCCESS)
+    throw std::runtime_error(name + " cannot be read");
   return mesh;
 }
 
