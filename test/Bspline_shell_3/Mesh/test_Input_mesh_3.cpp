@@ -81,7 +81,7 @@ Mesh tetrahedron(const Point_3& p, const Point_3& q, const Point_3& r, const Poi
 {
   Mesh mesh;
   CGAL::make_tetrahedron(p, q, r, s, mesh);
-  if(!PMP::is_outward_oriented(mesh)) PMP::reverse_face_orientations(mesh);
+  if(CGAL::orientation(p, q, r, s) == CGAL::POSITIVE) PMP::reverse_face_orientations(mesh);
   return mesh;
 }
 

@@ -69,14 +69,18 @@ public:
   Solver_status solve(const Vector& b, Vector& x)
   {
     x = m_solver.solveWithGuess(b, x).eval();
+    m_iterations = std::size_t(m_solver.iterations());
+    m_residual = m_solver.error();
     return m_solver.info() == Eigen::Success ? Solver_status::SUCCESS : Solver_status::NOT_CONVERGED;
   }
 
-  std::size_t iterations() const { return std::size_t(m_solver.iterations()); }   ///< of the last `solve()`
-  double residual() const { return m_solver.error(); }                            ///< of the last `solve()`, relative
+  std::size_t iterations() const { return m_iterations; }   ///< of the last `solve()`
+  double residual() const { return m_residual; }                            ///< of the last `solve()`, relative
 
 private:
   Eigen::ConjugateGradient<Matrix, Eigen::Lower, internal::Schwarz_preconditioner<ConcurrencyTag> > m_solver;
+  std::size_t m_iterations = 0;
+  double m_residual = 0;
 };
 
 } // namespace Bspline_shells

@@ -21,11 +21,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+class Crossing_counter_3;
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
@@ -117,6 +120,7 @@ private:
   Shell_status check_intersections();
   void find_components();
   Shell_status check_orientation();
+  std::optional<std::vector<std::size_t> > components_around_front(Face_index f, const Crossing_counter_3& counter) const;
   Shell_status check_volume();
   Shell_status check_vertices();
   Shell_status refuse_facets(Shell_status status, std::vector<std::size_t>& facets);

@@ -6,21 +6,27 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_IMPL_H
 
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -104,28 +110,66 @@ Shell_status Input_mesh_3::check_intersections()
   return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::SELF_INTERSECTION, facets);
 }
 
-// All components must be oriented as the boundary of one volume, or all the other way round.
+// All components must be oriented as the boundary of one volume, or all the other way round. A short segment through one facet of each component ends
+// next to it in front; from there, the facets crossed on the way out tell which components the point is in. Pre: components do not intersect.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_orientation()
 {
-  typedef Triangle_mesh::Property_map<Face_index, std::size_t> Face_map;
-  Face_map component = m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
-  Face_map volume = m_mesh.add_property_map<Face_index, std::size_t>("f:volume", 0).first;
-  std::vector<bool> outward;
-  std::vector<std::size_t> nesting;
-  Polygon_mesh_processing::volume_connected_components(m_mesh, volume,
-    CGAL::parameters::do_orientation_tests(true)
-                    .face_connected_component_map(component)
-                    .nesting_levels(std::ref(nesting))
-                    .is_cc_outward_oriented(std::ref(outward)));
-  m_outwards = outward[0] == (nesting[0] % 2 == 0);
-  std::vector<bool> wrong(nesting.size(), false);
-  for(std::size_t c = 0; c < nesting.size(); ++c) wrong[c] = (outward[c] == (nesting[c] % 2 == 0)) != m_outwards;
-  std::vector<std::size_t> facets;      // one facet of each component that disagrees
-  for(auto f : m_mesh.faces())
-    if(wrong[component[f]]) { facets.push_back(m_origin[f]); wrong[component[f]] = false; }
-  m_mesh.remove_property_map(component);
-  m_mesh.remove_property_map(volume);
+  const Crossing_counter_3 counter(m_mesh);
+  std::vector<char> is_known(m_components, 0), is_outward(m_components, 0), is_wrong(m_components, 0);
+  std::vector<std::size_t> nesting(m_components, 0);
+  for(Face_index f : m_mesh.faces()) {
+    const std::size_t c = m_component[f];
+    if(is_known[c]) continue;
+    const std::optional<std::vector<std::size_t> > around = components_around_front(f, counter);
+    if(!around) continue;
+    is_known[c] = 1;
+    is_outward[c] = std::find(around->begin(), around->end(), c) == around->end();
+    nesting[c] = around->size() - (is_outward[c] ? 0 : 1);
+  }
+  std::vector<std::size_t> facets;      // one facet of each component that is unknown, or disagrees
+  for(Face_index f : m_mesh.faces())
+    if(!is_known[m_component[f]]) { facets.push_back(m_origin[f]); is_known[m_component[f]] = 1; }
+  if(!facets.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, facets);
+  const auto faces_out = [&](std::size_t c) { return bool(is_outward[c]) == (nesting[c] % 2 == 0); };
+  m_outwards = faces_out(m_component[*m_mesh.faces().begin()]);
+  for(std::size_t c = 0; c < m_components; ++c) is_wrong[c] = faces_out(c) != m_outwards;
+  for(Face_index f : m_mesh.faces())
+    if(is_wrong[m_component[f]]) { facets.push_back(m_origin[f]); is_wrong[m_component[f]] = 0; }
   return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
+}
+
+// The components that have a point within them: one in front of a facet, with nothing between. Nothing if rounding leaves no such point near
+// the middle of the facet.
+CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::vector<std::size_t> >
+Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& counter) const
+{
+  const auto t = triangle(f);
+  const std::array<double, 3> n = facet_normal(t[0], t[1], t[2]).direction;
+  const Kernel::Vector_3 normal(n[0], n[1], n[2]);      // its largest component is near one
+  const Kernel::Point_3 middle = CGAL::centroid(t[0], t[1], t[2]);
+  const double size = std::sqrt((std::max)({ (t[1] - t[0]).squared_length(), (t[2] - t[1]).squared_length(), (t[0] - t[2]).squared_length() }));
+  for(int halvings = 4; ; halvings *= 2) {
+    const double step = std::ldexp(size, -halvings);
+    const Kernel::Point_3 front = middle + step * normal;
+    if(front == middle) return std::nullopt;
+    const auto through = counter.crossings(middle - step * normal, front);
+    if(!through || through->size() != 1 || (*through)[0] != std::make_pair(f, 1)) continue;
+    // Ways out, until one touches no edge; none is special to any mesh.
+    const double reach = 8 * unit();
+    for(const Kernel::Vector_3& way : { Kernel::Vector_3(0.531, 0.677, 0.509), Kernel::Vector_3(-0.732, 0.417, 0.539),
+                                        Kernel::Vector_3(0.389, -0.811, 0.437), Kernel::Vector_3(0.467, 0.353, -0.811) }) {
+      const auto out = counter.crossings(front, front + reach * way);
+      if(!out) continue;
+      std::vector<std::size_t> crossed, around;
+      for(const auto& crossing : *out) crossed.push_back(m_component[crossing.first]);
+      std::sort(crossed.begin(), crossed.end());
+      for(auto first = crossed.begin(), next = first; first != crossed.end(); first = next) {
+        next = std::upper_bound(first, crossed.end(), *first);
+        if((next - first) % 2 == 1) around.push_back(*first);
+      }
+      return around;
+    }
+  }
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
