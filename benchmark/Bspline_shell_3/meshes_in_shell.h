@@ -10,7 +10,6 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -37,9 +36,7 @@ inline std::string mesh_name(const std::string& file)
 
 inline bool read_triangles(const std::string& file, Mesh& mesh)
 {
-  BS::Offending_simplices offenders;
-  return BS::read_polygon_mesh(file, mesh, offenders) == BS::Shell_status::SUCCESS
-      && CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return BS::read_triangle_mesh(file, mesh) == BS::Shell_status::SUCCESS;
 }
 
 // The mesh with its vertices moved along the flow, inwards here and outwards there: as far as the certificate allows, from 80 % of the way to

@@ -9,7 +9,6 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
@@ -48,11 +47,10 @@ inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 // reads a mesh, builds its shell and another mesh in it; if one of these fails, says why
 inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
 {
-  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
+  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
     std::cerr << "Usage: " << argv[0] << " MESH" << std::endl;
     return false;
   }
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02).time_limit(60.));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;

@@ -9,7 +9,6 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -131,9 +130,8 @@ int main(int argc, char** argv)
 
   Mesh mesh;
   BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
+  const BS::Shell_status read = BS::read_triangle_mesh(file, mesh, offenders);
   if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
 
   // a shell in which the map between meshes is proved to be one-to-one
   Step_printer printer;

@@ -16,7 +16,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
@@ -129,13 +128,11 @@ int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_b
 int run(const std::string& file, const Options& options)
 {
   Mesh mesh;
-  BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
+  const BS::Shell_status read = BS::read_triangle_mesh(file, mesh);
   if(read != BS::Shell_status::SUCCESS) {
     print_refused(file, message(read));
     return EXIT_FAILURE;
   }
-  PMP::triangulate_faces(mesh);
   const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(60.));
   if(!shell) {
     print_refused(file, message(shell.status()));

@@ -11,7 +11,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
@@ -31,9 +30,8 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 
 // Dart throwing: of uniform samples, each that has none of those kept before within the radius. With a radius of three
 // quarters of the mean spacing, a part of ten times as many samples is enough.
-std::vector<Point_3> poisson_disk_samples(Mesh mesh, std::size_t size)
+std::vector<Point_3> poisson_disk_samples(const Mesh& mesh, std::size_t size)
 {
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   const double radius = 0.75 * std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(size));
   const double cell = radius / std::sqrt(3.);      // holds one sample at most
   std::unordered_map<std::uint64_t, std::size_t> grid;
@@ -88,8 +86,7 @@ int main(int argc, char** argv)
   int exit_code = EXIT_SUCCESS;
   for(const std::string& file : files) {
     Mesh mesh;
-    BS::Offending_simplices offenders;
-    if(BS::read_polygon_mesh(file, mesh, offenders) != BS::Shell_status::SUCCESS) continue;
+    if(BS::read_triangle_mesh(file, mesh) != BS::Shell_status::SUCCESS) continue;
     std::vector<Point_3> samples;
     for(double gamma : gammas) {
       const auto shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(gamma).allow_open_shell(true)

@@ -4,7 +4,11 @@
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
+
 #include <CGAL/IO/STL.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
@@ -413,6 +417,27 @@ TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
   CHECK(read("read_degenerate.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n3 0 1 2\n3 1 3 2\n", offenders)
         == Shell_status::DEGENERATE_FACET);
   CHECK(offenders.facets == std::vector<std::size_t>{ 1 });
+}
+
+TEST_CASE("reading triangles: polygons are triangulated without new points, and not if that would join them")
+{
+  // a cube without a corner: three of its sides are concave
+  const Temporary_file cube("read_triangles.off",
+    "OFF 14 9 0 0 0 0 2 0 0 2 2 0 0 2 0 0 0 2 2 0 2 0 2 2 2 2 1 1 2 2 2 1 2 2 1 1 1 1 2 1 2 1 1 1 1\n"
+    "4 0 3 2 1 4 0 1 5 4 4 0 4 6 3 6 1 2 7 10 9 5 6 2 3 6 8 12 7 6 4 5 9 11 8 6 4 7 12 13 10 4 9 10 13 11 4 8 11 13 12\n");
+  Mesh mesh;
+  REQUIRE(read_triangle_mesh(cube.name, mesh) == Shell_status::SUCCESS);
+  CHECK(mesh.number_of_vertices() == 14);
+  CHECK(mesh.number_of_faces() == 24);
+  CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(CGAL::Polygon_mesh_processing::volume(mesh) == Approx(7));
+  CHECK_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
+
+  // two rhombuses back to back are best cut along the same diagonal
+  const Temporary_file pillow("read_triangles.off", "OFF 4 2 0 0 0 0 2 -1 0 4 0 0 2 1 0\n4 0 1 2 3 4 3 2 1 0\n");
+  Mesh none;
+  CHECK(read_polygon_mesh(pillow.name, none) == Shell_status::SUCCESS);
+  CHECK(read_triangle_mesh(pillow.name, none) == Shell_status::DEGENERATE_FACET);
 }
 
 TEST_CASE("writing: a file appears complete or not at all")

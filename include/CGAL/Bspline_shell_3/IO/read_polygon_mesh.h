@@ -32,6 +32,20 @@ struct Polygon_soup
 
 // reads a soup that is a mesh
 Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
+// false if triangles would share edges that polygons do not
+bool triangulate(Polygon_soup& soup);
+
+template <typename PolygonMesh>
+void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
+{
+  typedef typename boost::property_traits<
+    typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type Point_3;
+  std::vector<Point_3> points;
+  points.reserve(soup.points.size());
+  for(const auto& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
+  mesh.clear();
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.polygons, mesh);
+}
 
 } // namespace internal
 
@@ -52,17 +66,10 @@ Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Off
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
 {
-  typedef typename boost::property_traits<
-    typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type Point_3;
   internal::Polygon_soup soup;
   const Shell_status status = internal::read_oriented_soup(file, soup, offenders);
-  if(status != Shell_status::SUCCESS) return status;
-  std::vector<Point_3> points;
-  points.reserve(soup.points.size());
-  for(const auto& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
-  mesh.clear();
-  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.polygons, mesh);
-  return Shell_status::SUCCESS;
+  if(status == Shell_status::SUCCESS) internal::assign_soup(soup, mesh);
+  return status;
 }
 
 /*!
@@ -75,6 +82,35 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
 {
   Offending_simplices offenders;
   return read_polygon_mesh(file, mesh, offenders);
+}
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief reads a surface mesh as `read_polygon_mesh()` does, and triangulates its facets (`triangulate_polygon()`): maps and edits are of triangle
+ * meshes.
+ */
+template <typename TriangleMesh>
+Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Offending_simplices& offenders)
+{
+  internal::Polygon_soup soup;
+  const Shell_status status = internal::read_oriented_soup(file, soup, offenders);
+  if(status != Shell_status::SUCCESS) return status;
+  if(!internal::triangulate(soup)) return Shell_status::DEGENERATE_FACET;
+  internal::assign_soup(soup, mesh);
+  return Shell_status::SUCCESS;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief the same, for callers who do not ask where the file is wrong.
+ */
+template <typename TriangleMesh>
+Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh)
+{
+  Offending_simplices offenders;
+  return read_triangle_mesh(file, mesh, offenders);
 }
 
 } // namespace Bspline_shells

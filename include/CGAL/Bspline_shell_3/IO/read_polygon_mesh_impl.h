@@ -9,11 +9,13 @@
 #include <CGAL/Bspline_shell_3/IO/internal/normalize_OFF.h>
 #include <CGAL/Bspline_shell_3/IO/internal/normalize_PLY.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -189,6 +191,20 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status read_oriented_soup(const std::string& f
   sort_and_remove_repetitions(offenders.vertices);
   for(std::size_t& v : offenders.vertices) v = first[v];
   return offenders.vertices.empty() && PMP::is_polygon_soup_a_polygon_mesh(polygons) ? Shell_status::SUCCESS : Shell_status::NON_MANIFOLD;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE bool triangulate(Polygon_soup& soup)
+{
+  Polygon_soup::Polygons triangles;
+  for(std::vector<std::size_t>& polygon : soup.polygons)
+    if(polygon.size() == 3) triangles.push_back(std::move(polygon));
+    else {
+      std::vector<Polygon_soup::Point_3> corners;
+      for(std::size_t v : polygon) corners.push_back(soup.points[v]);
+      for(const std::array<std::size_t, 3>& t : triangulate_polygon(corners)) triangles.push_back({ polygon[t[0]], polygon[t[1]], polygon[t[2]] });
+    }
+  soup.polygons.swap(triangles);
+  return Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
 }
 
 } // namespace internal
