@@ -127,3 +127,23 @@ TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is"
     CHECK(oracle.winding_number(apex, link({ 4, 3, 2, 1, 0 })) == 0);
   }
 }
+
+TEST_CASE("Facet oracle: a fan that winds twice is rejected, also where squares of the gradient vanish or are no number")
+{
+  for(double scale : { 1., 1e-170, 1e160 }) {
+    CAPTURE(scale);
+    const auto shell = shell_of(uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } }), 0.36 * scale, 0.6561 * scale);
+    const Oracle oracle(shell);
+    const auto fan = [&](std::initializer_list<int> order) {
+      std::vector<Point_3> link;
+      for(int k : order) link.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
+      Oracle::Memory memory;
+      return oracle(Point_3(0, 0, 0.7), link, memory);
+    };
+    CHECK(fan({ 0, 2, 4, 1, 3 }) != Placement_verdict::ACCEPTED);
+    if(scale == 1) {
+      CHECK(fan({ 0, 2, 4, 1, 3 }) == Placement_verdict::WINDS_TWICE);
+      CHECK(fan({ 0, 1, 2, 3, 4 }) == Placement_verdict::ACCEPTED);
+    }
+  }
+}
