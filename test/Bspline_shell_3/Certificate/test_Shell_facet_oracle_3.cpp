@@ -132,7 +132,8 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected, also where squares 
 {
   for(double scale : { 1., 1e-170, 1e160 }) {
     CAPTURE(scale);
-    const auto shell = shell_of(uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } }), 0.36 * scale, 0.6561 * scale);
+    const Uniform_field field = uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
+    const auto shell = shell_of(field, 0.36 * scale, 0.6561 * scale);
     const Oracle oracle(shell);
     const auto fan = [&](std::initializer_list<int> order) {
       std::vector<Point_3> link;
