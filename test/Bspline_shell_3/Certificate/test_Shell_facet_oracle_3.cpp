@@ -148,3 +148,24 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected, also where squares 
     }
   }
 }
+
+TEST_CASE("Facet oracle: what is between the thresholds but in cells that are not the shell's is rejected")
+{
+  // the half with positive x of a layer
+  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
+  std::vector<char> cells(field.number_of_cells());
+  for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const CGAL::Bspline_shell_3<Uniform_field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {}, report);
+  const Oracle oracle(shell);
+  for(double x : { 0.4, 0., -0.4 }) {
+    CAPTURE(x);
+    const auto at = [&](double dx, double dy) { return Point_3(x + dx, 0.3 + dy, 0.1); };
+    const bool is_in_shell = x > 0.1;
+    CHECK((oracle(at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1)) == Placement_verdict::ACCEPTED) == is_in_shell);
+    Oracle::Memory memory;
+    CHECK((oracle(at(0.01, 0.02), { at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1), at(-0.1, 0.1) }, memory) == Placement_verdict::ACCEPTED) == is_in_shell);
+  }
+}
