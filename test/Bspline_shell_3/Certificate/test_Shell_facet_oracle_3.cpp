@@ -165,7 +165,8 @@ TEST_CASE("Facet oracle: what is between the thresholds but in cells that are no
     const auto at = [&](double dx, double dy) { return Point_3(x + dx, 0.3 + dy, 0.1); };
     const bool is_in_shell = x > 0.1;
     CHECK((oracle(at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1)) == Placement_verdict::ACCEPTED) == is_in_shell);
+    const std::vector<Point_3> link = { at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1), at(-0.1, 0.1) };
     Oracle::Memory memory;
-    CHECK((oracle(at(0.01, 0.02), { at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1), at(-0.1, 0.1) }, memory) == Placement_verdict::ACCEPTED) == is_in_shell);
+    CHECK((oracle(at(0.01, 0.02), link, memory) == Placement_verdict::ACCEPTED) == is_in_shell);
   }
 }
