@@ -271,6 +271,21 @@ TEST_CASE("lattices: a plane begins its interval, the double before it ends the 
   }
 }
 
+TEST_CASE("lattices: intervals are between rounded planes where planes are no doubles")
+{
+  CGAL::Random random(32);
+  for(int n = 0; n < 2000; ++n) {
+    const double spacing = random.get_double(0.1, 1) / 3, origin = random.get_double(-1, 1) * std::ldexp(1., n % 20) / 3;
+    const int i = random.get_int(-1000, 1001);
+    const Lattice lattice = Lattice::from_origin({ origin, origin, origin }, spacing, { -1001, -1001, -1001 }, { 1001, 1001, 1001 });
+    REQUIRE_FALSE(lattice.is_exact());
+    const double x = lattice.coordinate(n % 3, i);
+    CHECK(lattice.interval(n % 3, x) == i);
+    CHECK(lattice.interval(n % 3, std::nextafter(x, inf)) == i);
+    CHECK(lattice.interval(n % 3, std::nextafter(x, -inf)) == i - 1);
+  }
+}
+
 TEST_CASE("lattice keys: there and back, sorted like (k, j, i)")
 {
   const int m = Key::max_coordinate;

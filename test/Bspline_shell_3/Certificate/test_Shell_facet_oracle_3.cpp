@@ -127,3 +127,46 @@ TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is"
     CHECK(oracle.winding_number(apex, link({ 4, 3, 2, 1, 0 })) == 0);
   }
 }
+
+TEST_CASE("Facet oracle: a fan that winds twice is rejected, also where squares of the gradient vanish or are no number")
+{
+  for(double scale : { 1., 1e-170, 1e160 }) {
+    CAPTURE(scale);
+    const Uniform_field field = uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
+    const auto shell = shell_of(field, 0.36 * scale, 0.6561 * scale);
+    const Oracle oracle(shell);
+    const auto fan = [&](std::initializer_list<int> order) {
+      std::vector<Point_3> link;
+      for(int k : order) link.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
+      Oracle::Memory memory;
+      return oracle(Point_3(0, 0, 0.7), link, memory);
+    };
+    CHECK(fan({ 0, 2, 4, 1, 3 }) != Placement_verdict::ACCEPTED);
+    if(scale == 1) {
+      CHECK(fan({ 0, 2, 4, 1, 3 }) == Placement_verdict::WINDS_TWICE);
+      CHECK(fan({ 0, 1, 2, 3, 4 }) == Placement_verdict::ACCEPTED);
+    }
+  }
+}
+
+TEST_CASE("Facet oracle: what is between the thresholds but in cells that are not the shell's is rejected")
+{
+  // the half with positive x of a layer
+  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
+  std::vector<char> cells(field.number_of_cells());
+  for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const CGAL::Bspline_shell_3<Uniform_field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {}, report);
+  const Oracle oracle(shell);
+  for(double x : { 0.4, 0., -0.4 }) {
+    CAPTURE(x);
+    const auto at = [&](double dx, double dy) { return Point_3(x + dx, 0.3 + dy, 0.1); };
+    const bool is_in_shell = x > 0.1;
+    CHECK((oracle(at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1)) == Placement_verdict::ACCEPTED) == is_in_shell);
+    const std::vector<Point_3> link = { at(-0.1, -0.1), at(0.1, -0.1), at(0.1, 0.1), at(-0.1, 0.1) };
+    Oracle::Memory memory;
+    CHECK((oracle(at(0.01, 0.02), link, memory) == Placement_verdict::ACCEPTED) == is_in_shell);
+  }
+}

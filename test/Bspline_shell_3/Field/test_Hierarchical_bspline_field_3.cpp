@@ -519,6 +519,32 @@ TEST_CASE("hierarchical fields: the error radius bounds how far Bernstein coeffi
   }
 }
 
+TEST_CASE("hierarchical fields: the error radius is that of large coefficients, also where dependent ones are small averages of these")
+{
+  // Of the largest cells, with signs like the colors of a chessboard: averages of as many of each sign nearly vanish, but for rounding.
+  CGAL::Random random(16);
+  Field field(some_cells_of_three_sizes(random, 1));
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  for(Index n = 0; n < field.number_of_coefficients(); ++n) {
+    const Index at = field.point_of_coefficient(n);
+    const Lattice_point& p = point(field, level_of_point(field, at), at);
+    x[n] = level_of_point(field, at) > 0 ? 0 : ((p[0] + p[1] + p[2]) % 2 == 0 ? 1 : -1) * random.get_double(1, 1.001);
+  }
+  field.set_coefficients(x);
+  std::size_t small = 0, beyond = 0;
+  for(Index c = 0; c < field.number_of_cells(); ++c) {
+    const auto cell = field.cell(c);
+    double largest = 0;
+    for(int n = 0; n < 64; ++n) largest = (std::max)(largest, std::abs(cell.coefficients()[n]));
+    if(largest == 0 || largest > 0.001) continue;
+    ++small;
+    const std::array<Rational, 64> b = field.bernstein_coefficients<Rational>(c);
+    for(int n = 0; n < 64; ++n) beyond += CGAL::abs(Rational(cell.coefficients()[n]) - b[n]) > Rational(cell.error_radius());
+  }
+  CHECK(small > 10);
+  CHECK(beyond == 0);
+}
+
 TEST_CASE("hierarchical fields: collect is the transposed of extend")
 {
   CGAL::Random random(15);
