@@ -741,6 +741,26 @@ TEST_CASE("Remeshing: that facets may be frozen changes nothing where none is re
   CHECK(is_equal(mesh, reversed));
 }
 
+TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused before anything is done")
+{
+  const Mesh start = sphere(2);
+  Mesh mesh = start;
+  const auto status = [&](double target, double limit) { return remesh(mesh, target, sphere_shell(), P::memory_limit(limit)).status; };
+  // 3e7 facets are more than the default allows, and 700 more than a megabyte does
+  CHECK(remesh(mesh, 1e-3, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
+  CHECK(status(0.2, 1e6) == Status::MEMORY_LIMIT_EXCEEDED);
+  for(double limit : { 0., -1., nan_value }) CHECK(status(0.2, limit) == Status::INVALID_PARAMETER);
+  // a length in the wrong unit stays one, however much memory there is
+  CHECK(status(1e-6, infinite) == Status::INVALID_PARAMETER);
+  CHECK(is_equal(mesh, start));
+  const auto report = remesh(mesh, 0.2, sphere_shell(), P::memory_limit(1e7));
+  check_result(report, sphere_shell(), mesh);
+  // The limit speaks of both meshes: this is a coarse one of a fine one.
+  Mesh fine = sphere(4);
+  CHECK(remesh(fine, 0.5, sphere_shell(), P::memory_limit(5e6)).status == Status::MEMORY_LIMIT_EXCEEDED);
+  CHECK(is_equal(fine, sphere(4)));
+}
+
 TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all that the caller attached to it")
 {
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice

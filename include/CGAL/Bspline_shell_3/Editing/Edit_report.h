@@ -30,7 +30,7 @@ struct Edit_report
   /// facets, in the same order, in that of the result
   std::vector<std::size_t> frozen_facets_before, frozen_facets;
   std::size_t facets_before = 0, facets = 0;    ///< of the mesh
-  std::size_t constrained_edges = 0;            ///< of the result; 0 without success
+  std::size_t constrained_edges = 0;            ///< of the result; 0 if the mesh was not edited
   Placement_statistics placements;              ///< all that were tried, by verdict
   Certificate_report certificate;               ///< of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
   /// times of the first check, the edit, the certificate, and the location of vertices

@@ -18,7 +18,8 @@ enum class Edit_status
   EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; the others are proved to lie
                          ///< in the shell and to face along the gradient
   NO_SHELL,              ///< there is no shell
-  INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh
+  INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh; or a limit is not positive
+  MEMORY_LIMIT_EXCEEDED, ///< the result, with what is needed to certify it, would need more memory than allowed
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
@@ -39,7 +40,10 @@ inline const char* message(Edit_status status)
     case Edit_status::NO_SHELL:
       return "There is no shell: its own status says why.";
     case Edit_status::INVALID_PARAMETER:
-      return "The target length of edges must be a positive number everywhere, not so small that there are more facets than have numbers.";
+      return "The target length of edges must be a positive number everywhere, not so small that there are more facets than have numbers, and the "
+             "memory limit must be positive.";
+    case Edit_status::MEMORY_LIMIT_EXCEEDED:
+      return "The result would need more memory than allowed: ask for longer edges, or raise the limit (memory_limit).";
     case Edit_status::NOT_FINITE:
       return "The mesh has vertices whose coordinates are infinite or not a number.";
     case Edit_status::NOT_TRIANGULATED:
@@ -47,8 +51,8 @@ inline const char* message(Edit_status status)
     case Edit_status::OPEN_MESH:
       return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Edit_status::NOT_IN_SHELL:
-      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh for which the shell is certified, or leave "
-             "these facets as they are (freeze_rejected_facets).";
+      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit a mesh "
+             "for which the shell is certified, or leave these facets as they are (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
       return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "
              "certified shell of this mesh.";

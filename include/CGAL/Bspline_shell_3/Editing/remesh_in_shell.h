@@ -60,11 +60,11 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         predicates and `FT` = `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
+ * \param mesh a closed mesh in the shell, often the one that the shell was built for. If it is not edited, it is as before: if the
  *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
  *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
- *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has of
- *        them are invalid. With all other statuses it was not touched.
+ *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
+ *        of them are invalid. With all other statuses it was not touched.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
  *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.
@@ -76,10 +76,13 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
  *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike that of `simplify_in_shell()`
  *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
- *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split or
- *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split
+ *     or collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
+ *   - `memory_limit(double)`: bytes, about, that the mesh, the result and its certificate may take; default 4e9. They are estimated as 1200 for each
+ *     facet of the mesh, and for each equilateral triangle of the size asked for that its area has room for; a `Surface_mesh` takes about a third of
+ *     that. If they are more, the status is `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
@@ -130,8 +133,10 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     return std::numeric_limits<double>::quiet_NaN();
   };
   for(auto v : vertices(mesh)) sizing(get(vpm, v));
-  // Far more facets than memory holds come of a length in the wrong unit: as many as elements of a mesh have numbers.
+  // Lengths in the wrong unit ask for more facets than have numbers, or than memory holds.
   constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
+  // At the peak, with the certificate, a Surface_mesh takes 360 bytes for each facet, a Polyhedron_3 840; located vertices add 280.
+  constexpr double bytes_per_facet = 1200;
   double expected = 0;
   for(auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
@@ -139,14 +144,17 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     const double length = sizing(CGAL::centroid(p, q, r));
     expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
   }
-  if(!is_sizing_valid || !(expected < most_facets)) return ended(Status::INVALID_PARAMETER);
+  const double memory_limit = choose_parameter(get_parameter(np, parameter_tags::memory_limit), 4e9);
+  if(!is_sizing_valid || !(expected < most_facets) || !(memory_limit > 0)) return ended(Status::INVALID_PARAMETER);
+  if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit)) return ended(Status::MEMORY_LIMIT_EXCEEDED);
 
   const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
   const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result, [&](const auto& oracle, const auto& frozen) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result,
+                                                          [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     typedef Shell_projection_3<Shell, TriangleMesh> Projection;
     const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));

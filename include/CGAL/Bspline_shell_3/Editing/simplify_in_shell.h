@@ -279,11 +279,10 @@ struct Accepted_filter
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
  *
- * \param mesh a closed mesh in the shell, often the one that the shell was built for. Without success it is as before: if the
- *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so
- *        has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the
- *        caller has of them are invalid. With all other
- *        statuses it was not touched.
+ * \param mesh a closed mesh in the shell, often the one that the shell was built for. If it is not edited, it is as before: if the
+ *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and
+ *        so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that
+ *        the caller has of them are invalid. With all other statuses it was not touched.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
@@ -297,14 +296,14 @@ struct Accepted_filter
  *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
  *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they are
  *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed along themselves, as
- *     `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish in favor of one of its neighbors on them, while ends, and
- *     vertices where more of them meet, stay where they are. What is left of a polyline connects vertices that it had, and how many edges that are,
- *     `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds how far
- *     a polyline gets from the mesh, but not how far it moves along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero
+ *     `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish in favor of one of its neighbors on them, while ends,
+ *     and vertices where more of them meet, stay where they are. What is left of a polyline connects vertices that it had, and how many edges that
+ *     are, `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds how far a
+ *     polyline gets from the mesh, but not how far it moves along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero
  *     beside it stays as long as this one does.
  *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
- *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are not
- *     collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are
+ *     not collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal
@@ -353,7 +352,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result, [&](const auto& oracle, const auto& frozen) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result,
+                                                          [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);

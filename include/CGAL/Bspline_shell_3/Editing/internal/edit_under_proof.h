@@ -63,8 +63,8 @@ bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f
   return is_zero(h, mesh, vpm) || is_zero(next(h, mesh), mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
 }
 
-// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once. Frozen facets, and fans that have
-// some, do not count, nor, on request, facets with an edge of length zero.
+// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once. Frozen facets, and fans that
+// have some, do not count, nor, on request, facets with an edge of length zero.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
 Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
                                                  const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,
@@ -243,8 +243,8 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
 }
 
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
-// `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the mesh
-// must be gone when it returns.
+// `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
+// mesh must be gone when it returns.
 // \pre `check_before_edits()` accepts the mesh
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>
