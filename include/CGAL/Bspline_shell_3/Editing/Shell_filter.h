@@ -25,7 +25,7 @@ namespace Bspline_shells {
  *
  * With `Shell_facet_oracle_3`, a mesh whose facets lie in the shell and face along the gradient, and whose fans all wind once, stays
  * such a mesh:
- * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbour moves: the two facets there
+ * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbor moves: the two facets there
  *   turn by less than a turn together, before and after, from the same vertex to the same vertex, and so by the same
  *   angle. At the two vertices opposite to the edge, three facets become two: what the fan turns can only get less, by full turns, and a
  *   fan of facets that all face the axis turns once at least.
@@ -35,7 +35,8 @@ namespace Bspline_shells {
  * The last two claims of the certificate, one sheet and degree one, then stay as they are, too: `simplify_in_shell()` proves all
  * of them again.
  *
- * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies serve one thread at a time. The oracle
+ * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies serve one thread at a time.
+ * The oracle
  * may serve several.
  *
  * \cgalModels `PlacementFilter`

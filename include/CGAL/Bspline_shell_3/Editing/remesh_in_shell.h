@@ -50,7 +50,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *
  * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that are longer than 4/3 of the
  * target length, collapses those that are shorter than 4/5 of it, flips edges towards six edges at each vertex, and moves vertices within the tangent
- * plane towards the centroid of their neighbours; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges are
+ * plane towards the centroid of their neighbors; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges
+ * are
  * flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
  * flipped. An operation that the shell forbids is left out, or done by a part.
  *

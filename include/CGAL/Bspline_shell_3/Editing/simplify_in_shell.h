@@ -272,7 +272,7 @@ struct Accepted_filter
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`. Where the place that the
  * policy asks for is rejected, others are tried, in the order of their costs: the ends and the middle of the edge, and the policy's
  * place and the middle, moved along the gradient to the level of the edge. An edge that is given up is considered again
- * when its neighbourhood has changed. Edges of length zero are collapsed first, which changes no shape.
+ * when its neighborhood has changed. Edges of length zero are collapsed first, which changes no shape.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
  *         the result is the same

@@ -319,7 +319,7 @@ private:
   template <typename ConcurrencyTag>
   std::vector<Triangle> make_triangles() const
   {
-    return collect_from_chunks<ConcurrencyTag, Triangle>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
+    const auto cut = [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         if(!is_cut(n)) continue;
         const Surroundings surroundings(m_subdivision, m_candidates[n]);
@@ -333,7 +333,8 @@ private:
           cut_tetrahedron(n, corners, crossing, found);
         });
       }
-    });
+    };
+    return collect_from_chunks<ConcurrencyTag, Triangle>(m_candidates.size(), chunk, cut);
   }
 
   template <typename Crossing>
