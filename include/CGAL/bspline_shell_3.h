@@ -84,9 +84,10 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
   if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
 
+  // a copy, unless it was passed by reference
+  [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
   std::optional<BS::Any_signed_distance_3> oracle;
-  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-    oracle.emplace(get_parameter_reference(np, tags::signed_distance_oracle));
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
   if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
     return BS::build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle);
   else {

@@ -70,8 +70,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   parameters.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), parameters.relative_thickness);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
     parameters.thickness = get_parameter(np, tags::thickness);
+  [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);       // a copy, unless it was passed by reference
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
-    parameters.sizing = [&np](const Certified_bspline_shell_3::Point_3& p) { return double(get_parameter_reference(np, tags::sizing)(p)); };
+    parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
   BS::Refinement_parameters& refinement = parameters.refinement;
   refinement.weights = choose_parameter(get_parameter(np, tags::energy_weights), refinement.weights);
   refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), refinement.constant_thresholds);
@@ -84,9 +85,10 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
   if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
+  // a copy, unless it was passed by reference
+  [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
   std::optional<BS::Any_signed_distance_3> oracle;
-  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value)
-    oracle.emplace(get_parameter_reference(np, tags::signed_distance_oracle));
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
   if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
     return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle);
   else {

@@ -126,6 +126,7 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
   BS::Shell_report report;
   report.status = BS::Shell_status::SUCCESS;
   report.unit = 2;
+  report.certificate = certificate.report();
   const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells, {}, report);
   CGAL::Bspline_shell_3<Field> with_cover(without_cover);
   with_cover.set_proved_cover(certificate.cover()->boxes());
