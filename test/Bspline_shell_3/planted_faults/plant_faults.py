@@ -6,7 +6,7 @@
 With WORDS, only faults are run whose name or file contains one of them. The list (faults.txt beside this script) says how faults
 are written down. All of them are planted into a copy of the sources, in FOLDER (build/planted_faults), behind one switch that
 is read from the environment: each test is compiled once. FOLDER is kept, so that a later run compiles what has changed, and
-begins with the test that saw a fault last time.
+begins with the test that saw a fault last time; then come those of the file that has it, then all.
 
 First all tests must pass without a fault. Then each fault is switched on, and the tests are run up to the first that fails; to end
 in any other way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake,
@@ -204,9 +204,9 @@ class Tests:
     def __init__(self, command, name_of_test, choose):
         self.command, self.name_of_test, self.choose = command, name_of_test, choose
 
-    def run(self, number, timeout, only=None):
+    def run(self, number, timeout, only=()):
         environment = dict(os.environ, PLANTED_FAULT=str(number))
-        command = self.command + (self.choose(only) if only else [])
+        command = self.command + list(only)
         process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                                    start_new_session=True)
         try:
@@ -259,10 +259,18 @@ def main():
     memory = os.path.join(work, "seen_by.json")
     seen_by = json.load(open(memory)) if os.path.exists(memory) else {}
 
+    # first the test that saw the fault last time, then those of the file that has it
     def examine(fault):
         tests = of_checker if fault.is_of_checker else of_package
-        seen = tests.run(fault.number, timeout[tests], seen_by[fault.name]) if fault.name in seen_by else None
-        return fault, seen or tests.run(fault.number, timeout[tests])
+        attempts = [tests.choose(seen_by[fault.name])] if fault.name in seen_by else []
+        if not fault.is_of_checker:
+            header = os.path.basename(fault.file).removesuffix(".h").removesuffix("_impl")
+            attempts.append(["--filenames-as-tags", f"[#test_{header}]"])
+        for only in [*attempts, []]:
+            seen = tests.run(fault.number, timeout[tests], only)
+            if seen:
+                return fault, seen
+        return fault, None
 
     start, file, survivors, argued, mistaken = time.time(), None, [], [], []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
