@@ -189,6 +189,38 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(other.verify(mesh));
 }
 
+TEST_CASE("Certificate: bounds hold for all of the shell, also where the field is steeper and the thresholds are wider than at its lowest cells")
+{
+  const Mesh mesh = sphere(2);
+  // ten times as steep above as below
+  Field field = radial_field();
+  set(field, [](double x, double y, double z) {
+    const double t = (std::min)((std::max)(z / 0.8, 0.), 1.);
+    return std::sqrt(x*x + y*y + z*z) * (1 + 9 * t * t * (3 - 2 * t));
+  });
+  const Certificate certificate = certify(field, 0.5, 12, mesh);
+  REQUIRE(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED);
+  double least_angle = 10;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 n = CGAL::cross_product(q - p, r - p), g = *field.gradient(CGAL::centroid(p, q, r));
+    least_angle = (std::min)(least_angle, std::asin(n * g / std::sqrt(n.squared_length() * g.squared_length())));
+  }
+  CHECK(certificate.least_angle() > 0);
+  CHECK(certificate.least_angle() <= least_angle);
+
+  // wide above, narrow below: the integral curve upwards is 0.606 long
+  typedef BS::Spline_threshold<Field> Varying;
+  const Field round = radial_field();
+  Field inner = round, outer = round;
+  set(inner, [](double, double, double z) { return 0.8 - 0.1 * z; });
+  set(outer, [](double, double, double z) { return 1.2 + 0.1 * z; });
+  BS::Shell_certificate_3<Field, Varying> varying(round, Varying(inner), Varying(outer));
+  REQUIRE(varying.verify<CGAL::Sequential_tag>(mesh));
+  CHECK(varying.displacement_bound() >= 0.6);
+}
+
 TEST_CASE("Certificate: components side by side and nested have shells of their own")
 {
   Mesh mesh = sphere(2);
