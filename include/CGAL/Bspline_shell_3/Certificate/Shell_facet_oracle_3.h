@@ -255,7 +255,12 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Poi
   const double length = internal::norm(at_p.gradient);
   if(!(length > 0)) return 0;
   const double s = 16 * m_largest_width / length;
-  return link_winding_number(p, Point_3(p[0] + s * at_p.gradient[0], p[1] + s * at_p.gradient[1], p[2] + s * at_p.gradient[2]), link);
+  Coordinates on_axis;
+  for(int a = 0; a < 3; ++a) {
+    on_axis[a] = p[a] + s * at_p.gradient[a];
+    if(!std::isfinite(on_axis[a])) return 0;        // predicates take numbers only
+  }
+  return link_winding_number(p, Point_3(on_axis[0], on_axis[1], on_axis[2]), link);
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
