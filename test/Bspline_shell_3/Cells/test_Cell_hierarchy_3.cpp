@@ -405,7 +405,7 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
   typedef std::vector<std::vector<std::uint64_t> > Leaves;
   CGAL::Random random(22);
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.3);
-  std::size_t wrong = 0, accepted = 0;
+  std::size_t wrong = 0, accepted = 0, exchanged = 0;
   for(int n = 0; n < 20; ++n) {
     const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 4 }, 0.8), 1 + n % 5, 2);
     Leaves leaves(std::size_t(cells.number_of_levels()));
@@ -434,10 +434,19 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
       overlapping[l-1].push_back(BS::Lattice_key::encode(p[0], p[1], p[2]));
       BS::sort_unique(overlapping[l-1]);
       accepted += Hierarchy::from_leaves(lattice, overlapping).has_value();
+      // that parent in place of a leaf of its level: as many leaves of each level as there should be
+      if(l > 1 && !leaves[l-1].empty()) {
+        Leaves in_place = leaves;
+        in_place[l-1].front() = BS::Lattice_key::encode(p[0], p[1], p[2]);
+        BS::sort_unique(in_place[l-1]);
+        accepted += Hierarchy::from_leaves(lattice, in_place).has_value();
+        ++exchanged;
+      }
     }
   }
   CHECK(wrong == 0);
   CHECK(accepted == 0);
+  CHECK(exchanged > 0);
 
   // a cell that is split twice at a corner, with no rings around it
   std::vector<std::uint64_t> level[3];

@@ -1,0 +1,71 @@
+// critical_point.h: a critical point that is proved is there; none is proved where the gradient only comes close to zero.
+#include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef std::array<double, 4> Cubic;      // Bernstein coefficients
+
+// (t - a)^3 / 3 + e t
+Cubic cube(double a, double e)
+{
+  const double b = 1 - a;
+  return { -a * a * a / 3, a * a * b / 3 + e / 3, -a * b * b / 3 + 2 * e / 3, b * b * b / 3 + e };
+}
+
+// (t - a)^2 / 2
+Cubic square(double a)
+{
+  const double b = 1 - a;
+  return { a * a / 2, (a * a - 2 * a * b) / 6, (b * b - 2 * a * b) / 6, b * b / 2 };
+}
+
+// p(x) + q(y) + r(z)
+BS::Enclosed_tricubic sum(const Cubic& p, const Cubic& q, const Cubic& r)
+{
+  BS::Enclosed_tricubic f;
+  for(int n = 0; n < 64; ++n) f.coefficients[n] = p[n % 4] + q[n / 4 % 4] + r[n / 16];
+  return f;
+}
+
+} // namespace
+
+TEST_CASE("critical points: that of a quadratic function is proved and lies in its box")
+{
+  std::size_t wrong = 0;
+  for(double x : { 0.1, 0.3, 0.5, 0.8 })
+    for(double y : { 0.2, 0.5, 0.9 }) {
+      const auto p = BS::prove_critical_point(sum(square(x), square(y), square(0.4)));
+      REQUIRE(p);
+      wrong += std::abs(p->center[0] - x) > p->radius || std::abs(p->center[1] - y) > p->radius || std::abs(p->center[2] - 0.4) > p->radius;
+      for(double c : p->center) wrong += !(c - p->radius >= 0 && c + p->radius <= 1);
+    }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("critical points: none is proved where second derivatives vanish within the box and the gradient only nearly does")
+{
+  // the derivative by x is (x - a)^2 + e > 0
+  std::size_t proved = 0;
+  for(double a : { 0.1, 0.25, 0.4, 0.6, 0.75, 0.9 })
+    for(double e : { 1e-3, 1e-6, 1e-12 }) {
+      proved += BS::prove_critical_point(sum(cube(a, e), square(0.5), square(0.5))).has_value();
+      proved += BS::prove_critical_point(sum(square(0.5), cube(a, e), square(0.5))).has_value();
+      proved += BS::prove_critical_point(sum(square(0.5), square(0.5), cube(a, e))).has_value();
+    }
+  CHECK(proved == 0);
+}
+
+TEST_CASE("critical points: none is proved where every function within the radius may have its own")
+{
+  BS::Enclosed_tricubic f = sum(square(0.5), square(0.5), square(0.5));
+  REQUIRE(BS::prove_critical_point(f));
+  f.radius = 0.1;
+  CHECK_FALSE(BS::prove_critical_point(f));
+}
