@@ -1,10 +1,14 @@
 // check_certificate/interval.h: an interval contains what exact arithmetic gives for any two numbers of its operands, also where
-// rounding to nearest leaves it out.
+// rounding to nearest leaves it out. check_certificate/polynomials.h: so do coefficients and ranges of polynomials.
 #include "interval.h"
+#include "polynomials.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <vector>
 
@@ -26,6 +30,54 @@ std::vector<Interval> intervals()
   result.emplace_back(-0.1, 0.1);
   result.emplace_back(0.);
   return result;
+}
+
+typedef std::array<Rational, 3> Point;
+
+// the weights of the four coefficients along an axis, or of those of the derivative
+std::array<Rational, 4> weights(const Rational& t, bool derived)
+{
+  const Rational s = 1 - t;
+  if(derived) return { -3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t };
+  return { s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t };
+}
+
+// of the lower ends of coefficients, derived along an axis if that is not three
+Rational value(const Coefficients& b, const Point& t, int derived = 3)
+{
+  std::array<std::array<Rational, 4>, 3> w;
+  for(int a = 0; a < 3; ++a) w[a] = weights(t[a], a == derived);
+  Rational sum = 0;
+  for(int n = 0; n < 64; ++n) sum += Rational(b[n].lo) * w[0][n % 4] * w[1][n / 4 % 4] * w[2][n / 16];
+  return sum;
+}
+
+bool encloses(const Coefficients& b, const Point& t, const Rational& exact)
+{
+  // the ends of the coefficients, weighted: weights are not negative in the cube
+  std::array<std::array<Rational, 4>, 3> w;
+  for(int a = 0; a < 3; ++a) w[a] = weights(t[a], false);
+  Rational low = 0, high = 0;
+  for(int n = 0; n < 64; ++n) {
+    const Rational weight = w[0][n % 4] * w[1][n / 4 % 4] * w[2][n / 16];
+    low += Rational(b[n].lo) * weight;
+    high += Rational(b[n].hi) * weight;
+  }
+  return low <= exact && exact <= high && high - low <= Rational(1e-12);
+}
+
+Coefficients random_coefficients(std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> number(0.5, 1.5);
+  Coefficients b;
+  for(Interval& i : b) i = Interval(number(random));
+  return b;
+}
+
+Point random_point(std::mt19937_64& random)
+{
+  std::uniform_int_distribution<int> number(0, 16);
+  return { Rational(number(random)) / 16, Rational(number(random)) / 16, Rational(number(random)) / 16 };
 }
 
 } // namespace
@@ -75,3 +127,80 @@ TEST_CASE("intervals of the checker: a hull contains all of them; a rational num
 }
 
 TEST_CASE("intervals of the checker: the arithmetic of this machine is what they rely on") { CHECK(usable_arithmetic()); }
+
+TEST_CASE("polynomials of the checker: a range on a triangle contains all values there, and not much else if the triangle is small")
+{
+  std::mt19937_64 random(2);
+  std::size_t wrong = 0, wide = 0;
+  for(int n = 0; n < 30; ++n) {
+    const Coefficients b = random_coefficients(random);
+    const std::array<Point, 3> corner = { random_point(random), random_point(random), random_point(random) };
+    const Rational size = n % 2 == 0 ? Rational(1) : Rational(1) / 1024;
+    const auto at = [&](int i, int a) { return Rational(corner[0][a] + (corner[i][a] - corner[0][a]) * size); };
+    Triangle triangle;
+    for(int i = 0; i < 3; ++i)
+      for(int a = 0; a < 3; ++a) triangle[i][a] = Interval(at(i, a).convert_to<double>());
+    const Interval range = range_on_triangle(b, triangle);
+    Rational low = value(b, { at(0, 0), at(0, 1), at(0, 2) }), high = low;
+    for(int i = 0; i <= 6; ++i)
+      for(int j = 0; i + j <= 6; ++j) {
+        Point p;
+        for(int a = 0; a < 3; ++a) p[a] = (i * at(1, a) + j * at(2, a) + (6 - i - j) * at(0, a)) / 6;
+        const Rational v = value(b, p);
+        wrong += !contains(range, v);
+        low = (std::min)(low, v);
+        high = (std::max)(high, v);
+      }
+    if(size < 1) wide += Rational(range.hi) - Rational(range.lo) > 2 * (high - low) + Rational(1e-9);
+  }
+  CHECK(wrong == 0);
+  CHECK(wide == 0);
+}
+
+TEST_CASE("polynomials of the checker: halves, differences and derivatives are those of the polynomial")
+{
+  std::mt19937_64 random(3);
+  std::size_t wrong_halves = 0, wrong_differences = 0, wrong_derivatives = 0;
+  for(int n = 0; n < 30; ++n) {
+    const Coefficients b = random_coefficients(random), c = random_coefficients(random);
+    const Point t = random_point(random);
+    for(int axis = 0; axis < 3; ++axis)
+      for(bool upper : { false, true }) {
+        Coefficients half = b;
+        halve(half, axis, upper);
+        Point p = t;
+        p[axis] = (p[axis] + (upper ? 1 : 0)) / 2;
+        wrong_halves += !encloses(half, t, value(b, p));
+      }
+    wrong_differences += !encloses(difference(b, c), t, value(b, t) - value(c, t));
+    const std::array<Interval, 3> d = { Interval(0.5), Interval(-1.25), Interval(2) };
+    Rational along = 0;
+    for(int axis = 0; axis < 3; ++axis) along += Rational(d[axis].lo) * value(b, t, axis);
+    wrong_derivatives += !encloses(derivative(b, d), t, along);
+  }
+  CHECK(wrong_halves == 0);
+  CHECK(wrong_differences == 0);
+  CHECK(wrong_derivatives == 0);
+}
+
+TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on their common face, and a linear spline is linear")
+{
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> number(-1, 1);
+  double grid[4][4][5];
+  for(auto& plane : grid)
+    for(auto& row : plane)
+      for(double& x : row) x = number(random);
+  const auto coefficients = [&](int first, bool linear) {
+    Coefficients c;
+    for(int n = 0; n < 64; ++n) c[n] = Interval(linear ? double(n % 4 + first) : grid[n / 16][n / 4 % 4][n % 4 + first]);
+    return bernstein(c);
+  };
+  const Coefficients left = coefficients(0, false), right = coefficients(1, false);
+  std::size_t wrong = 0;
+  for(int n = 0; n < 64; n += 4) wrong += left[n + 3].lo > right[n].hi || right[n].lo > left[n + 3].hi;
+  // the spline's points are the cells' corners: the first cell begins at the second of them
+  const Coefficients line = coefficients(0, true);
+  for(int n = 0; n < 64; ++n) wrong += !contains(line[n], Rational(1) + Rational(n % 4) / 3);
+  CHECK(wrong == 0);
+}

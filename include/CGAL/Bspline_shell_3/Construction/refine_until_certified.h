@@ -188,6 +188,7 @@ private:
     m_inner.reset();
     m_outer.reset();
     m_marked.clear();
+    m_examined.reset();
     m_is_thin = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
     sample(cells);
@@ -381,14 +382,18 @@ private:
     return conditions;
   }
 
+  // The last cover, and what it is a cover of: most cells stay as they are when thresholds are narrowed, and the field is changed, at some places.
+  struct Examined { Field field; Threshold inner, outer; Shell_cover_3<Field, Threshold> cover; };
+
   // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
   struct Obstacle { Index cell; std::array<double, 3> point; };
 
   // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
-  // in common; if it still is not, cells are marked.
+  // in common, as long as that helps; where it does not, cells are marked.
   void choose_field_and_thresholds()
   {
     constexpr int max_exchanges = 3;
+    constexpr double progress = 0.9;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
     std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
     for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
@@ -404,10 +409,13 @@ private:
       lap(SLOPES);
       mark_thick_cells();
       if(!m_marked.empty()) break;
+      const double volume = m_undecided_volume;
       obstacles = choose_thresholds(thresholds);
+      if(!(m_undecided_volume < progress * volume)) break;
     }
     m_rounds.back().undecided_cells = obstacles.size();
     for(const Obstacle& o : obstacles) mark(o.cell);
+    m_examined.reset();
     lap(CERTIFICATE);
   }
 
@@ -453,18 +461,17 @@ private:
     constexpr double margin = 0.98;       // of a cap that makes a difference
     Refinement_round& log = m_rounds.back();
     log.examined = true;
-    std::optional<Shell_cover_3<Field, Threshold> > last_cover;
-    std::unique_ptr<Threshold> last_inner, last_outer;
     thresholds.set_mesh_ranges(m_ranges.cell);
     if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
     for(int pass = 0; ; ++pass) {
-      last_inner = std::move(m_inner);
-      last_outer = std::move(m_outer);
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
       Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
-      if(last_cover)
-        cover.reuse(*last_cover, [&](Index c) { return has_changed(*last_inner, *m_inner, c) || has_changed(*last_outer, *m_outer, c); });
+      if(m_examined)
+        cover.reuse(m_examined->cover, [&](Index c) {
+          return has_changed(m_examined->inner.field(), m_inner->field(), c) || has_changed(m_examined->outer.field(), m_outer->field(), c)
+              || has_changed(m_examined->field, *m_field, c);
+        });
       for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
       // how near to the mesh's level the boxes come that are in the way, on either side
       struct Nearest { double size; std::array<double, 3> point; };
@@ -496,17 +503,15 @@ private:
         thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
         narrowed = true;
       }
-      if(narrowed && pass + 1 < max_passes) {
-        last_cover.emplace(std::move(cover));
-        continue;
-      }
-      return hopeless;
+      m_examined.emplace(Examined{ *m_field, *m_inner, *m_outer, std::move(cover) });
+      if(!narrowed || pass + 1 == max_passes) return hopeless;
     }
   }
 
-  static bool has_changed(const Threshold& before, const Threshold& now, Index c)
+  static bool has_changed(const Field& before, const Field& now, Index c)
   {
-    return !std::equal(before.field().cell(c).coefficients(), before.field().cell(c).coefficients() + 64, now.field().cell(c).coefficients());
+    const double* x = before.cell(c).coefficients();
+    return before.cell(c).error_radius() != now.cell(c).error_radius() || !std::equal(x, x + 64, now.cell(c).coefficients());
   }
 
   // Asks the certificate, and marks cells that keep the claims from being proved.
@@ -539,6 +544,7 @@ private:
   std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
   Facet_ranges m_ranges;
   std::unique_ptr<Threshold> m_inner, m_outer;
+  std::optional<Examined> m_examined;
   std::optional<Certificate> m_certificate;
   std::vector<Index> m_marked;
   bool m_is_thin = false;

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_MESH_LOCAL_GAP_3_H
+#define CGAL_BSPLINE_SHELL_3_MESH_LOCAL_GAP_3_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief the local gap of a mesh: how thick its walls are, and how far it is from itself across narrow gaps.
+ *
+ * At a point of a facet, on one of its two sides, the gap is the diameter of the largest ball that touches the facet there and has
+ * in its interior no point of a facet that faces the other way: one whose normal makes an angle of more than 120 degrees with that of
+ * the facet. Behind the facet the gap is the thickness of the wall, and in front the distance to the next part of the mesh.
+ * Facets that share a vertex with the facet are left out: the gap of a fold is zero at its edge.
+ *
+ * Gaps are computed in `double`s; each is one that some ball has, up to rounding. Const member functions may be called from several
+ * threads at once. A query takes logarithmic time where few facets are nearer than the gap.
+ */
+class Local_gap_3
+{
+public:
+  typedef Input_mesh_3::Face_index Face_index;
+  typedef std::array<double, 3> Point;
+
+  /// \pre `input` is built, and outlives this object
+  explicit Local_gap_3(const Input_mesh_3& input);
+
+  /// the least gap on a facet, user units
+  /// \param facet a facet of the checked mesh
+  /// \param side `NEGATIVE` behind the facet, `POSITIVE` in front of it
+  /// \param most what is returned if the gap is not less than that; the smaller, the faster
+  double operator()(Face_index facet, Sign side, double most = std::numeric_limits<double>::infinity()) const;
+
+  /// the least gap on a part of a facet
+  /// \param facet a facet of the checked mesh
+  /// \param corners of a convex polygon in the facet
+  /// \param size number of corners, at least one
+  /// \param side as above
+  /// \param most as above
+  double operator()(Face_index facet, const Point* corners, std::size_t size, Sign side,
+                    double most = std::numeric_limits<double>::infinity()) const;
+
+private:
+  class Facets;
+  std::shared_ptr<const Facets> m_facets;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/Mesh/Local_gap_3_impl.h>
+#endif
+
+#endif // CGAL_BSPLINE_SHELL_3_MESH_LOCAL_GAP_3_H

@@ -1,0 +1,163 @@
+// Local_gap_3.h: walls and gaps of known width, and any mesh against a search through pairs of points.
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include "test_meshes.h"
+
+#include <CGAL/Random.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Local_gap_3::Point Point;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+BS::Input_mesh_3 input_of(const Mesh& mesh)
+{
+  BS::Input_mesh_3 input;
+  BS::Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.singular_vertices = true;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
+  return input;
+}
+
+Point random_point(CGAL::Random& random, const std::array<Point_3, 3>& t)
+{
+  double u = random.get_double(), v = random.get_double();
+  if(u + v > 1) { u = 1 - u; v = 1 - v; }
+  Point p;
+  for(int a = 0; a < 3; ++a) p[a] = t[0][a] + u * (t[1][a] - t[0][a]) + v * (t[2][a] - t[0][a]);
+  return p;
+}
+
+Point unit_normal(const std::array<Point_3, 3>& t)
+{
+  Point n = BS::facet_normal(t[0], t[1], t[2]).direction;
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for(double& x : n) x /= length;
+  return n;
+}
+
+} // namespace
+
+TEST_CASE("local gaps: of a plate, its thickness behind the large sides, and none in front")
+{
+  for(double t : { 0.1, 1e-3, 1e-6 }) {
+    const BS::Input_mesh_3 input = input_of(box(Point_3(0, 0, 0), Point_3(1, 2, t)));
+    const BS::Local_gap_3 gap(input);
+    for(auto f : input.mesh().faces()) {
+      const Point n = unit_normal(input.triangle(f));
+      if(std::abs(n[2]) > 0.5) CHECK(gap(f, CGAL::NEGATIVE) == Approx(t).epsilon(1e-9));
+      else CHECK(gap(f, CGAL::NEGATIVE) > 0.9);
+      CHECK(gap(f, CGAL::POSITIVE) == infinity);
+    }
+  }
+}
+
+TEST_CASE("local gaps: between two boxes, their distance where they are opposite to each other, and more beside it")
+{
+  Mesh mesh = box(Point_3(0, 0, 0), Point_3(4, 4, 1));
+  CGAL::copy_face_graph(box(Point_3(1, 1, 1.25), Point_3(2, 2, 3)), mesh);
+  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Local_gap_3 gap(input);
+  for(auto f : input.mesh().faces()) {
+    const Point n = unit_normal(input.triangle(f));
+    const double z = input.triangle(f)[0].z();
+    if(n[2] > 0.5 && z == 1) {
+      const Point below[3] = { { 1.1, 1.1, 1 }, { 1.5, 1.2, 1 }, { 1.4, 1.8, 1 } };
+      CHECK(gap(f, below, 3, CGAL::POSITIVE) == Approx(0.25).epsilon(1e-9));
+      // a ball that touches the plane at distance d beside the box, and the edge of the box
+      const Point beside = { 2.5, 1.5, 1 };
+      CHECK(gap(f, &beside, 1, CGAL::POSITIVE) == Approx((0.25 + 0.0625) / 0.25).epsilon(1e-6));
+      CHECK(gap(f, &beside, 1, CGAL::POSITIVE, 1.) == 1);
+      CHECK(gap(f, &beside, 1, CGAL::NEGATIVE) == Approx(1).epsilon(1e-6));
+    }
+    if(n[2] < -0.5 && z == 1.25) CHECK(gap(f, CGAL::POSITIVE) == Approx(0.25).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("local gaps: inside a ball they are its diameter, everywhere")
+{
+  const BS::Input_mesh_3 input = input_of(sphere(3, 0.5));
+  const BS::Local_gap_3 gap(input);
+  double least = infinity, most = 0;
+  for(auto f : input.mesh().faces()) {
+    const double g = gap(f, CGAL::NEGATIVE);
+    least = (std::min)(least, g);
+    most = (std::max)(most, g);
+    CHECK(gap(f, CGAL::POSITIVE) == infinity);
+  }
+  CHECK(least > 0.9);
+  CHECK(most <= 1);
+}
+
+TEST_CASE("local gaps: they are never larger than what pairs of points say, and some pair is as near")
+{
+  CGAL::Random random(7);
+  constexpr double facing_away = -0.5;
+  for(const Mesh& mesh : { dumbbell(0.03), torus(1, 0.3, 12, 8), demo_mesh("rotor.off"), demo_mesh("dragknob.off") }) {
+    const BS::Input_mesh_3 input = input_of(mesh);
+    const BS::Local_gap_3 gap(input);
+    const auto& m = input.mesh();
+    std::size_t too_large = 0, found = 0;
+    std::vector<double> ratios;
+    for(int n = 0; n < 60; ++n) {
+      const BS::Input_mesh_3::Face_index f(random.get_int(0, int(m.number_of_faces())));
+      const std::array<Point_3, 3> t = input.triangle(f);
+      const Point normal = unit_normal(t);
+      for(CGAL::Sign side : { CGAL::NEGATIVE, CGAL::POSITIVE }) {
+        const double g = gap(f, side);
+        double least = infinity;
+        for(auto other : m.faces()) {
+          const std::array<Point_3, 3> u = input.triangle(other);
+          const Point o = unit_normal(u);
+          if(!(normal[0] * o[0] + normal[1] * o[1] + normal[2] * o[2] < facing_away)) continue;
+          bool adjacent = false;
+          for(const Point_3& p : t)
+            for(const Point_3& q : u) adjacent = adjacent || p == q;
+          if(adjacent) continue;
+          for(int k = 0; k < 40; ++k) {
+            const Point p = random_point(random, t), q = random_point(random, u);
+            double squared = 0, height = 0;
+            for(int a = 0; a < 3; ++a) {
+              squared += (q[a] - p[a]) * (q[a] - p[a]);
+              height += (q[a] - p[a]) * normal[a] * side;
+            }
+            if(height > 0) least = (std::min)(least, squared / height);
+          }
+        }
+        too_large += g > least * (1 + 1e-6);
+        found += std::isfinite(g);
+        if(std::isfinite(g)) ratios.push_back(least / g);
+      }
+    }
+    CHECK(too_large == 0);
+    REQUIRE(found > 20);
+    // random points come near, mostly
+    std::sort(ratios.begin(), ratios.end());
+    CHECK(ratios[ratios.size() / 2] < 1.25);
+  }
+}
+
+TEST_CASE("local gaps: a part of a facet has at least the gap of the facet")
+{
+  CGAL::Random random(8);
+  const BS::Input_mesh_3 input = input_of(dumbbell(0.05));
+  const BS::Local_gap_3 gap(input);
+  for(auto f : input.mesh().faces()) {
+    const std::array<Point_3, 3> t = input.triangle(f);
+    const Point part[3] = { random_point(random, t), random_point(random, t), random_point(random, t) };
+    for(CGAL::Sign side : { CGAL::NEGATIVE, CGAL::POSITIVE }) {
+      const double whole = gap(f, side), of_part = gap(f, part, 3, side);
+      CHECK(of_part >= whole * (1 - 1e-4));
+      for(const Point& p : part) CHECK(gap(f, &p, 1, side) >= of_part * (1 - 1e-4));
+    }
+  }
+}
