@@ -485,6 +485,27 @@ for step in (1, 3, 5):
 add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
 add("excluded box without a claim",
     lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
+def remove_leaf_beside_cover(f):
+    """one without a box of the cover: the domain ends there"""
+    number = int(f.certificate[f.excluded_next_to_cover()].split()[0])
+    remove_leaf(f, f.section(f.shell, "leaves")[0] + 1 + number)
+
+
+def has_excluded_leaf_beside_cover(f):
+    number = f.certificate[f.excluded_next_to_cover()].split()[0]
+    return all(f.kind(i) == "x" for i in f.boxes() if f.certificate[i].split()[0] == number)
+
+
+def no_cover(f):
+    for i in f.boxes():
+        if f.kind(i) == "g":
+            f.certificate[i] = " ".join(f.certificate[i].split()[:5] + ["o"])
+    f.certificate[f.section(f.certificate, "covers")[0]] = "covers 0"
+
+
+add("leaf beside the cover removed, and its boxes", remove_leaf_beside_cover, 1, "a cell that it touches has no boxes", "sc",
+    has_excluded_leaf_beside_cover)
+add("no cover", no_cover, 1, "its seed is in no cover box")
 add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
                                                   for i in f.boxes() if f.certificate[i].split()[5] == "g"], 1, "P3, box")
 
