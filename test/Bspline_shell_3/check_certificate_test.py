@@ -695,7 +695,7 @@ add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum 
 # A shell made here: f = |x|^2, which the coefficients |p|^2 - h^2 at lattice points of any spacing h give, on large leaves at the
 # left and small ones at the right, around an octahedron. The thresholds are 0.3 and 2, and waves along some axes, the more steep the
 # higher they are.
-def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1):
+def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98"):
     inner, outer, roots = 0.3, 2, range(-5, 5)
     leaves = [(0, i, j, k) for k in roots for j in roots for i in roots if i < 0]
     leaves += [(1, i, j, k) for k in range(-10, 10) for j in range(-10, 10) for i in range(10)]
@@ -736,7 +736,7 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1):
              "functions %d" % len(functions)] + functions + ["leaves %d" % len(leaves)]
     shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0"]
     certificate = ["cubic_bspline_shell_certificate 1", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
-    certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 0.27 0.28 0.28 0.97 0.95 0.98"]
+    certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 " + path]
     return Files.of(shell, certificate, points, facets)
 
 
@@ -744,12 +744,15 @@ ACCEPTED, STEEP = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply")
 WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
+THROUGH_EDGE, FROM_BEHIND_THE_CENTER = "0.375 0.375 0 1.125 1.125 0", "-0.125 -0.125 0.0625 1 0.875 0.9375"
 
 
 def main():
     checker = sys.argv[1]
     files = Files(sys.argv[2]) if len(sys.argv) > 2 else None
-    cases = [] if files else [("ball, waves: %s" % wave, ball(**wave), code, sentence) for wave, (code, sentence) in WAVES]
+    cases = [] if files else [("ball, waves: %s" % wave, ball(**wave), code, sentence) for wave, (code, sentence) in WAVES] + [
+        ("ball, path through an edge", ball(path=THROUGH_EDGE), 1, "does not pass through the interior"),
+        ("ball, path that begins downwards", ball(path=FROM_BEHIND_THE_CENTER), 1, "does not rise on all of it")]
     for function, code, sentence, update, applies in TESTS:
         if not files or not applies(files):
             continue
