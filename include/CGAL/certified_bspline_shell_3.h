@@ -43,7 +43,8 @@ namespace CGAL {
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
  *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30
- *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later. Unlimited by default.
+ *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later, and thresholds are not improved
+ *     any more. Unlimited by default.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for

@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <cmath>

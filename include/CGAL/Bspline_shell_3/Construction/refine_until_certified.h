@@ -144,13 +144,18 @@ private:
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
+  bool is_late() const { return m_total.time() > m_parameters.max_seconds; }
+
   // whether a round with so many cells would take too much memory or time, or more unknowns than can be numbered: each cell as
-  // much as in the last round
-  bool exceeds_limits(std::size_t cells, double seconds) const
+  // much as in the last round, and if thresholds were not chosen there, as much again for that as for the fit
+  bool exceeds_limits(std::size_t cells) const
   {
+    const Refinement_round& last = m_rounds.back();
     const double more = double(cells) / double(m_field->number_of_cells());
-    for(double s : m_rounds.back().seconds) seconds += more * s;
-    if(!(seconds <= m_parameters.max_seconds)) return true;
+    double seconds = 0;
+    for(double s : last.seconds) seconds += s;
+    if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
+    if(!(m_total.time() + more * seconds <= m_parameters.max_seconds)) return true;
     const double points = more * double(m_field->number_of_points());
     return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
         || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
@@ -237,7 +242,6 @@ private:
   {
     constexpr int max_exchanges = 6;
     Refinement_round& log = m_rounds.back();
-    const double width = m_field->cells().lattice().spacing();
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     std::vector<Failure> failures;
     for(int exchange = 0; ; ++exchange) {
@@ -256,7 +260,7 @@ private:
         for(std::uint32_t f : facets) ++m_refinements[f];
         return false;
       }
-      if(slopes.patches > 0) m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
+      if(slopes.patches > 0) change_field();
       else if(exchange > 0) break;
       for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
         if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
@@ -277,6 +281,18 @@ private:
         mark(f.cell);
       }
     return true;
+  }
+
+  // sets it to the present solution, and notes the cells where it is another one than what was examined
+  void change_field()
+  {
+    const double width = m_field->cells().lattice().spacing();
+    std::optional<Field> before;
+    if(m_examined) before = *m_field;
+    m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
+    if(!before) return;
+    for(Index c = 0; c < m_field->number_of_cells(); ++c)
+      if(is_changed(*before, *m_field, c)) m_examined->is_changed[c] = 1;
   }
 
   // a triangle that does not certainly cross the field upwards, and a point where it does not
@@ -382,21 +398,20 @@ private:
     return conditions;
   }
 
-  // The last cover, and what it is a cover of: most cells stay as they are when thresholds are narrowed, and the field is changed, at some places.
-  struct Examined { Field field; Threshold inner, outer; Shell_cover_3<Field, Threshold> cover; };
+  // The last cover, its thresholds, and the cells where the field was changed since then: most stay as they are.
+  struct Examined { Threshold inner, outer; Shell_cover_3<Field, Threshold> cover; std::vector<char> is_changed; };
 
   // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
   struct Obstacle { Index cell; std::array<double, 3> point; };
 
   // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
-  // in common, as long as that helps; where it does not, cells are marked.
+  // in common; if it still is not, cells are marked.
   void choose_field_and_thresholds()
   {
     constexpr int max_exchanges = 3;
-    constexpr double progress = 0.9;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
     std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
-    for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty(); ++exchange) {
+    for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
       std::vector<Slope_condition> conditions;
       for(const Obstacle& o : obstacles)
         if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
@@ -409,13 +424,10 @@ private:
       lap(SLOPES);
       mark_thick_cells();
       if(!m_marked.empty()) break;
-      const double volume = m_undecided_volume;
       obstacles = choose_thresholds(thresholds);
-      if(!(m_undecided_volume < progress * volume)) break;
     }
     m_rounds.back().undecided_cells = obstacles.size();
     for(const Obstacle& o : obstacles) mark(o.cell);
-    m_examined.reset();
     lap(CERTIFICATE);
   }
 
@@ -469,8 +481,8 @@ private:
       Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
       if(m_examined)
         cover.reuse(m_examined->cover, [&](Index c) {
-          return has_changed(m_examined->inner.field(), m_inner->field(), c) || has_changed(m_examined->outer.field(), m_outer->field(), c)
-              || has_changed(m_examined->field, *m_field, c);
+          return m_examined->is_changed[c] || is_changed(m_examined->inner.field(), m_inner->field(), c)
+              || is_changed(m_examined->outer.field(), m_outer->field(), c);
         });
       for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
       // how near to the mesh's level the boxes come that are in the way, on either side
@@ -503,12 +515,12 @@ private:
         thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
         narrowed = true;
       }
-      m_examined.emplace(Examined{ *m_field, *m_inner, *m_outer, std::move(cover) });
-      if(!narrowed || pass + 1 == max_passes) return hopeless;
+      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::vector<char>(m_field->number_of_cells(), 0) });
+      if(!narrowed || pass + 1 == max_passes || is_late()) return hopeless;
     }
   }
 
-  static bool has_changed(const Field& before, const Field& now, Index c)
+  static bool is_changed(const Field& before, const Field& now, Index c)
   {
     const double* x = before.cell(c).coefficients();
     return before.cell(c).error_radius() != now.cell(c).error_radius() || !std::equal(x, x + 64, now.cell(c).coefficients());
@@ -517,6 +529,7 @@ private:
   // Asks the certificate, and marks cells that keep the claims from being proved.
   bool certify()
   {
+    m_examined.reset();       // the certificate finds out for itself
     m_certificate.emplace(*m_field, *m_inner, *m_outer);
     m_certificate->template verify<ConcurrencyTag>(m_input);
     for(const Certificate_witness& w : m_certificate->witnesses())
@@ -550,7 +563,7 @@ private:
   bool m_is_thin = false;
   double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
-  Real_timer m_timer;
+  Real_timer m_total, m_timer;                        // of all rounds, and of a step
 };
 
 template <typename ConcurrencyTag>
@@ -570,8 +583,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
   double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
   std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
   int rounds_in_vain = 0;
-  Real_timer total;
-  total.start();
+  m_total.start();
   m_timer.start();
   for(std::size_t round = 0; ; ++round) {
     m_rounds.emplace_back();
@@ -595,7 +607,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     if(!in_vain) cells = m_field->cells().refined(m_marked);
     // before the memory and the time are taken
     const bool over = round + 1 >= m_parameters.max_rounds
-                   || (!in_vain && exceeds_limits(cells.number_of_cells(), total.time()));
+                   || (!in_vain && exceeds_limits(cells.number_of_cells()));
     if(in_vain || over) {
       if(!m_inner) {
         constexpr int once = 1;
