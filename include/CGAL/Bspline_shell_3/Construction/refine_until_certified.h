@@ -144,7 +144,8 @@ private:
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
-  bool is_late() const { return m_total.time() > m_parameters.max_seconds; }
+  // whether there is less time left than that
+  bool is_late(double seconds = 0) const { return m_total.time() + seconds > m_parameters.max_seconds; }
 
   // whether a round with so many cells would take too much memory or time, or more unknowns than can be numbered: each cell as
   // much as in the last round, and if thresholds were not chosen there, as much again for that as for the fit
@@ -476,6 +477,7 @@ private:
     thresholds.set_mesh_ranges(m_ranges.cell);
     if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
     for(int pass = 0; ; ++pass) {
+      const double begin = m_total.time();
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
       Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
@@ -516,7 +518,8 @@ private:
         narrowed = true;
       }
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::vector<char>(m_field->number_of_cells(), 0) });
-      if(!narrowed || pass + 1 == max_passes || is_late()) return hopeless;
+      // another pass, and the certificate, take as long as this one
+      if(!narrowed || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
     }
   }
 
