@@ -49,8 +49,8 @@ public:
 
   /// the least gap on a part of a facet
   /// \param facet a facet of the checked mesh
-  /// \param corners of a convex polygon in the facet
-  /// \param size number of corners, at least one
+  /// \param corners of a convex polygon in the facet, or a point of it
+  /// \param size number of corners: three or more, or one
   /// \param side as above
   /// \param most as above
   double operator()(Face_index facet, const Point* corners, std::size_t size, Sign side,

@@ -152,9 +152,23 @@ private:
         result = q - p + moved;
       };
       const auto corner = [&](std::size_t n) { return kernel_point(corners[n % size]) + moved; };
+      const auto consider_on_polygon = [&](const Kernel::Point_3& q) {
+        for(std::size_t n = 1; n + 1 < size; ++n) consider(closest({ corner(0), corner(n), corner(n+1) }, q), q);
+      };
       for(std::size_t n = 0; n < size; ++n) consider(corner(n), closest(triangle, corner(n)));
-      for(int i = 0; i < 3; ++i)
-        for(std::size_t n = 1; n + 1 < size; ++n) consider(closest({ corner(0), corner(n), corner(n+1) }, triangle[i]), triangle[i]);
+      for(int i = 0; i < 3; ++i) consider_on_polygon(triangle[i]);
+      // where one passes through the other: an edge of one meets the other's plane there
+      for(int i = 0; i < 3; ++i) {
+        const double h = height_of(triangle[i] - corner(0)), k = height_of(triangle[i+1] - corner(0));
+        if(h * k < 0) consider_on_polygon(triangle[i] + h / (h - k) * (triangle[i+1] - triangle[i]));
+      }
+      const Kernel::Vector_3 normal = cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+      for(std::size_t n = 0; n < size; ++n) {
+        const double h = (corner(n) - triangle[0]) * normal, k = (corner(n+1) - triangle[0]) * normal;
+        if(h * k >= 0) continue;
+        const Kernel::Point_3 p = corner(n) + h / (h - k) * (corner(n+1) - corner(n));
+        consider(p, closest(triangle, p));
+      }
       for(std::size_t n = 0; n < size; ++n)
         for(int i = 0; i < 3; ++i) {
           const auto [s, t] = closest_of_lines(corner(n), corner(n+1), triangle[i], triangle[i+1]);
