@@ -37,10 +37,18 @@ fi
 name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
-rm -f "results/$name"_{mesh,simplified,detail,inner,outer}.ply "results/$name.png"
-"$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name"
-if xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "results/$name" "results/$name.png" 2>"$build/render.log" &&
-   [ -s "results/$name.png" ]; then
+rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name.png"
+status=0
+"$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name" || status=$?
+draw() {
+  xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "results/$name" "results/$name.png" 2>"$build/render.log" &&
+    [ -s "results/$name.png" ]
+}
+if [ "$status" -ne 0 ]; then
+  if [ -s "results/${name}_places.ply" ] && draw; then echo "results/$name.png shows where the proof fails."; fi
+  exit "$status"
+fi
+if draw; then
   picture="
   results/$name.png              before and after, and a cut: inner surface blue, meshes black and green, outer surface red"
 else

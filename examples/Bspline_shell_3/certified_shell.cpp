@@ -7,6 +7,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 
@@ -32,7 +34,9 @@ int main(int argc, char** argv)
   std::cout << shell.message() << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
             << report.unknowns << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
             << 100 * report.narrowed_area << " % of the mesh\n";
-  if(!shell.is_certified()) std::cout << report.certificate.total_number_of_witnesses() << " places, among them:\n";
+  for(std::size_t n = 0; n < (std::min)(report.obstacles.size(), std::size_t(5)); ++n)
+    std::cout << message(report.obstacles[n], report.unit) << "\n";
+  if(!shell.is_certified()) std::cout << report.certificate.total_number_of_witnesses() << " witnesses, among them:\n";
   for(const BS::Certificate_witness& w : report.certificate.witnesses)
     std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
 

@@ -6,6 +6,8 @@ Usage: render_shell.py PREFIX PICTURE.png
 Reads PREFIX_{mesh,inner,outer}.ply, and draws the mesh with its colors, and a cut through mesh and shell with a magnifier. If
 there are PREFIX_{simplified,detail}.ply, the simplified mesh with the colors that were carried over is drawn between the two, and
 in the cut: its edges are those of simplified, its colors those of detail.
+
+If there is no PREFIX_outer.ply but PREFIX_places.ply, draws the mesh and these points: where the proof fails.
 """
 import os
 import sys
@@ -19,14 +21,16 @@ SAMPLES = 3             # per pixel and direction
 BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0.92, 0.90), (0.1, 0.1, 0.1), (0.0, 0.55, 0.25)
 
 
-def read(name):
+def read(name, points=False):
     if not os.path.isfile(name):
         sys.exit(f"{name} is missing")
     reader = vtk.vtkPLYReader()
     reader.SetFileName(name)
     reader.Update()
     data = reader.GetOutput()
-    if data.GetNumberOfPolys() == 0:
+    if points and data.GetNumberOfPoints() == 0:
+        sys.exit(f"{name} has no points")
+    if not points and data.GetNumberOfPolys() == 0:
         sys.exit(f"{name} has no facets")
     return data
 
@@ -140,7 +144,60 @@ def title(text, x=0.5, color=(0.15, 0.15, 0.15)):
     return a
 
 
+def save(window, picture):
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    shrink = vtk.vtkImageShrink3D()
+    shrink.SetInputConnection(image.GetOutputPort())
+    shrink.SetShrinkFactors(SAMPLES, SAMPLES, 1)
+    shrink.AveragingOn()
+    writer = vtk.vtkPNGWriter()
+    writer.SetCompressionLevel(9)
+    writer.SetFileName(picture + ".part")
+    writer.SetInputConnection(shrink.GetOutputPort())
+    writer.Write()
+    os.replace(picture + ".part", picture)
+
+
+def draw_places(prefix, picture):
+    mesh, places = read(f"{prefix}_mesh.ply"), read(f"{prefix}_places.ply", points=True)
+    bounds = mesh.GetBounds()
+    spans = [bounds[2*a + 1] - bounds[2*a] for a in range(3)]
+    ball = vtk.vtkSphereSource()
+    ball.SetRadius(0.008 * max(spans))
+    balls = vtk.vtkGlyph3D()
+    balls.SetInputData(places)
+    balls.SetSourceConnection(ball.GetOutputPort())
+    balls.ScalingOff()
+    balls.Update()
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    outlines = edges(mesh)
+    outlines.GetProperty().SetOpacity(0.4)
+    for a in (actor(mesh, GREY, 0.3), outlines, actor(balls.GetOutput(), RED)):
+        renderer.AddActor(a)
+    renderer.AddActor2D(title(f"{places.GetNumberOfPoints()} places where the proof fails", color=RED))
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.AddRenderer(renderer)
+    window.SetSize(SAMPLES * PANEL, SAMPLES * (PANEL + TITLE))
+    thin = spans.index(min(spans))
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition([1.0 if a == thin else 0.45 for a in range(3)])
+    camera.SetViewUp([1.0 if a == (1 if thin != 1 else 2) else 0.0 for a in range(3)])
+    renderer.ResetCamera()
+    window.Render()
+    save(window, picture)
+
+
 def main(prefix, picture):
+    if not os.path.isfile(f"{prefix}_outer.ply") and os.path.isfile(f"{prefix}_places.ply"):
+        draw_places(prefix, picture)
+        return
     mesh, inner, outer = (read(f"{prefix}_{part}.ply") for part in ("mesh", "inner", "outer"))
     simplified = detail = None
     simplified_legend = []
@@ -237,20 +294,7 @@ def main(prefix, picture):
     camera.SetViewUp(up)
     magnifier.ResetCameraClippingRange()
     window.Render()
-
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    shrink = vtk.vtkImageShrink3D()
-    shrink.SetInputConnection(image.GetOutputPort())
-    shrink.SetShrinkFactors(SAMPLES, SAMPLES, 1)
-    shrink.AveragingOn()
-    writer = vtk.vtkPNGWriter()
-    writer.SetCompressionLevel(9)
-    writer.SetFileName(picture + ".part")
-    writer.SetInputConnection(shrink.GetOutputPort())
-    writer.Write()
-    os.replace(picture + ".part", picture)
+    save(window, picture)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/IO/write_ply_points.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -26,6 +27,7 @@ const char* const usage =
   "Usage: simplify_and_transfer MESH [--facets FACETS] [--output PREFIX]\n"
   "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
   "  simplified if not given. detail is the simplified mesh, cut into small triangles that show the color of every point.\n"
+  "  If the shell is not certified, writes PREFIX_{mesh,places}.ply instead: the mesh, and points that stand in the way.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
   "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
   "  (Status.h) if the mesh is refused or the shell fails.\n";
@@ -41,6 +43,18 @@ void list_witnesses(const BS::Certificate_report& certificate)
   }
   if(certificate.total_number_of_witnesses() > 10)
     std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
+}
+
+// Lists the narrowest places that stand in the way, and writes all of them as points.
+bool report_obstacles(const BS::Shell_report& report, const std::string& file)
+{
+  std::vector<Kernel::Point_3> places;
+  for(const BS::Refinement_obstacle& o : report.obstacles) {
+    places.emplace_back(o.point[0], o.point[1], o.point[2]);
+    if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
+  }
+  if(places.size() > 5) std::cerr << "... (" << places.size() << " places)" << std::endl;
+  return BS::write_file(file, [&](std::ostream& out) { return CGAL::IO::write_PLY(out, places); });
 }
 
 // Stripes around the point where the largest sum of coordinates is, and its distance.
@@ -125,8 +139,8 @@ int main(int argc, char** argv)
     return WRONG_USAGE;
   }
   const std::string mesh_file = output + "_mesh.ply", simplified_file = output + "_simplified.ply", detail_file = output + "_detail.ply",
-                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply";
-  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file })) return code;
+                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", places_file = output + "_places.ply";
+  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file })) return code;
 
   Mesh mesh;
   BS::Offending_simplices offenders;
@@ -142,7 +156,9 @@ int main(int argc, char** argv)
   if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
-    list_witnesses(shell.report().certificate);
+    if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
+    if(!report_obstacles(shell.report(), places_file)) return cannot_write(places_file);
+    if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
     return NOT_CERTIFIED;
   }
   const double shell_seconds = timer.time();

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 #include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Certificate/sample_components.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -385,24 +386,36 @@ private:
   }
 
   // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no critical
-  // point between them, and a closer cover separates them.
+  // point between them, and a cover that is closer midway between them separates them.
   template <typename ConcurrencyTag>
   std::vector<std::array<std::size_t, 2> > find_cover(const Input_mesh_3& input)
   {
-    const Triangle_mesh& mesh = input.mesh();
     // the cells at the mesh are needed in any case
     std::vector<std::uint32_t> cells;
-    for(Face_index f : mesh.faces()) cells.push_back(m_field->locate(to_field(mesh.point(mesh.target(mesh.halfedge(f))))));
+    for(Face_index f : input.mesh().faces())
+      cells.push_back(m_field->locate(to_field(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
+    m_cover.emplace(*m_field, m_inner, m_outer);
+    m_cover->template prepare<ConcurrencyTag>(std::move(cells));
+    std::vector<std::array<std::size_t, 2> > shared = flood<ConcurrencyTag>(input);
+    if(shared.empty()) return shared;
+    const auto samples = internal::sample_components(*m_field, input);
+    while(!shared.empty() && m_cover->number_of_undecided_boxes() == 0) {
+      const std::vector<std::uint32_t> meeting = m_cover->meeting_cells(samples);
+      Cover closer(*m_field, m_inner, m_outer);
+      if(meeting.empty() || !closer.reuse_and_halve(*m_cover, meeting)) break;
+      m_cover = std::move(closer);
+      shared = flood<ConcurrencyTag>(input);
+    }
+    return shared;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<std::array<std::size_t, 2> > flood(const Input_mesh_3& input)
+  {
     std::vector<std::array<std::size_t, 2> > shared;
-    for(int depth = 0;
-        depth == 0 || (!shared.empty() && m_cover->number_of_undecided_boxes() == 0 && depth <= max_least_depth); ++depth) {
-      m_cover.emplace(*m_field, m_inner, m_outer, depth);
-      m_cover->template prepare<ConcurrencyTag>(cells);
-      shared.clear();
-      for(std::size_t c = 0; c < input.number_of_components(); ++c) {
-        const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(mesh.point(m_seeds[c])), std::uint32_t(c));
-        if(known != c) shared.push_back({ known, c });
-      }
+    for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+      const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(input.mesh().point(m_seeds[c])), std::uint32_t(c));
+      if(known != c) shared.push_back({ known, c });
     }
     return shared;
   }
@@ -653,7 +666,6 @@ private:
     return Verdict::UNDECIDED;
   }
 
-  static constexpr int max_least_depth = 3;           // for covers that are to separate components
   static constexpr std::size_t max_paths = 64;        // tried for a component
   static constexpr std::size_t max_spare_paths = 3;   // for a component
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for

@@ -55,13 +55,23 @@ public:
   /// a cell with more boxes is not subdivided further; the smaller number holds once `many_undecided_boxes` are undecided
   static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
 
-  /// \param least_depth monotone boxes that are not entirely in the shell are halved at least so often: the cover is closer
   /// \pre `field` outlives this object
-  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int least_depth = 0)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_least_depth(least_depth), m_first(field.number_of_cells(), unseen)
+  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_least_depth(field.number_of_cells(), 0), m_first(field.number_of_cells(), unseen)
   {}
 
   const Field& field() const { return *m_field; }
+
+  /// takes over what another cover found out, but for the given cells: there, monotone boxes that are not entirely in the shell are
+  /// halved once more, and the cover is closer. Returns whether that can be.
+  /// \pre `other` is of the same field and thresholds, and no cell of this cover has been subdivided
+  bool reuse_and_halve(const Shell_cover_3& other, const std::vector<std::uint32_t>& cells)
+  {
+    m_least_depth = other.m_least_depth;
+    for(std::uint32_t c : cells) ++m_least_depth[c];
+    reuse(other, [&](std::uint32_t c) { return m_least_depth[c] != other.m_least_depth[c]; });
+    return std::none_of(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_least_depth[c] > max_least_depth; });
+  }
 
   /// takes over what another cover found out about cells
   /// \param changed whether the field or a threshold is another one on a cell: a function of cells
@@ -204,6 +214,42 @@ public:
     return component;
   }
 
+  /// Leaf cells in which walks, box by box, from points of different kinds meet: what joins the kinds leads through them.
+  /// \param points and their kinds
+  std::vector<std::uint32_t> meeting_cells(const std::vector<std::pair<Point_3, std::uint32_t> >& points) const
+  {
+    constexpr std::uint32_t none = std::uint32_t(-1);
+    std::vector<std::uint32_t> kind(m_boxes.size(), none), result;
+    std::vector<Box_index> queue;
+    const auto reach = [&](Box_index b, std::uint32_t k, std::uint32_t from) {
+      if(m_boxes[b].component == Cover_box::no_component || kind[b] == k) return;
+      if(kind[b] == none) {
+        kind[b] = k;
+        queue.push_back(b);
+        return;
+      }
+      result.push_back(m_boxes[b].cell);
+      result.push_back(from);
+    };
+    for(const auto& [p, k] : points) {
+      const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
+      const std::uint32_t point_kind = k;
+      m_field->visit_cells(at, [&](typename Field::Cell_index c) {
+        if(m_first[c] != unseen) for_each_touching(c, at, [&](Box_index b) { reach(b, point_kind, std::uint32_t(c)); });
+      });
+    }
+    for(std::size_t n = 0; n < queue.size(); ++n) {
+      const Cover_box& box = m_boxes[queue[n]];
+      const Bbox_3 b = grown(bbox(box));
+      m_field->visit_cells(b, [&](typename Field::Cell_index c) {
+        if(m_first[c] != unseen) for_each_touching(c, b, [&](Box_index other) { reach(other, kind[queue[n]], box.cell); });
+      });
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   /// all boxes: those of one leaf cell are consecutive
   const std::vector<Cover_box>& boxes() const { return m_boxes; }
   /// boxes of the cover that touch the boundary of the field's domain
@@ -298,7 +344,7 @@ public:
 
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
-  static constexpr int max_border_depth = 4;
+  static constexpr int max_border_depth = 4, max_least_depth = 5;
   static constexpr int max_steps_of_direction = 12;
 
   // the field and, unless the thresholds are constant, its differences to both
@@ -348,7 +394,7 @@ private:
                         // what is inside must be told from what is not
                         : box.kind == Box_kind::MONOTONE
                           && ((at_border && box.depth < max_border_depth && touches_border(bbox(box)))
-                              || (box.depth < m_least_depth && !are_between_thresholds(queue[n].functions)));
+                              || (box.depth < m_least_depth[c] && !are_between_thresholds(queue[n].functions)));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -624,7 +670,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
-  int m_least_depth;
+  std::vector<std::uint8_t> m_least_depth;    // of each leaf cell
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;

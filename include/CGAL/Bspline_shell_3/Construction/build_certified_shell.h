@@ -118,6 +118,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   report.unknowns = refinement.field().number_of_coefficients();
   const typename Refinement::Certificate& certificate = *refinement.certificate();
   report.certificate = certificate.report();
+  if(!certificate.is_certified()) report.obstacles = refinement.obstacles();
   if(certificate.status() != Status::SUCCESS) return stop(certificate.status());
   if(certificate.verdict(Claim::CONTAINMENT) != Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
   std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh();

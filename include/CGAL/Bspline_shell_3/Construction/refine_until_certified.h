@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
@@ -21,8 +22,10 @@
 #include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Solver_status.h>
@@ -83,8 +86,8 @@ struct Refinement_parameters
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for, or facets have
  * too small a slope, small changes mend it (`Slope_enforcement`); too many such cells are refined at once. Then thresholds are
  * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
- * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, the cells are refined. When
- * nothing is found wanting, the certificate is asked.
+ * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, or there are many such places, the
+ * cells are refined, down to the gap of the mesh (`refine_at_gaps()`). When nothing is found wanting, the certificate is asked.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -121,6 +124,9 @@ public:
   const Threshold& outer() const { return *m_outer; }
   const Facet_ranges& ranges() const { return m_ranges; }
 
+  /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses of the certificate
+  std::vector<Refinement_obstacle> obstacles();
+
   /// the largest difference of the thresholds on the mesh, and the share of the mesh's area where it is less than asked for: in
   /// the leaves where it is by more than a hundredth. Of the last field.
   std::pair<double, double> thickness_on_mesh() const;
@@ -130,8 +136,12 @@ private:
   static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
   static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
+  static constexpr std::size_t least_many_obstacles = 40, obstacles_to_refine = 128;        // cells; one of so many
   static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
+
+  // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
+  struct Obstacle { Index cell; std::array<double, 3> point; };
 
   void lap(Step step)
   {
@@ -142,6 +152,22 @@ private:
   void mark(Index c)
   {
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
+  }
+
+  // and its neighbors of the same size: where slopes fail, what is split must leave the field more freedom
+  void mark_widely(Index c)
+  {
+    const Cell_hierarchy_3& cells = m_field->cells();
+    const Bbox_3 b = m_field->cell(c).bbox();
+    const double near = cells.width(c) / 2;
+    cells.visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near),
+                      [&](Index n) { if(cells.level(n) == cells.level(c)) mark(n); });
+  }
+
+  // whether cells with obstacles are more than a local affair
+  bool are_many(const std::vector<Index>& obstacles) const
+  {
+    return obstacles.size() > (std::max)(least_many_obstacles, m_clipped->cells().size() / obstacles_to_refine);
   }
 
   // whether there is less time left than that
@@ -194,6 +220,7 @@ private:
     m_inner.reset();
     m_outer.reset();
     m_marked.clear();
+    m_obstacles.clear();
     m_examined.reset();
     m_is_thin = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
@@ -253,7 +280,7 @@ private:
         std::vector<std::uint32_t> facets;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
           if(m_refinements[slopes.violated_facets[n]] < max_refinements_of_a_facet) {
-            mark(slopes.violated_cells[n]);
+            mark_widely(slopes.violated_cells[n]);
             facets.push_back(slopes.violated_facets[n]);
           }
         std::sort(facets.begin(), facets.end());
@@ -279,7 +306,7 @@ private:
     for(const Failure& f : failures)
       if(f.cell != Field::npos && m_wanted[f.triangle] > 0 && m_refinements[f.triangle] < max_refinements_of_a_facet) {
         ++m_refinements[f.triangle];
-        mark(f.cell);
+        mark_widely(f.cell);
       }
     return true;
   }
@@ -357,7 +384,7 @@ private:
     log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
     log.thick_cells = 0;
     // what is nearly too thick would be in the next round, after small changes
-    constexpr double nearly = 0.9;
+    constexpr double nearly = 0.8;
     std::vector<Index> nearly_thick;
     for(Index c = 0; c < m_field->number_of_cells(); ++c) {
       const Level_range& r = m_ranges.cell[c];
@@ -402,19 +429,30 @@ private:
   // The last cover, its thresholds, and the cells where the field was changed since then: most stay as they are.
   struct Examined { Threshold inner, outer; Shell_cover_3<Field, Threshold> cover; std::vector<char> is_changed; };
 
-  // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
-  struct Obstacle { Index cell; std::array<double, 3> point; };
+  static std::vector<Index> cells_of(const std::vector<Obstacle>& obstacles)
+  {
+    std::vector<Index> cells;
+    for(const Obstacle& o : obstacles) cells.push_back(o.cell);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+  }
 
-  // Chooses thresholds. Where that is not enough, the field is asked to increase along the direction that the facets nearby have
-  // in common; if it still is not, cells are marked.
+  // Chooses thresholds. Where that is not enough, and if these places are few, the field is asked to increase along the direction that the
+  // facets nearby have in common; if it still is not, cells are marked.
   void choose_field_and_thresholds()
   {
     constexpr int max_exchanges = 3;
+    constexpr double progress = 0.75;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-    std::vector<Obstacle> obstacles = choose_thresholds(thresholds);
-    for(int exchange = 0; exchange < max_exchanges && !obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
+    m_obstacles = choose_thresholds(thresholds);
+    double before = std::numeric_limits<double>::infinity();
+    for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
+      const std::vector<Index> cells = cells_of(m_obstacles);
+      if(are_many(cells) || double(cells.size()) > progress * before) break;
+      before = double(cells.size());
       std::vector<Slope_condition> conditions;
-      for(const Obstacle& o : obstacles)
+      for(const Obstacle& o : m_obstacles)
         if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
       if(conditions.empty()) break;
       m_enforcement->insert(conditions);
@@ -425,10 +463,13 @@ private:
       lap(SLOPES);
       mark_thick_cells();
       if(!m_marked.empty()) break;
-      obstacles = choose_thresholds(thresholds);
+      m_obstacles = choose_thresholds(thresholds);
     }
-    m_rounds.back().undecided_cells = obstacles.size();
-    for(const Obstacle& o : obstacles) mark(o.cell);
+    m_rounds.back().undecided_cells = m_obstacles.size();
+    const std::vector<Index> cells = cells_of(m_obstacles);
+    for(Index c : cells)
+      if(are_many(cells)) mark(c);
+      else mark_widely(c);
     lap(CERTIFICATE);
   }
 
@@ -472,6 +513,7 @@ private:
   std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds, int max_passes = 8)
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
+    constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
     Refinement_round& log = m_rounds.back();
     log.examined = true;
     thresholds.set_mesh_ranges(m_ranges.cell);
@@ -519,7 +561,8 @@ private:
       }
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::vector<char>(m_field->number_of_cells(), 0) });
       // another pass, and the certificate, take as long as this one
-      if(!narrowed || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
+      const bool is_enough = pass + 1 >= max_passes_of_many && are_many(cells_of(hopeless));
+      if(!narrowed || is_enough || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
     }
   }
 
@@ -527,6 +570,17 @@ private:
   {
     const double* x = before.cell(c).coefficients();
     return before.cell(c).error_radius() != now.cell(c).error_radius() || !std::equal(x, x + 64, now.cell(c).coefficients());
+  }
+
+  // Marked cells are split once, and obstacles, where they are many, down to the gap.
+  Cell_hierarchy_3 refined_cells()
+  {
+    constexpr int max_halvings = 2;
+    const std::vector<Index> obstacles = cells_of(m_obstacles);
+    if(!are_many(obstacles)) return m_field->cells().refined(m_marked);
+    if(!m_gap) m_gap.emplace(*m_input);
+    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, obstacles, max_halvings, *m_gap, *m_clipped,
+                                          [&](std::size_t size) { return exceeds_limits(size); });
   }
 
   // Asks the certificate, and marks cells that keep the claims from being proved.
@@ -563,6 +617,8 @@ private:
   std::optional<Examined> m_examined;
   std::optional<Certificate> m_certificate;
   std::vector<Index> m_marked;
+  std::vector<Obstacle> m_obstacles;                  // of the last thresholds
+  std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_is_thin = false;
   double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
@@ -607,7 +663,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
     log.marked_cells = m_marked.size();
     const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
-    if(!in_vain) cells = m_field->cells().refined(m_marked);
+    if(!in_vain) cells = refined_cells();
     // before the memory and the time are taken
     const bool over = round + 1 >= m_parameters.max_rounds
                    || (!in_vain && exceeds_limits(cells.number_of_cells()));
@@ -622,6 +678,37 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
       return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
     }
   }
+}
+
+template <typename ConcurrencyTag>
+std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles()
+{
+  constexpr std::size_t most = 1000, chunk = 16;
+  constexpr double far = 4;       // widths of a cell
+  std::map<Index, std::array<double, 3> > places;
+  for(const Obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
+  for(const Certificate_witness& w : m_certificate->witnesses()) {
+    const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
+    if(c != Field::npos) places.insert({ c, w.point });
+  }
+  if(!places.empty() && !m_gap) m_gap.emplace(*m_input);
+  const std::vector<std::pair<Index, std::array<double, 3> > > list(places.begin(), places.end());
+  std::vector<Refinement_obstacle> result(list.size());
+  internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const Index c = list[n].first;
+      Refinement_obstacle& obstacle = result[n];
+      obstacle.point = list[n].second;
+      obstacle.cell_width = m_field->cells().width(c);
+      const double widest = far * obstacle.cell_width, wall = gap_in_cell(*m_gap, *m_clipped, c, NEGATIVE, widest);
+      const double gap = gap_in_cell(*m_gap, *m_clipped, c, POSITIVE, wall);
+      obstacle.is_wall = !(gap < wall);
+      if(gap < widest) obstacle.gap = gap;
+    }
+  });
+  std::stable_sort(result.begin(), result.end(), [](const Refinement_obstacle& a, const Refinement_obstacle& b) { return a.gap < b.gap; });
+  if(result.size() > most) result.resize(most);
+  return result;
 }
 
 template <typename ConcurrencyTag>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
@@ -41,6 +42,8 @@ struct Shell_report
   Level_range facets_bound;                   ///< bounds on the facets, not rounded
   Refinement_status refinement = Refinement_status::NOT_REFINED;     ///< why refinement ended
   std::vector<Refinement_round> rounds;       ///< of refinement
+  /// if that was without a proof: what stands in the way, narrowest first, a thousand at most
+  std::vector<Refinement_obstacle> obstacles;
   Certificate_report certificate;             ///< of the mesh, if cells were refined until it held
   double thickness = 0;                       ///< largest difference of the thresholds on the mesh, user units
   double narrowed_area = 0;                   ///< share of the mesh's area where it is less than asked for

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_AT_GAPS_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_AT_GAPS_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is no part.
+ *
+ * \param gap of the mesh
+ * \param clipped the mesh, cut by cells
+ * \param c a cell
+ * \param side of the mesh, as for `Local_gap_3`
+ * \param most no larger gap is looked for
+ */
+inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, Sign side,
+                          double most)
+{
+  const auto& pieces = clipped.pieces();
+  auto piece = std::lower_bound(pieces.begin(), pieces.end(), c,
+                                [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
+  double least = most;
+  std::vector<std::array<double, 3> > corners;
+  for(; piece != pieces.end() && piece->cell == c; ++piece) {
+    corners.clear();
+    for(std::uint32_t v = 0; v < piece->size; ++v) corners.push_back(clipped.point(piece->first + v));
+    least = gap(Input_mesh_3::Face_index(piece->facet), corners.data(), corners.size(), side, least);
+  }
+  return least;
+}
+
+namespace internal {
+
+// meets all leaves in a cell that is halved a few times, and no other
+inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c)
+{
+  const std::array<double, 3> corner = cells.corner(c);
+  const double width = cells.width(c), margin = width / 64, length = width - margin;
+  return Bbox_3(corner[0] + margin, corner[1] + margin, corner[2] + margin, corner[0] + length, corner[1] + length, corner[2] + length);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief cells refined once where asked, and more often where the mesh has gaps that are narrower than a cell: no field on cells
+ * wider than a gap increases through both of its sides, so one level after the other would be tried in vain.
+ *
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam Limit a predicate of numbers of cells
+ * \param cells to refine
+ * \param marked leaves that are split
+ * \param obstacles those of them that are split again, until their parts are no wider than the gap in them
+ * \param most_halvings of these; at most five
+ * \param gap of the mesh
+ * \param clipped the mesh, cut by `cells`
+ * \param is_too_many whether there must not be so many cells; splitting again ends before
+ */
+template <typename ConcurrencyTag, typename Limit>
+Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked,
+                                const std::vector<Cell_hierarchy_3::Index>& obstacles, int most_halvings, const Local_gap_3& gap,
+                                const Clipped_mesh_3& clipped, const Limit& is_too_many)
+{
+  typedef Cell_hierarchy_3::Index Index;
+  constexpr std::size_t chunk = 16;
+  std::vector<int> halvings(obstacles.size(), 1);
+  internal::for_each_chunk<ConcurrencyTag>(obstacles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      double width = cells.width(obstacles[n]) / 2;
+      const double behind = gap_in_cell(gap, clipped, obstacles[n], NEGATIVE, width);
+      const double narrowest = gap_in_cell(gap, clipped, obstacles[n], POSITIVE, behind);
+      for(; width > narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
+    }
+  });
+  Cell_hierarchy_3 refined = cells.refined(marked);
+  for(int level = 1; level < most_halvings; ++level) {
+    std::vector<Index> again;
+    for(std::size_t n = 0; n < obstacles.size(); ++n) {
+      if(halvings[n] <= level) continue;
+      const int target = cells.level(obstacles[n]) + level;
+      refined.visit_cells(internal::inner_box(cells, obstacles[n]), [&](Index c) { if(refined.level(c) <= target) again.push_back(c); });
+    }
+    if(again.empty()) break;
+    Cell_hierarchy_3 next = refined.refined(again);
+    if(is_too_many(next.number_of_cells())) break;
+    refined = std::move(next);
+  }
+  return refined;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_AT_GAPS_H

@@ -1,0 +1,120 @@
+// refine_at_gaps.h: cells become as narrow as the gap where they are asked to, and only there; and what a report says where that is not enough.
+#include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
+#include <CGAL/certified_bspline_shell_3.h>
+#include "test_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef BS::Cell_hierarchy_3 Hierarchy;
+typedef Hierarchy::Index Index;
+
+const auto no_limit = [](std::size_t) { return false; };
+
+BS::Input_mesh_3 plate(double thickness)
+{
+  const Mesh mesh = box(Point_3(0.5, 0.5, 1.5 - thickness / 2), Point_3(7.5, 7.5, 1.5 + thickness / 2));
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
+  return input;
+}
+
+Hierarchy cells_of_width_one()
+{
+  std::vector<std::uint64_t> keys;
+  for(int k = -4; k < -1; ++k)
+    for(int j = -4; j < 4; ++j)
+      for(int i = -4; i < 4; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+  return Hierarchy(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(0, 0, 0, 8, 8, 8), 1), keys));
+}
+
+bool are_equal(const Hierarchy& a, const Hierarchy& b)
+{
+  if(a.number_of_cells() != b.number_of_cells()) return false;
+  for(Index c = 0; c < a.number_of_cells(); ++c)
+    if(a.level(c) != b.level(c) || a.lattice_point(c) != b.lattice_point(c)) return false;
+  return true;
+}
+
+} // namespace
+
+TEST_CASE("Refinement at gaps: cells are split until they are no wider than the gap, as often as is allowed")
+{
+  const Hierarchy cells = cells_of_width_one();
+  for(double thickness : { 0.3, 0.1, 0.01 })
+    for(int halvings : { 1, 2, 3 }) {
+      const BS::Input_mesh_3 input = plate(thickness);
+      const BS::Local_gap_3 gap(input);
+      const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
+      const Index middle = cells.locate(Point_3(4.5, 4.5, 1.5)), empty = cells.locate(Point_3(4.5, 4.5, 0.5));
+      CHECK(BS::gap_in_cell(gap, clipped, middle, CGAL::NEGATIVE, 1) == Approx(thickness).epsilon(1e-9));
+      CHECK(BS::gap_in_cell(gap, clipped, middle, CGAL::POSITIVE, 1) == 1);
+      CHECK(BS::gap_in_cell(gap, clipped, empty, CGAL::NEGATIVE, 1) == 1);
+
+      const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, { middle }, halvings, gap, clipped, no_limit);
+      const int wanted = thickness == 0.3 ? 2 : thickness == 0.1 ? 4 : 7;       // halvings of one
+      std::size_t wrong = 0;
+      const int expected = (std::min)(halvings, wanted);
+      for(double x : { 4.01, 4.3, 4.99 })
+        for(double z : { 1.01, 1.6, 1.99 }) wrong += fine.level(fine.locate(Point_3(x, 4.5, z))) != expected;
+      CHECK(wrong == 0);
+      CHECK(fine.number_of_levels() == expected + 1);
+      // an obstacle without a part of the mesh is split once, and so is what is only marked
+      const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, { empty }, halvings, gap, clipped, no_limit);
+      CHECK(are_equal(once, cells.refined({ middle, empty })));
+      // a limit ends it after what was marked
+      const auto is_too_many = [&](std::size_t size) { return size > cells.refined({ middle }).number_of_cells(); };
+      CHECK(are_equal(BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, { middle }, halvings, gap, clipped, is_too_many),
+                      cells.refined({ middle })));
+      CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, { middle }, halvings, gap, clipped, no_limit), fine));
+    }
+}
+
+TEST_CASE("Refinement at gaps: where a limit ends it, the report has the wall, where it is and how small cells may have to be")
+{
+  const double thickness = 0.002;
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters::resolution(10.).memory_limit(1e7));
+  REQUIRE(shell);
+  CHECK_FALSE(shell.is_certified());
+  const auto& obstacles = shell.report().obstacles;
+  REQUIRE_FALSE(obstacles.empty());
+  std::size_t wrong = 0;
+  for(const BS::Refinement_obstacle& o : obstacles) {
+    const Index c = shell.field().locate(Point_3(o.point[0], o.point[1], o.point[2]));
+    wrong += c == Hierarchy::npos || o.cell_width != shell.field().cells().width(c);
+    wrong += std::isfinite(o.gap) && !(o.is_wall && o.gap > 0.999 * thickness);
+  }
+  CHECK(wrong == 0);
+  CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
+  CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
+  const std::string sentence = message(obstacles.front(), shell.report().unit);
+  CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
+  CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
+
+  // a certified shell has none
+  const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
+  REQUIRE(proved.is_certified());
+  CHECK(proved.report().obstacles.empty());
+}
+
+TEST_CASE("Refinement at gaps: sentences say gap or wall, and where nothing is narrow, that there is no proof")
+{
+  BS::Refinement_obstacle o;
+  o.point = { 1, 2, 3 };
+  o.cell_width = 0.5;
+  CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
+  o.gap = 0.1;
+  CHECK(message(o, 10) == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
+  o.is_wall = true;
+  o.gap = 1;
+  CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
+}
