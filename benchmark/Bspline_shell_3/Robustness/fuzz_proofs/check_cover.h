@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 typedef std::array<double, 3> Place;
@@ -57,10 +58,19 @@ class Cover_check
 
 public:
   Cover_check(Tally& tally, CGAL::Random& random, const Shell& shell, const std::vector<Point_3>& seeds)
-    : m_tally(tally), m_random(random), m_shell(shell), m_cover(shell.field(), shell.inner(), shell.outer(), random.get_int(0, 3))
+    : m_tally(tally), m_random(random), m_shell(shell), m_cover(shell.field(), shell.inner(), shell.outer())
   {
-    std::vector<std::uint32_t> components;
-    for(std::size_t n = 0; n < seeds.size(); ++n) components.push_back(m_cover.template flood<CGAL::Sequential_tag>(seeds[n], std::uint32_t(n)));
+    std::vector<std::uint32_t> components = flood(seeds);
+    // closer in some cells
+    for(int halvings = random.get_int(0, 3); halvings > 0; --halvings) {
+      std::vector<std::uint32_t> cells;
+      for(std::uint32_t c = 0; c < shell.field().number_of_cells(); ++c)
+        if(random.get_int(0, 2) == 0) cells.push_back(c);
+      Cover closer(shell.field(), shell.inner(), shell.outer());
+      closer.reuse_and_halve(m_cover, cells);
+      m_cover = std::move(closer);
+      components = flood(seeds);
+    }
     for(const BS::Cover_box& box : m_cover.boxes()) m_bbox.push_back(m_cover.bbox(box));
     check_boxes();
     check_tiling();
@@ -70,6 +80,13 @@ public:
   }
 
 private:
+  std::vector<std::uint32_t> flood(const std::vector<Point_3>& seeds)
+  {
+    std::vector<std::uint32_t> components;
+    for(std::size_t n = 0; n < seeds.size(); ++n) components.push_back(m_cover.template flood<CGAL::Sequential_tag>(seeds[n], std::uint32_t(n)));
+    return components;
+  }
+
   static bool touch(const CGAL::Bbox_3& a, const CGAL::Bbox_3& b)
   {
     for(int d = 0; d < 3; ++d)
