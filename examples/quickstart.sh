@@ -45,7 +45,10 @@ draw() {
     [ -s "results/$name.png" ]
 }
 if [ "$status" -ne 0 ]; then
-  if [ -s "results/${name}_places.ply" ] && draw; then echo "results/$name.png shows where the proof fails."; fi
+  if [ -s "results/${name}_places.ply" ]; then
+    echo "results/${name}_places.ply has the places where the proof fails, in results/${name}_mesh.ply."
+    if draw; then echo "results/$name.png shows them."; fi
+  fi
   exit "$status"
 fi
 if draw; then

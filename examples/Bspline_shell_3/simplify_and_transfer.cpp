@@ -53,8 +53,8 @@ bool report_obstacles(const BS::Shell_report& report, const std::string& file)
     places.emplace_back(o.point[0], o.point[1], o.point[2]);
     if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
   }
-  if(places.size() > 5) std::cerr << "... (" << places.size() << " places)" << std::endl;
-  return BS::write_file(file, [&](std::ostream& out) { return CGAL::IO::write_PLY(out, places); });
+  if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
+  return places.empty() || BS::write_file(file, [&](std::ostream& out) { out.precision(17); return CGAL::IO::write_PLY(out, places); });
 }
 
 // Stripes around the point where the largest sum of coordinates is, and its distance.

@@ -187,7 +187,7 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     std::iota(all.begin(), all.end(), 0);
     for(unsigned n = 0; n < seed % 3; ++n) {
       Cover closer(field, Constant(level - half), Constant(level + half));
-      REQUIRE(closer.reuse_and_halve(cover, all));
+      REQUIRE(closer.reuse_and_halve(cover, all, 3));
       cover = std::move(closer);
     }
     const Boxes in_units(field);
@@ -618,7 +618,7 @@ TEST_CASE("Covers: in cells that are to be looked at more closely, boxes that ar
   REQUIRE_FALSE(close.empty());
   for(int depth = 1; depth < 7; ++depth) {
     Cover closer(field, inner, outer);
-    REQUIRE(closer.reuse_and_halve(cover, close) == (depth <= 5));
+    REQUIRE(closer.reuse_and_halve(cover, close, 5) == (depth <= 5));
     if(depth > 5) break;
     REQUIRE(closer.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
     std::size_t wrong = 0, deep = 0, unchanged = 0;

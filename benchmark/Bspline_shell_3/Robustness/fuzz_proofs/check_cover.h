@@ -67,7 +67,7 @@ public:
       for(std::uint32_t c = 0; c < shell.field().number_of_cells(); ++c)
         if(random.get_int(0, 2) == 0) cells.push_back(c);
       Cover closer(shell.field(), shell.inner(), shell.outer());
-      closer.reuse_and_halve(m_cover, cells);
+      closer.reuse_and_halve(m_cover, cells, 3);
       m_cover = std::move(closer);
       components = flood(seeds);
     }

@@ -39,6 +39,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -399,11 +400,16 @@ private:
     std::vector<std::array<std::size_t, 2> > shared = flood<ConcurrencyTag>(input);
     if(shared.empty()) return shared;
     const auto samples = internal::sample_components(*m_field, input);
-    while(!shared.empty() && m_cover->number_of_undecided_boxes() == 0) {
-      const std::vector<std::uint32_t> meeting = m_cover->meeting_cells(samples);
-      Cover closer(*m_field, m_inner, m_outer);
-      if(meeting.empty() || !closer.reuse_and_halve(*m_cover, meeting)) break;
-      m_cover = std::move(closer);
+    for(int n = 0; n < max_closer_covers && !shared.empty() && m_cover->number_of_undecided_boxes() == 0; ++n) {
+      Cover closer(*m_field, m_inner, m_outer), close_everywhere = closer;
+      if(closer.reuse_and_halve(*m_cover, m_cover->meeting_cells(samples), most_halvings_midway)) m_cover = std::move(closer);
+      else {
+        // walks may meet where all is in the shell, and not where they passed from one to the other
+        std::vector<std::uint32_t> all(m_field->number_of_cells());
+        std::iota(all.begin(), all.end(), std::uint32_t(0));
+        if(!close_everywhere.reuse_and_halve(*m_cover, all, most_halvings)) break;
+        m_cover = std::move(close_everywhere);
+      }
       shared = flood<ConcurrencyTag>(input);
     }
     return shared;
@@ -668,6 +674,8 @@ private:
 
   static constexpr std::size_t max_paths = 64;        // tried for a component
   static constexpr std::size_t max_spare_paths = 3;   // for a component
+  // covers that are to separate components: of boxes where walks from both meet, and of all
+  static constexpr int max_closer_covers = 12, most_halvings_midway = 5, most_halvings = 3;
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;

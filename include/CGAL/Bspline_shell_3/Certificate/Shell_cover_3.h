@@ -63,14 +63,19 @@ public:
   const Field& field() const { return *m_field; }
 
   /// takes over what another cover found out, but for the given cells: there, monotone boxes that are not entirely in the shell are
-  /// halved once more, and the cover is closer. Returns whether that can be.
+  /// halved once more, but not more than `most` times in all, and the cover is closer. Returns whether there is any such cell.
   /// \pre `other` is of the same field and thresholds, and no cell of this cover has been subdivided
-  bool reuse_and_halve(const Shell_cover_3& other, const std::vector<std::uint32_t>& cells)
+  bool reuse_and_halve(const Shell_cover_3& other, const std::vector<std::uint32_t>& cells, int most)
   {
     m_least_depth = other.m_least_depth;
-    for(std::uint32_t c : cells) ++m_least_depth[c];
+    bool is_closer = false;
+    for(std::uint32_t c : cells) {
+      if(m_least_depth[c] >= most) continue;
+      ++m_least_depth[c];
+      is_closer = true;
+    }
     reuse(other, [&](std::uint32_t c) { return m_least_depth[c] != other.m_least_depth[c]; });
-    return std::none_of(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_least_depth[c] > max_least_depth; });
+    return is_closer;
   }
 
   /// takes over what another cover found out about cells
@@ -344,7 +349,7 @@ public:
 
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
-  static constexpr int max_border_depth = 4, max_least_depth = 5;
+  static constexpr int max_border_depth = 4;
   static constexpr int max_steps_of_direction = 12;
 
   // the field and, unless the thresholds are constant, its differences to both

@@ -73,7 +73,7 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  * \tparam Limit a predicate of numbers of cells
  * \param cells to refine
  * \param marked leaves that are split
- * \param obstacles those of them that are split again, until their parts are no wider than the gap in them
+ * \param obstacles those of them that are split again, until their parts are no wider than the gap in them or `most_halvings` are reached
  * \param most_halvings of these; at most five
  * \param gap of the mesh
  * \param clipped the mesh, cut by `cells`

@@ -572,7 +572,7 @@ private:
     return before.cell(c).error_radius() != now.cell(c).error_radius() || !std::equal(x, x + 64, now.cell(c).coefficients());
   }
 
-  // Marked cells are split once, and obstacles, where they are many, down to the gap.
+  // Marked cells are split once, and obstacles, where they are many, twice, if the gap is that narrow.
   Cell_hierarchy_3 refined_cells()
   {
     constexpr int max_halvings = 2;
@@ -653,7 +653,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     if(m_is_thin) {
       if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
       choose_field_and_thresholds();
-      if(m_marked.empty() && certify()) return Refinement_status::CERTIFIED;
+      if(m_marked.empty() && m_inner && certify()) return Refinement_status::CERTIFIED;
       const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
       rounds_in_vain = better ? 0 : rounds_in_vain + 1;
       least_volume = (std::min)(least_volume, m_undecided_volume);
@@ -672,7 +672,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
         constexpr int once = 1;
         m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
         Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-        choose_thresholds(thresholds, once);
+        m_obstacles = choose_thresholds(thresholds, once);
       }
       if(!m_certificate) certify();
       return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
@@ -688,6 +688,8 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   std::map<Index, std::array<double, 3> > places;
   for(const Obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
+    // of no place
+    if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NEEDED) continue;
     const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });
   }
