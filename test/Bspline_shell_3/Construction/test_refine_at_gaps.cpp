@@ -59,7 +59,7 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than the 
       CHECK(BS::gap_in_cell(gap, clipped, middle, CGAL::POSITIVE, 1) == 1);
       CHECK(BS::gap_in_cell(gap, clipped, empty, CGAL::NEGATIVE, 1) == 1);
 
-      const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, { middle }, halvings, gap, clipped, no_limit);
+      const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit);
       const int wanted = thickness == 0.3 ? 2 : thickness == 0.1 ? 4 : 7;       // halvings of one
       std::size_t wrong = 0;
       const int expected = (std::min)(halvings, wanted);
@@ -68,13 +68,13 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than the 
       CHECK(wrong == 0);
       CHECK(fine.number_of_levels() == expected + 1);
       // an obstacle without a part of the mesh is split once, and so is what is only marked
-      const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, { empty }, halvings, gap, clipped, no_limit);
-      CHECK(are_equal(once, cells.refined({ middle, empty })));
+      const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, 1, { empty }, halvings, gap, clipped, no_limit);
+      CHECK(are_equal(once, cells.refined({ middle, empty }, 1)));
       // a limit ends it after what was marked
-      const auto is_too_many = [&](std::size_t size) { return size > cells.refined({ middle }).number_of_cells(); };
-      CHECK(are_equal(BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, { middle }, halvings, gap, clipped, is_too_many),
-                      cells.refined({ middle })));
-      CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, { middle }, halvings, gap, clipped, no_limit), fine));
+      const auto is_too_many = [&](std::size_t size) { return size > cells.refined({ middle }, 1).number_of_cells(); };
+      CHECK(are_equal(BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, is_too_many),
+                      cells.refined({ middle }, 1)));
+      CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit), fine));
     }
 }
 

@@ -55,10 +55,10 @@ public:
     number_cells();
   }
 
-  /// The hierarchy with the given leaves split, and with each of them the ring of cells around it: without the ring, what is split
-  /// would be narrower than a function of the next level. More cells are split where the grading asks for it. Leaves of level
-  /// `max_level()` stay as they are.
-  Cell_hierarchy_3 refined(const std::vector<Index>& leaves) const
+  /// The hierarchy with the given leaves split, and with each of them rings of cells around it. Without any, what is split would be
+  /// narrower than a function of the next level; with two, all functions that act on the leaf are of the next level. More cells are
+  /// split where the grading asks for it. Leaves of level `max_level()` stay as they are.
+  Cell_hierarchy_3 refined(const std::vector<Index>& leaves, int rings = 2) const
   {
     Cell_hierarchy_3 finer;
     finer.m_roots = m_roots;
@@ -70,7 +70,7 @@ public:
       if(level(c) < m_max_level) marked[std::size_t(level(c))].push_back(key(lattice_point(c)));
     for(int l = m_max_level - 1; l >= 0; --l) {
       sort_unique(marked[l]);
-      merge(in_domain(dilate(std::move(marked[l]), -1, 1), l), finer.m_split[l]);
+      merge(in_domain(dilate(std::move(marked[l]), -rings, rings), l), finer.m_split[l]);
       if(l > 0) merge(finer.needed_by_grading(l), finer.m_split[l-1]);
     }
     while(!finer.m_split.empty() && finer.m_split.back().empty()) finer.m_split.pop_back();

@@ -73,6 +73,7 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  * \tparam Limit a predicate of numbers of cells
  * \param cells to refine
  * \param marked leaves that are split
+ * \param rings of cells around them that are split, too
  * \param obstacles those of them that are split again, until their parts are no wider than the gap in them or `most_halvings` are reached
  * \param most_halvings of these; at most five
  * \param gap of the mesh
@@ -80,7 +81,7 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  * \param is_too_many whether there must not be so many cells; splitting again ends before
  */
 template <typename ConcurrencyTag, typename Limit>
-Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked,
+Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked, int rings,
                                 const std::vector<Cell_hierarchy_3::Index>& obstacles, int most_halvings, const Local_gap_3& gap,
                                 const Clipped_mesh_3& clipped, const Limit& is_too_many)
 {
@@ -95,7 +96,7 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
       for(; width > narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
     }
   });
-  Cell_hierarchy_3 refined = cells.refined(marked);
+  Cell_hierarchy_3 refined = cells.refined(marked, rings);
   for(int level = 1; level < most_halvings; ++level) {
     std::vector<Index> again;
     for(std::size_t n = 0; n < obstacles.size(); ++n) {
@@ -104,7 +105,7 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
       refined.visit_cells(internal::inner_box(cells, obstacles[n]), [&](Index c) { if(refined.level(c) <= target) again.push_back(c); });
     }
     if(again.empty()) break;
-    Cell_hierarchy_3 next = refined.refined(again);
+    Cell_hierarchy_3 next = refined.refined(again, rings);
     if(is_too_many(next.number_of_cells())) break;
     refined = std::move(next);
   }

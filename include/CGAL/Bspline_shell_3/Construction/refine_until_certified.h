@@ -575,11 +575,11 @@ private:
   // Marked cells are split once, and obstacles, where they are many, twice, if the gap is that narrow.
   Cell_hierarchy_3 refined_cells()
   {
-    constexpr int max_halvings = 2;
+    constexpr int max_halvings = 2, rings = 1;
     const std::vector<Index> obstacles = cells_of(m_obstacles);
-    if(!are_many(obstacles)) return m_field->cells().refined(m_marked);
+    if(!are_many(obstacles)) return m_field->cells().refined(m_marked, rings);
     if(!m_gap) m_gap.emplace(*m_input);
-    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, obstacles, max_halvings, *m_gap, *m_clipped,
+    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, rings, obstacles, max_halvings, *m_gap, *m_clipped,
                                           [&](std::size_t size) { return exceeds_limits(size); });
   }
 
