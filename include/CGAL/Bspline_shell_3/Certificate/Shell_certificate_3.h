@@ -675,7 +675,7 @@ private:
   static constexpr std::size_t max_paths = 64;        // tried for a component
   static constexpr std::size_t max_spare_paths = 3;   // for a component
   // covers that are to separate components: of boxes where walks from both meet, and of all
-  static constexpr int max_closer_covers = 12, most_halvings_midway = 5, most_halvings = 3;
+  static constexpr int max_closer_covers = 6, most_halvings_midway = 3, most_halvings = 3;
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;
