@@ -6,13 +6,16 @@
 #ifndef CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 #define CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 
+#include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace CGAL {
@@ -20,7 +23,10 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief builds a certified cubic B-spline shell of a closed mesh.
+ * \brief builds a certified cubic B-spline shell of a mesh.
+ *
+ * An open mesh is closed first, by triangles that the shell keeps (`Bspline_shell_3::closing()`): caps of its holes, or a sheet behind it. They
+ * are part of what is certified, and of no result: maps, edits and certificates take open meshes with the same border, and leave it as it is.
  *
  * The mesh is checked first; what a shell cannot be built for is refused with a status and the offending simplices.
  * Polygonal facets are triangulated. A field is fitted on coarse cells around the mesh; cells are halved where the field is
@@ -46,6 +52,7 @@ namespace CGAL {
  *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later, and thresholds are not improved
  *     any more. Unlimited by default.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
+ *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
@@ -83,7 +90,14 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::Shell_construction construction(visitor);
   if(!parameters.are_valid()) return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
-  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
+  BS::Input_mesh_3::Closer closer;
+  if(choose_parameter(get_parameter(np, tags::virtual_closing), true))
+    closer = [&](const BS::Input_mesh_3::Triangle_mesh& open) {
+      const Bbox_3 box = Polygon_mesh_processing::bbox(open);
+      const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+      return BS::close_virtually<ConcurrencyTag>(open, parameters.closing_offset(unit), construction.report().closing);
+    };
+  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer);
   if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
   // a copy, unless it was passed by reference

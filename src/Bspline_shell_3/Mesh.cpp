@@ -14,9 +14,9 @@ namespace Bspline_shells {
 
 template Shell_status Input_mesh_3::copy(const Input_mesh_3::Triangle_mesh&,
                                          boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
-template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&);
+template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&, const Closer&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&);
+template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&, const Closer&);
 #endif
 
 } // namespace Bspline_shells

@@ -96,6 +96,7 @@ public:
     CGAL_precondition(bool(shell));
     m_is_of_shell = true;
     m_bounds = std::move(bounds);
+    m_closing = shell.closing();
     m_proved_cover = shell.proved_cover();
     m_proved_gradient = shell.report().certificate.least_gradient;
     m_shell_paths = shell.component_paths();
@@ -105,7 +106,8 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PolygonMesh a model of `FaceListGraph`
-  /// \param mesh a closed mesh; polygons are triangulated as for the construction of a shell
+  /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its triangles count
+  ///        as facets after those of the mesh. Polygons are triangulated as for the construction of a shell.
   /// \param np `vertex_point_map` as in all of \cgal
   /// \return whether all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -118,8 +120,16 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
+    Input_mesh_3::Closer closer;
+    if(m_closing)
+      closer = [this](const Triangle_mesh&) {
+        Input_mesh_3::Closed closed;
+        closed.status = Shell_status::SUCCESS;
+        closed.closing = m_closing;
+        return closed;
+      };
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated);
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, closer);
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
@@ -220,6 +230,7 @@ private:
     Shell_certificate_3 empty(*m_field, m_inner, m_outer);
     empty.m_is_of_shell = m_is_of_shell;
     if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
+    empty.m_closing = m_closing;
     empty.m_proved_cover = std::move(m_proved_cover);
     empty.m_proved_gradient = m_proved_gradient;
     empty.m_shell_paths = std::move(m_shell_paths);
@@ -682,6 +693,7 @@ private:
   Threshold m_inner, m_outer;
   bool m_is_of_shell = false;
   std::shared_ptr<const Bounds> m_bounds;
+  std::shared_ptr<const Shell_closing_3> m_closing;
   std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
   double m_proved_gradient = 0;
   std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell

@@ -62,8 +62,9 @@ public:
 
   /// tests the arithmetic, and copies and checks the mesh.
   /// \param np `vertex_point_map`, `allow_self_intersections` and `allow_singular_vertices` as for `bspline_shell_3()`
+  /// \param closer of open meshes, which are refused without it
   template <typename ConcurrencyTag, typename PolygonMesh, typename NP>
-  Shell_status check(const PolygonMesh& mesh, const NP& np)
+  Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer())
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
@@ -74,7 +75,7 @@ public:
     tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
     const auto mesh_copy = std::make_shared<Input_mesh_3>();
     const Shell_status status = mesh_copy->template build<ConcurrencyTag>(
-      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated);
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated, closer);
     m_input = mesh_copy;
     m_report.offending_simplices = m_input->offending_simplices();
     if(status != Shell_status::SUCCESS) return status;

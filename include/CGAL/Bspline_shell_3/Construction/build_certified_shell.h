@@ -52,6 +52,13 @@ struct Certified_shell_parameters
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;
 
+  double largest_thickness(double unit) const { return thickness ? *thickness : relative_thickness * unit; }
+  /// how far back sheets of open meshes are behind these: far enough for a shell of full thickness, without small cells in between
+  double closing_offset(double unit) const
+  {
+    constexpr double thicknesses = 3;
+    return thicknesses * largest_thickness(unit);
+  }
   bool are_valid() const
   {
     const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
@@ -85,7 +92,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   const std::shared_ptr<const Input_mesh_3>& input = construction.input();
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / parameters.resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
-  const double largest_thickness = parameters.thickness ? *parameters.thickness : parameters.relative_thickness * input->unit();
+  const double largest_thickness = parameters.largest_thickness(input->unit());
   bool is_thickness_valid = true;
   const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
@@ -130,6 +137,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
   Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
               construction.end(Status::SUCCESS));
+  shell.set_closing(input->closing());
   if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
   return shell;
 }

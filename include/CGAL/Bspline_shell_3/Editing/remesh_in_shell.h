@@ -154,6 +154,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
+  const std::vector<vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result,
                                                           [&](const auto& oracle, const auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
@@ -165,7 +166,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     };
     internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
                              std::remove_cv_t<decltype(vertex_is_constrained)> >
-      remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, result);
+      remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all, result);
     for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
       remesher.flip_to_larger_angles();
       remesher.split_long_edges();

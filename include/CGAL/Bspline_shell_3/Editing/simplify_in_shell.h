@@ -91,7 +91,11 @@ struct Collapse_state
   double largest_cost = 0;            // largest cost of a collapsed edge
   double allowance = 1;               // by what factor other places than the policy's may cost more
   std::size_t initial_edges = 0;
+  std::size_t closing_facets = 0;
   std::size_t collapsed = 0, retried = 0;
+
+  // what stop predicates and visitors are told: three for each two facets of the mesh, as if those that close it were not there
+  std::size_t edges_without_closing(std::size_t edges) const { return closing_facets == 0 ? edges : 3 * (2 * edges / 3 - closing_facets) / 2; }
 };
 
 // Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the edges before anyone is told.
@@ -107,7 +111,7 @@ public:
   template <typename Profile, typename OptionalCost>
   void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
   {
-    Base::OnSelected(profile, cost, m_state->initial_edges, current);
+    Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
     m_state->cost = cost ? CGAL::to_double(*cost) : 0;
   }
@@ -141,7 +145,7 @@ struct Continued_stop_predicate
   template <typename FT, typename Profile>
   bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
   {
-    state->has_stopped = (*stop)(cost, profile, state->initial_edges, edges);
+    state->has_stopped = (*stop)(cost, profile, state->initial_edges, state->edges_without_closing(edges));
     return state->has_stopped;
   }
 };
@@ -353,7 +357,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result,
-                                                          [&](const auto& oracle, const auto& frozen) {
+                                                          [&](const auto& oracle, auto& frozen) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
@@ -369,7 +373,8 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     }();
 
     internal::Collapse_state state;
-    state.initial_edges = edges(mesh).size();
+    state.closing_facets = frozen.number_of_closing_facets();
+    state.initial_edges = state.edges_without_closing(edges(mesh).size());
     typedef std::remove_reference_t<decltype(visitor)> Visitor;
     typedef Collapse_visitor<TriangleMesh, Visitor> History;
     internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, rules, state);

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H
 #define CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H
 
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -19,8 +20,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -53,21 +56,37 @@ public:
     bool orientation = false;          // components that bound no volume together; `faces_outwards()` means nothing then
   };
 
+  /// what closes an open mesh, or why nothing does, and the facets to blame
+  struct Closed
+  {
+    Shell_status status = Shell_status::NOT_CLOSABLE;
+    std::vector<Face_index> offending_facets;
+    std::shared_ptr<const Shell_closing_3> closing;     // not null on success
+  };
+  /// closes an open triangle mesh that has no degenerate facets and whose vertices have one fan each
+  typedef std::function<Closed(const Triangle_mesh&)> Closer;
+
   Input_mesh_3() = default;
 
   /// copies, triangulates and checks the mesh.
   /// \tparam FaceGraph a model of `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
+  /// \param mesh the mesh
+  /// \param vpm its points
+  /// \param tolerated what is not checked
+  /// \param closer asked if the mesh is open; without it, open meshes are refused
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
-  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated)
+  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated, const Closer& closer = Closer())
   {
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
     Shell_status status = copy(mesh, vpm);
-    if(status == Shell_status::SUCCESS) status = check<ConcurrencyTag>(tolerated);
+    m_closing.reset();
+    if(status == Shell_status::SUCCESS) status = check<ConcurrencyTag>(tolerated, closer);
     if(status != Shell_status::SUCCESS) {
       m_mesh.clear();
+      m_closing.reset();
       m_components = 0;
     }
     return m_status = status;
@@ -76,9 +95,11 @@ public:
   /// what `build()` returned; without `SUCCESS` there is no mesh
   Shell_status status() const { return m_status; }
   const Triangle_mesh& mesh() const { return m_mesh; }
-  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of
+  /// what closes the user's mesh: its triangles come after those of the mesh, and count as its facets; null if the mesh itself is closed
+  const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
+  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have the numbers that follow.
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
-  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< of the user's mesh
+  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< with those of the closing
   /// smallest box around the facets
   Bbox_3 bbox() const { return m_bbox; }
   /// length of the longest side of the box: the paper's unit
@@ -93,7 +114,7 @@ public:
   /// volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is
+  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the numbers that follow.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
 
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
@@ -112,8 +133,10 @@ private:
   template <typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
-  Shell_status check(const Tolerated_defects& tolerated);
-  Shell_status check_surface();
+  Shell_status check(const Tolerated_defects& tolerated, const Closer& closer);
+  Shell_status check_border();
+  Shell_status check_fans();
+  Shell_status close(const Closer& closer);
   Shell_status triangulate();
   bool triangulate(Face_index f);
   template <typename ConcurrencyTag>
@@ -132,7 +155,8 @@ private:
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
   Bbox_3 m_bbox;
-  std::size_t m_number_of_facets = 0, m_components = 0;
+  std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
+  std::shared_ptr<const Shell_closing_3> m_closing;
   bool m_outwards = true;
   Offending_simplices m_offenders;
 };
@@ -174,6 +198,7 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
   const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   position = 0;
   for(auto v : vertices(mesh)) put(vertex_position, v, position++);
+  m_number_of_vertices = position;
   m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
   for(const auto& pair : vertex_pairs) m_vertex_origin[pair.second] = get(vertex_position, pair.first);
   m_bbox = Bbox_3();

@@ -32,10 +32,13 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template <typename ConcurrencyTag>
-Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated)
+Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Closer& closer)
 {
-  Shell_status status = check_surface();
+  const bool is_closed = CGAL::is_closed(m_mesh);
+  Shell_status status = is_closed || closer ? Shell_status::SUCCESS : check_border();
+  if(status == Shell_status::SUCCESS) status = check_fans();
   if(status == Shell_status::SUCCESS) status = triangulate();
+  if(status == Shell_status::SUCCESS && !is_closed) status = close(closer);
   if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
   if(status == Shell_status::SUCCESS) find_components();
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
@@ -44,18 +47,45 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated)
   return status;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_surface()
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_border()
 {
   std::vector<std::size_t> open;
   for(auto h : m_mesh.halfedges())
     if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)))
       open.push_back(m_origin[m_mesh.face(m_mesh.opposite(h))]);
-  if(!open.empty()) return refuse_facets(Shell_status::OPEN_MESH, open);
+  return open.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::OPEN_MESH, open);
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_fans()
+{
   std::vector<Triangle_mesh::Halfedge_index> pinched;
   Polygon_mesh_processing::non_manifold_vertices(m_mesh, std::back_inserter(pinched));
   std::vector<std::size_t> vertices;      // there is a halfedge for each fan
   for(auto h : pinched) vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
   return vertices.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NON_MANIFOLD, vertices);
+}
+
+// Pre: all facets are triangles, with an area, and each vertex has one fan.
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& closer)
+{
+  const Closed closed = closer(m_mesh);
+  if(closed.status != Shell_status::SUCCESS) {
+    std::vector<std::size_t> facets;
+    for(Face_index f : closed.offending_facets) facets.push_back(m_origin[f]);
+    return refuse_facets(closed.status, facets);
+  }
+  const auto attached = closed.closing->attach(m_mesh, m_mesh.points());
+  if(!attached || !CGAL::is_closed(m_mesh)) return check_border();      // a closing of another mesh
+  m_closing = closed.closing;
+  m_origin.resize(m_mesh.number_of_faces());
+  for(Face_index f : attached->faces) m_origin[f] = m_number_of_facets++;
+  m_vertex_origin.resize(m_mesh.number_of_vertices());
+  for(auto v : attached->vertices) {
+    m_vertex_origin[v] = m_number_of_vertices++;
+    m_bbox += m_mesh.point(v).bbox();
+  }
+  const Shell_status status = check_fans();
+  return status == Shell_status::SUCCESS ? triangulate() : status;      // degenerate triangles
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::triangulate()

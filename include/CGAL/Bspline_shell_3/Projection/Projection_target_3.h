@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,7 @@ public:
         for(double c : facet.vertex[i]) m_valid = m_valid && std::isfinite(c);
         const auto neighbor = face(opposite(h, mesh), mesh);
         facet.neighbor[i] = neighbor == Graph_traits::null_face() ? npos : facet_of(neighbor);
+        if(facet.neighbor[i] == npos) m_border.emplace(facet.vertex[i], Corner{ Index(facets.size()), i });
       }
       facets.push_back(facet);
     }
@@ -75,6 +78,14 @@ public:
 
   bool is_valid() const { return m_valid; }
   const TriangleMesh& mesh() const { return *m_mesh; }
+  /// a vertex of a facet
+  struct Corner { Index facet; int vertex; };
+  /// the corner at a border vertex with these coordinates, or null
+  const Corner* border_corner(const Coordinates& p) const
+  {
+    const auto found = m_border.find(p);
+    return found == m_border.end() ? nullptr : &found->second;
+  }
   /// of vertices, in the order of `vertices(mesh)`
   const std::vector<Coordinates>& vertices_of_mesh() const { return m_vertices; }
   std::size_t number_of_facets() const { return m_faces.size(); }       ///< also if the target is not valid
@@ -89,6 +100,7 @@ private:
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<Index> >::const_type m_index;
   std::vector<face_descriptor> m_faces;
   std::vector<Coordinates> m_vertices;
+  std::unordered_map<Coordinates, Corner, internal::Hash_coordinates> m_border;
   bool m_valid = true;
 };
 

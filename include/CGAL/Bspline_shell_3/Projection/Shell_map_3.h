@@ -151,24 +151,31 @@ private:
     return image;
   }
 
-  // Whether a component of the shell holds no part of a mesh. For an open mesh the count depends on the path.
+  // Whether a component of the shell holds no part of a mesh. Of an open mesh, only its vertices tell.
   template <typename Target>
   bool misses_component(const Target& target) const
   {
     const std::vector<Crossing_path> paths = shell().component_paths();
-    if(paths.empty() || !target.is_closed()) return false;
-    std::size_t number;
-    const std::vector<typename Target::Index> component = target.components(number);
-    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-    const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
-    const Component_match match = match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
-      const typename Target::Index f = typename Target::Index(n);
-      return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
-    }, [&](std::size_t n) { return std::size_t(component[n]); });
-    std::vector<char> is_missed(match.crossings.size(), 0);
-    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
-    for(std::size_t k : match.component_of_shell)
-      if(k != Component_match::none) is_missed[k] = 0;
+    if(paths.empty() || !(target.is_closed() || shell().closing())) return false;
+    std::vector<char> is_missed;
+    if(target.is_closed()) {
+      std::size_t number;
+      const std::vector<typename Target::Index> component = target.components(number);
+      typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+      const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
+      const Component_match match = match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
+        const typename Target::Index f = typename Target::Index(n);
+        return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
+      }, [&](std::size_t n) { return std::size_t(component[n]); });
+      is_missed.resize(match.crossings.size());
+      for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
+      for(std::size_t k : match.component_of_shell)
+        if(k != Component_match::none) is_missed[k] = 0;
+    }
+    else {
+      for(const Crossing_path& path : paths) is_missed.resize((std::max)(is_missed.size(), std::size_t(path.component) + 1), 1);
+      if(is_missed.size() == 1) return false;       // there is no other
+    }
     const auto is_any_missed = [&] { return std::find(is_missed.begin(), is_missed.end(), 1) != is_missed.end(); };
     if(!is_any_missed() || !shell().proved_cover()) return false;
     Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
@@ -105,7 +106,11 @@ public:
   }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
-  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`
+  /// the triangles that close the mesh that the shell was built for, if it is open, and every other mesh with the same border; null if it is
+  /// closed
+  const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
+  void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
   /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in
@@ -150,6 +155,7 @@ private:
   std::vector<Level_range> m_facets;
   Shell_report m_report;
   std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;       // shared by copies
+  std::shared_ptr<const Bspline_shells::Shell_closing_3> m_closing;
 };
 
 } // namespace CGAL

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SHELL_SHELL_REPORT_H
 
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
@@ -29,7 +30,8 @@ struct Shell_report
 {
   Shell_status status = Shell_status::NOT_BUILT;
   Offending_simplices offending_simplices;    ///< where it failed
-  std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles
+  Closing_report closing;                     ///< how the mesh was closed, if it is open
+  std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles; with those that close it
   std::size_t components = 0;                 ///< of the mesh
   double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
   double gamma = 0;                           ///< cells, or root cells, per unit

@@ -30,6 +30,7 @@ enum class Shell_status
   NON_MANIFOLD,                ///< an edge has more than two facets, or the facets at a vertex do not form one fan
   NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbors agree
   OPEN_MESH,                   ///< an edge has only one facet
+  NOT_CLOSABLE,                ///< the mesh is open, and what would close it intersects the mesh or itself
   DEGENERATE_FACET,            ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,           ///< two facets meet elsewhere than in common vertices and edges
   INCONSISTENT_ORIENTATION,    ///< the components of the mesh do not bound one volume, or the mesh bounds none
@@ -74,6 +75,9 @@ inline const char* message(Shell_status status)
       return "The mesh is one-sided: it has no orientation that neighboring facets share.";
     case Shell_status::OPEN_MESH:
       return "The mesh is open at the listed facets: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
+    case Shell_status::NOT_CLOSABLE:
+      return "The mesh is open, and caps of its holes, or a sheet behind it, would intersect it at the listed facets: close its holes "
+             "(CGAL::Polygon_mesh_processing::triangulate_hole), or wrap it (CGAL::alpha_wrap_3).";
     case Shell_status::DEGENERATE_FACET:
       return "The listed facets have no area: remove them (CGAL::Polygon_mesh_processing::remove_degenerate_faces).";
     case Shell_status::SELF_INTERSECTION:

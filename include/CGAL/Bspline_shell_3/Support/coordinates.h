@@ -6,8 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
 
+#include <boost/container_hash/hash.hpp>
+
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -32,6 +35,17 @@ auto cross(const U& u, const V& v)
 
 template <typename Vector>
 double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+struct Hash_coordinates
+{
+  // zeros of both signs are equal
+  std::size_t operator()(const std::array<double, 3>& p) const
+  {
+    std::size_t seed = 0;
+    for(double x : p) boost::hash_combine(seed, x + 0.);
+    return seed;
+  }
+};
 
 } // namespace internal
 } // namespace Bspline_shells

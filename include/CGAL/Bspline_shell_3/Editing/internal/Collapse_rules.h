@@ -46,7 +46,7 @@ class Collapse_rules
 
 public:
   Collapse_rules(const TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap constrained, bool protects,
-                 const Frozen_facets<TriangleMesh>& frozen)
+                 Frozen_facets<TriangleMesh>& frozen)
     : m_mesh(mesh), m_vpm(vpm), m_constrained(constrained), m_protects(protects || !Merges), m_frozen(frozen)
   {}
 
@@ -64,7 +64,16 @@ public:
     Allowed_places<Point> allowed;
     const vertex_descriptor v0 = profile.v0(), v1 = profile.v1();
     if(m_frozen.has_vertex(v0) || m_frozen.has_vertex(v1)) return allowed;
+    if(m_frozen.is_fixed(v0) && m_frozen.is_fixed(v1)) return allowed;
     const std::size_t number_0 = number_of_constrained_edges(v0), number_1 = number_of_constrained_edges(v1);
+    if(m_frozen.is_fixed(v0)) {
+      if(number_1 == 0) allowed.places.push_back(profile.p0());
+      return allowed;
+    }
+    if(m_frozen.is_fixed(v1)) {
+      if(number_0 == 0) allowed.places.push_back(profile.p1());
+      return allowed;
+    }
     allowed.are_all = number_0 == 0 && number_1 == 0;
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());
@@ -90,6 +99,7 @@ public:
   template <typename Profile>
   void after_collapse(const Profile& profile, vertex_descriptor v)
   {
+    m_frozen.replace(v == profile.v0() ? profile.v1() : profile.v0(), v);
     if constexpr(Merges) {
       if(m_is_left_constrained) constrain(v, profile.vL());
       if(m_is_right_constrained) constrain(v, profile.vR());
@@ -132,7 +142,7 @@ private:
   VertexPointMap m_vpm;
   EdgeIsConstrainedMap m_constrained;
   bool m_protects;
-  const Frozen_facets<TriangleMesh>& m_frozen;
+  Frozen_facets<TriangleMesh>& m_frozen;
   bool m_is_left_constrained = false, m_is_right_constrained = false;       // during a collapse
 };
 

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Facets of a mesh that edits leave alone, with their vertices and edges. So they keep their descriptors.
+// Facets of a mesh that edits leave alone, with their vertices and edges. So they keep their descriptors. Those that close the mesh leave more freedom:
+// what is collapsed into their vertices.
 template <typename TriangleMesh>
 class Frozen_facets
 {
@@ -37,21 +38,41 @@ public:
     return true;
   }
 
+  // adds a facet that closes the mesh
+  void close(face_descriptor f)
+  {
+    m_closing.insert(f);
+    for(vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, *m_mesh), *m_mesh)) m_fixed.insert(v);
+  }
+
+  // of facets, without those that close the mesh
   bool empty() const { return m_facets.empty(); }
   std::size_t size() const { return m_facets.size(); }
   bool has_facet(face_descriptor f) const { return !empty() && m_facets.count(f) > 0; }
   bool has_vertex(vertex_descriptor v) const { return !empty() && m_vertices.count(v) > 0; }
+
+  std::size_t number_of_closing_facets() const { return m_closing.size(); }
+  bool closes(face_descriptor f) const { return !m_closing.empty() && m_closing.count(f) > 0; }
+  // whether a vertex stays where it is because a facet at it closes the mesh. An edge to it may be collapsed, so that its place has another vertex.
+  bool is_fixed(vertex_descriptor v) const { return !m_closing.empty() && m_fixed.count(v) > 0; }
+  // an edge collapse has put `v` in the place of `w`
+  void replace(vertex_descriptor w, vertex_descriptor v)
+  {
+    if(is_fixed(w) && m_fixed.erase(w) > 0) m_fixed.insert(v);
+  }
+  // an edge of a facet that is frozen, or closes the mesh
   bool has_edge(edge_descriptor e) const
   {
     const auto h = halfedge(e, *m_mesh);
-    return !empty() && (has_facet(face(h, *m_mesh)) || has_facet(face(opposite(h, *m_mesh), *m_mesh)));
+    const face_descriptor f = face(h, *m_mesh), g = face(opposite(h, *m_mesh), *m_mesh);
+    return has_facet(f) || has_facet(g) || closes(f) || closes(g);
   }
   bool has_end_of(edge_descriptor e) const { return !empty() && (has_vertex(source(e, *m_mesh)) || has_vertex(target(e, *m_mesh))); }
 
 private:
   const TriangleMesh* m_mesh;
-  std::unordered_set<face_descriptor> m_facets;
-  std::unordered_set<vertex_descriptor> m_vertices;
+  std::unordered_set<face_descriptor> m_facets, m_closing;
+  std::unordered_set<vertex_descriptor> m_vertices, m_fixed;
 };
 
 } // namespace internal

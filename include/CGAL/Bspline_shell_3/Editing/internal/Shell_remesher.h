@@ -59,18 +59,20 @@ class Shell_remesher
 public:
   Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
                  const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
-                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints, Remeshing_report& report)
+                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints, const std::vector<vertex_descriptor>& old_vertices,
+                 Remeshing_report& report)
     : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen), m_edge_is_constrained(edge_is_constrained)
     , m_vertex_is_constrained(vertex_is_constrained), m_protect_constraints(protect_constraints), m_report(report)
     , m_key(get(dynamic_edge_property_t<Key>(), mesh)), m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
-    for(vertex_descriptor v : vertices(mesh)) {
+    for(vertex_descriptor v : vertices(mesh)) put(m_first_old, v, none);
+    for(vertex_descriptor v : old_vertices) {
       put(m_first_old, v, m_next_old.size());
       m_next_old.push_back(m_next_old.size());
     }
   }
 
-  // of the vertices that the mesh had: those into which they were collapsed
+  // of the old vertices: those into which they were collapsed
   std::vector<vertex_descriptor> images() const
   {
     std::vector<vertex_descriptor> result(m_next_old.size());
@@ -110,7 +112,7 @@ public:
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
       remove(queue, e);
-      if(m_frozen.has_end_of(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
+      if(m_frozen.has_end_of(e) || m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
       if(length < shortest) insert(queue, length, h);
     };
@@ -233,12 +235,12 @@ private:
   }
   bool is_fixed(vertex_descriptor v) const
   {
-    return m_frozen.has_vertex(v) || get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0;
+    return m_frozen.has_vertex(v) || m_frozen.is_fixed(v) || get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0;
   }
   // whether constrained edges pass through it, so that it may vanish with one of them
   bool is_passed(vertex_descriptor v) const
   {
-    return !m_protect_constraints && !get(m_vertex_is_constrained, v) && number_of_constrained_edges(v) == 2;
+    return !m_protect_constraints && !m_frozen.is_fixed(v) && !get(m_vertex_is_constrained, v) && number_of_constrained_edges(v) == 2;
   }
 
   // twice the inradius divided by the circumradius, with the sign of the facet's side

@@ -42,7 +42,7 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
 {
   if(!shell) return Edit_status::NO_SHELL;
   if(faces(mesh).begin() == faces(mesh).end() || !CGAL::is_triangle_mesh(mesh)) return Edit_status::NOT_TRIANGULATED;
-  if(!CGAL::is_closed(mesh)) return Edit_status::OPEN_MESH;
+  if(!CGAL::is_closed(mesh) && !(shell.closing() && shell.closing()->match_border(mesh, vpm))) return Edit_status::OPEN_MESH;
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
     if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) return Edit_status::NOT_FINITE;
@@ -64,7 +64,7 @@ bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f
 }
 
 // The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once. Frozen facets, and fans that
-// have some, do not count, nor, on request, facets with an edge of length zero.
+// have some, do not count, nor fans at a border, nor, on request, facets with an edge of length zero.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
 Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
                                                  const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,
@@ -95,6 +95,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   for(auto v : vertices(mesh)) {
     const std::size_t n = position++;
     if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
+    if(CGAL::is_border(v, mesh)) continue;
     link.clear();
     bool is_degenerate = false;
     for(auto h : CGAL::halfedges_around_target(v, mesh)) {
@@ -244,7 +245,7 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
 
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
 // `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
-// mesh must be gone when it returns.
+// mesh must be gone when it returns. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
 // \pre `check_before_edits()` accepts the mesh
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>
@@ -274,6 +275,13 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   std::vector<Point> points;
   for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
   Constraints_before<TriangleMesh, EdgeIsConstrainedMap> constraints_before(mesh, edge_is_constrained);
+  Shell_closing_3::Attached<TriangleMesh> closing;
+  if(!CGAL::is_closed(mesh)) {
+    auto attached = shell.closing()->attach(mesh, vpm);
+    if(!attached) return Edit_status::OPEN_MESH;        // an edge of the mesh is one of the closing, too
+    closing = std::move(*attached);
+    for(auto f : closing.faces) frozen.close(f);
+  }
   const auto undone = [&](Edit_status status) {
     constraints_before.release(mesh);
     restore(before, points, mesh, vpm);
@@ -286,18 +294,20 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   };
   result.frozen_facets_before = frozen_before.positions();
   const Edit_status edited = edit(oracle, frozen);
-  result.facets = faces(mesh).size();
   lap(result.edit_seconds);
   if(edited != Edit_status::SUCCESS) return undone(edited);
 
+  Offending_simplices others;
+  bool are_others_accepted = true;
+  if(!frozen.empty()) are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
+  Shell_closing_3::detach(mesh, closing);
+  result.facets = faces(mesh).size();
   Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
   result.certificate = certificate.report();
   // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must still be accepted.
   const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
-  Offending_simplices others;
-  const bool is_proved = certified
-    || (!frozen.empty() && are_kept && find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty());
+  const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted);
   lap(result.certificate_seconds);
   if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
   // not compiled for those who do not ask

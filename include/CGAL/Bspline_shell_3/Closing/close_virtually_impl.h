@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CLOSING_CLOSE_VIRTUALLY_IMPL_H
+#define CGAL_BSPLINE_SHELL_3_CLOSING_CLOSE_VIRTUALLY_IMPL_H
+
+#include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
+#include <CGAL/Bspline_shell_3/Closing/internal/Back_sheet.h>
+#include <CGAL/Bspline_shell_3/Closing/internal/Hole_caps.h>
+#include <CGAL/Bspline_shell_3/Closing/internal/assemble_closing.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+// The closing by caps and back sheets that begin where caps do not have what they must.
+template <typename ConcurrencyTag>
+class Virtual_closer
+{
+  typedef Closing_mesh::Face_index Face_index;
+  typedef Hole_caps::Facet_pairs Facet_pairs;
+public:
+  Virtual_closer(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_offset(offset), m_caps(mesh) {}
+
+  static Facet_pairs intersections(const Closing_mesh& mesh)
+  {
+    // there may be many, and some are enough to go on with
+    constexpr unsigned int most_pairs = 10000;
+    Facet_pairs pairs;
+    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(mesh, std::back_inserter(pairs), CGAL::parameters::maximum_number(most_pairs));
+    return pairs;
+  }
+
+  // Caps that intersect nothing. Finding them is what all requirements have in common.
+  void cap_holes()
+  {
+    while(m_caps.replace(intersections(m_caps.capped_mesh()))) {}
+  }
+
+  // whether there is a closing; if not, `intersections` are the last ones
+  bool close(const Hole_caps::Requirements& requirements)
+  {
+    m_caps.require(requirements);
+    Back_sheet back(m_caps.capped_mesh(), m_offset);
+    // Each halving is of some vertices only: a mesh whose parts are ever closer together asks for one after the other.
+    constexpr int most_rounds = 40;
+    for(int round = 0; round < most_rounds; ++round) {
+      Assembled_closing assembled = assemble_closing(m_mesh, m_caps, back);
+      Closing_mesh whole(m_mesh);
+      const auto attached = assembled.closing.attach(whole, whole.points());
+      if(!attached || !CGAL::is_closed(whole)) return false;
+      m_intersections = intersections(whole);
+      if(m_intersections.empty()) {
+        m_closing = std::make_shared<const Shell_closing_3>(std::move(assembled.closing));
+        m_least_gap = (std::min)(m_caps.least_gap(), back.least_gap());
+        m_caps.describe(m_report);
+        back.describe(m_report);
+        m_report.triangles = m_closing->triangles().size();
+        return true;
+      }
+      std::vector<Back_sheet::Triangle> intersecting;
+      for(const auto& pair : m_intersections)
+        for(Face_index f : { pair.first, pair.second })
+          if(m_caps.is_cap(f)) intersecting.push_back(assembled.triangles[std::size_t(f) - m_mesh.number_of_faces()]);
+      if(!back.move_closer(intersecting)) return false;
+    }
+    return false;
+  }
+
+  const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
+  const Closing_report& report() const { return m_report; }
+  // where the closed mesh is narrowest, as far as the closing makes it so
+  double least_gap() const { return m_least_gap; }
+  // facets of the mesh where the last attempt fails
+  std::vector<Face_index> offending_facets() const
+  {
+    std::vector<Face_index> facets;
+    for(const auto& pair : m_intersections)
+      for(Face_index f : { pair.first, pair.second })
+        if(!m_caps.is_cap(f)) facets.push_back(f);
+    return facets;
+  }
+
+private:
+  const Closing_mesh& m_mesh;
+  double m_offset;
+  Hole_caps m_caps;
+  Facet_pairs m_intersections;
+  std::shared_ptr<const Shell_closing_3> m_closing;
+  Closing_report m_report;
+  double m_least_gap = 0;
+};
+
+} // namespace internal
+
+template <typename ConcurrencyTag>
+Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, double offset, Closing_report& report)
+{
+  typedef internal::Virtual_closer<ConcurrencyTag> Closer;
+  Input_mesh_3::Closed closed;
+  report = Closing_report();
+  for(const auto& pair : Closer::intersections(mesh)) {
+    closed.offending_facets.push_back(pair.first);
+    closed.offending_facets.push_back(pair.second);
+  }
+  if(!closed.offending_facets.empty()) {
+    closed.status = Shell_status::SELF_INTERSECTION;
+    return closed;
+  }
+  // First with caps that leave room. If not all holes get one, it may still be better to have caps that do not.
+  const internal::Hole_caps::Requirements good = { 0.1, 2 * offset }, fair = { 0.02, 0 };
+  Closer strict(mesh, offset);
+  strict.cap_holes();
+  Closer loose(strict);
+  const Closer* best = &strict;
+  if(!strict.close(good) || strict.report().sheets > 0)
+    if(loose.close(fair) && !(strict.least_gap() >= loose.least_gap())) best = &loose;
+  if(!best->closing()) {
+    closed.offending_facets = best->offending_facets();
+    return closed;
+  }
+  report = best->report();
+  closed.status = Shell_status::SUCCESS;
+  closed.closing = best->closing();
+  return closed;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CLOSING_CLOSE_VIRTUALLY_IMPL_H

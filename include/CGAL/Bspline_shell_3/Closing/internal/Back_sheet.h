@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_BACK_SHEET_H
+#define CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_BACK_SHEET_H
+
+#include <CGAL/Bspline_shell_3/Closing/internal/Closing_mesh.h>
+#include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// A copy of the open components of a mesh, behind them and facing the other way, and strips that lead from their borders to it. Beyond the border it
+// extends as far as it is behind: strips slope at 45 degrees, so that flat tips and slits have vertices whose facets face a common
+// direction.
+//
+// Vertex n of the mesh is n, and its copy n plus the number of vertices.
+class Back_sheet
+{
+  typedef Closing_mesh::Face_index Face_index;
+  typedef Closing_mesh::Halfedge_index Halfedge_index;
+  typedef Closing_mesh::Vertex_index Vertex_index;
+  typedef Closing_kernel::Vector_3 Vector_3;
+public:
+  typedef std::array<std::size_t, 3> Triangle;
+
+  Back_sheet(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_size(mesh.number_of_vertices()), m_offset(offset)
+  {
+    m_distance.assign(m_size, 0);
+    m_direction.assign(m_size, Vector_3(0, 0, 0));
+    const std::vector<char> is_open = find_open_facets();
+    for(Halfedge_index h : mesh.halfedges())
+      if(mesh.is_border(h) && !mesh.is_border(mesh.opposite(h))) {
+        const std::size_t s = mesh.source(h), t = mesh.target(h);
+        m_triangles.push_back({ s, t, m_size + t });
+        m_triangles.push_back({ s, m_size + t, m_size + s });
+      }
+    for(Face_index f : mesh.faces())
+      if(is_open[f]) {
+        const Halfedge_index h = mesh.halfedge(f);
+        const std::size_t u = mesh.source(h), v = mesh.target(h), w = mesh.target(mesh.next(h));
+        m_triangles.push_back({ m_size + u, m_size + w, m_size + v });
+      }
+    if(m_triangles.empty()) return;
+    const Ray_tree tree(mesh);
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v) && is_open[any_facet(v)]) place(v, offset, tree);
+    smooth();
+  }
+
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  Closing_kernel::Point_3 point(std::size_t n) const
+  {
+    return n < m_size ? m_mesh.point(vertex(n))
+                      : m_mesh.point(vertex(n - m_size)) + m_distance[n - m_size] * m_direction[n - m_size];
+  }
+
+  // Halves the distance of the vertices of some triangles; false if there are none, or if that was done too often.
+  bool move_closer(const std::vector<Triangle>& triangles)
+  {
+    constexpr double least = 1. / 16384;
+    std::vector<char> is_halved(m_size, 0);
+    bool has_moved = false;
+    for(const Triangle& t : triangles)
+      for(std::size_t n : t) {
+        const std::size_t v = n % m_size;
+        if(m_distance[v] == 0 || is_halved[v]) continue;
+        is_halved[v] = 1;
+        m_distance[v] /= 2;
+        has_moved = true;
+        if(m_distance[v] < least * m_offset) return false;
+      }
+    smooth();
+    return has_moved;
+  }
+
+  // the least distance
+  double least_gap() const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(double d : m_distance)
+      if(d > 0) least = (std::min)(least, d);
+    return least;
+  }
+
+  void describe(Closing_report& report) const
+  {
+    report.sheets = m_sheets;
+    if(m_sheets == 0) return;
+    report.least_offset = least_gap();
+    report.largest_offset = *std::max_element(m_distance.begin(), m_distance.end());
+  }
+
+private:
+  static Vertex_index vertex(std::size_t n) { return Vertex_index(Closing_mesh::size_type(n)); }
+  // one at the vertex
+  Face_index any_facet(Vertex_index v) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(v);
+    return m_mesh.is_border(h) ? m_mesh.face(m_mesh.opposite(h)) : m_mesh.face(h);
+  }
+
+  // facets whose components have a border
+  std::vector<char> find_open_facets()
+  {
+    std::vector<std::size_t> component(m_mesh.number_of_faces());
+    const std::size_t number = Polygon_mesh_processing::connected_components(
+      m_mesh, CGAL::make_property_map(component));
+    std::vector<char> is_open(number, 0), result(m_mesh.number_of_faces());
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h))) is_open[component[m_mesh.face(m_mesh.opposite(h))]] = 1;
+    for(Face_index f : m_mesh.faces()) result[f] = is_open[component[f]];
+    m_sheets = std::size_t(std::count(is_open.begin(), is_open.end(), 1));
+    return result;
+  }
+
+  // where the copy of a vertex goes: behind all planes of its facets by the distance, and beyond all its border edges
+  void place(Vertex_index v, double offset, const Ray_tree& tree)
+  {
+    constexpr double least_margin = 0.3, least = 1. / 256, share_of_room = 0.4;
+    const Vector_3 axis = cone_axis_at(m_mesh, v);
+    const double margin = length(axis);
+    const bool has_cone = margin > 1e-9;
+    const Vector_3 back = has_cone ? -axis / (margin * (std::max)(margin, least_margin)) : -unit_normal(m_mesh, any_facet(v));
+    Vector_3 beyond(0, 0, 0);
+    for(Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if(m_mesh.is_border(h)) beyond = beyond + mitre(outward_conormal(m_mesh, h), outward_conormal(m_mesh, m_mesh.next(h)));
+    const double room = tree.distance(m_mesh.point(v), back, [&](Face_index f) {
+      const auto around = m_mesh.vertices_around_face(m_mesh.halfedge(f));
+      return std::find(around.begin(), around.end(), v) != around.end();
+    });
+    m_direction[v] = back + beyond;
+    m_distance[v] = (std::max)((std::min)(offset, share_of_room * room / length(back)), least * offset);
+  }
+
+  // the vector with the scalar products one with two unit vectors, unless it would be far longer
+  static Vector_3 mitre(const Vector_3& a, const Vector_3& b)
+  {
+    const Vector_3 sum = a + b;
+    constexpr double longest = 2;
+    const double size = length(sum);
+    return size < 1e-6 ? Vector_3(0, 0, 0) : sum * (std::min)(2 / (size * size), longest / size);
+  }
+
+  // the distance grows along edges at half of their lengths at most
+  void smooth()
+  {
+    typedef std::pair<double, std::size_t> Entry;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    for(std::size_t n = 0; n < m_size; ++n)
+      if(m_distance[n] > 0) queue.emplace(m_distance[n], n);
+    while(!queue.empty()) {
+      const Entry entry = queue.top();
+      queue.pop();
+      if(entry.first > m_distance[entry.second]) continue;
+      const Vertex_index v = vertex(entry.second);
+      for(Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v))) {
+        const Vertex_index w = m_mesh.source(h);
+        const double most = entry.first + std::sqrt(CGAL::squared_distance(m_mesh.point(v), m_mesh.point(w))) / 2;
+        if(m_distance[w] <= most) continue;
+        m_distance[w] = most;
+        queue.emplace(most, std::size_t(w));
+      }
+    }
+  }
+
+  const Closing_mesh& m_mesh;
+  std::size_t m_size;
+  std::vector<Triangle> m_triangles;
+  std::vector<double> m_distance;               // of each vertex; 0 where there is no back sheet
+  std::vector<Vector_3> m_direction;      // to its copy, for a distance of one
+  double m_offset;
+  std::size_t m_sheets = 0;
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_BACK_SHEET_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_CLOSING_MESH_H
+#define CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_CLOSING_MESH_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// What is asked of a mesh that is closed: it has triangles only.
+
+typedef Input_mesh_3::Triangle_mesh Closing_mesh;
+typedef Exact_predicates_inexact_constructions_kernel Closing_kernel;
+
+inline double length(const Closing_kernel::Vector_3& v) { return std::sqrt(v.squared_length()); }
+
+inline Closing_kernel::Vector_3 unit_normal(const Closing_mesh& mesh, Closing_mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  const auto n = facet_normal(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))).direction;
+  const Closing_kernel::Vector_3 v(n[0], n[1], n[2]);
+  return v / length(v);
+}
+
+// the axis of the cone of the facets at a vertex, which may be on a border; its length is the margin
+inline Closing_kernel::Vector_3 cone_axis_at(const Closing_mesh& mesh, Closing_mesh::Vertex_index v)
+{
+  std::vector<Closing_kernel::Point_3> normals;
+  for(auto f : mesh.faces_around_target(mesh.halfedge(v)))
+    if(f != Closing_mesh::null_face()) normals.push_back(CGAL::ORIGIN + unit_normal(mesh, f));
+  const std::array<double, 3> axis = cone_axis(normals);
+  return Closing_kernel::Vector_3(axis[0], axis[1], axis[2]);
+}
+
+// the unit vector in the plane of a border edge's facet that leads away from it
+inline Closing_kernel::Vector_3 outward_conormal(const Closing_mesh& mesh, Closing_mesh::Halfedge_index border)
+{
+  const auto h = mesh.opposite(border);
+  const Closing_kernel::Vector_3 along = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+  const Closing_kernel::Vector_3 c = CGAL::cross_product(along, unit_normal(mesh, mesh.face(h)));
+  return c / length(c);
+}
+
+// What rays meet.
+class Ray_tree : public AABB_tree<AABB_traits_3<Closing_kernel, AABB_face_graph_triangle_primitive<Closing_mesh> > >
+{
+public:
+  explicit Ray_tree(const Closing_mesh& mesh) : AABB_tree(mesh.faces().begin(), mesh.faces().end(), mesh) {}
+
+  // how far the first facet is in a direction, among those that are not skipped; infinite if there is none
+  template <typename Skip>
+  double distance(const Closing_kernel::Point_3& p, const Closing_kernel::Vector_3& direction, const Skip& skip) const
+  {
+    if(size() < 2) return std::numeric_limits<double>::infinity();       // a tree of one facet does not ask what to skip
+    const auto hit = first_intersection(Closing_kernel::Ray_3(p, direction), skip);
+    if(!hit) return std::numeric_limits<double>::infinity();
+    const auto* point = internal::get_if<Closing_kernel::Point_3>(hit->first);
+    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.;       // a ray within a facet's plane
+  }
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_CLOSING_MESH_H

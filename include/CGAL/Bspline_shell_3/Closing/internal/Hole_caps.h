@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_HOLE_CAPS_H
+#define CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_HOLE_CAPS_H
+
+#include <CGAL/Bspline_shell_3/Closing/internal/Closing_mesh.h>
+#include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
+
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// The holes of a mesh, and triangulations of those where that is possible. In the capped mesh, facets and vertices of the mesh have the numbers that they
+// have there, and others follow.
+class Hole_caps
+{
+  typedef Closing_mesh::Face_index Face_index;
+  typedef Closing_mesh::Halfedge_index Halfedge_index;
+  typedef Closing_mesh::Vertex_index Vertex_index;
+  typedef Closing_kernel::Point_3 Point_3;
+public:
+  typedef std::vector<std::pair<Face_index, Face_index> > Facet_pairs;
+
+  // what caps must have, lest a back sheet serves better
+  struct Requirements
+  {
+    double margin;      // of the cones at the border of the hole, if those of the mesh itself have twice that
+    double gap;         // behind and in front of each facet, user units; near the border, an eighth of the distance from it is enough
+  };
+
+  explicit Hole_caps(const Closing_mesh& mesh) : m_mesh(mesh)
+  {
+    std::vector<char> is_known(mesh.num_halfedges(), 0);
+    for(Halfedge_index h : mesh.halfedges()) {
+      if(!mesh.is_border(h) || is_known[h]) continue;
+      m_holes.emplace_back();
+      for(Halfedge_index g : mesh.halfedges_around_face(h)) {
+        is_known[g] = 1;
+        m_holes.back().halfedges.push_back(g);
+      }
+      while(m_holes.back().method != Method::NONE && !triangulate(m_holes.back())) {}
+    }
+    rebuild();
+  }
+
+  const Closing_mesh& capped_mesh() const { return m_capped; }
+  bool is_cap(Face_index f) const { return std::size_t(f) >= m_mesh.number_of_faces(); }
+  // whether a hole has no cap
+  bool is_open() const
+  {
+    return std::any_of(m_holes.begin(), m_holes.end(), [](const Hole& hole) { return hole.triangles.empty(); });
+  }
+  // the least gap of a cap
+  double least_gap() const { return m_least_gap; }
+
+  // Triangulates holes in another way whose caps intersect other facets, or gives them up; false if there are none.
+  bool replace(const Facet_pairs& intersections)
+  {
+    std::vector<char> is_bad(m_holes.size(), 0);
+    for(const auto& pair : intersections)
+      for(Face_index f : { pair.first, pair.second })
+        if(is_cap(f)) is_bad[hole_of(f)] = 1;
+    for(std::size_t n = 0; n < m_holes.size(); ++n)
+      if(is_bad[n])
+        do m_holes[n].method = Method(int(m_holes[n].method) + 1);
+        while(!triangulate(m_holes[n]));
+    if(std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) return false;
+    rebuild();
+    return true;
+  }
+
+  // Gives up caps that do not have what they must.
+  void require(const Requirements& requirements)
+  {
+    std::vector<char> is_bad(m_holes.size(), 0);
+    for(std::size_t n = 0; n < m_holes.size(); ++n) is_bad[n] = is_folded(m_holes[n], requirements.margin);
+    std::vector<double> gap(m_capped.number_of_faces(), std::numeric_limits<double>::infinity());
+    const Ray_tree tree(m_capped);
+    for(Face_index f : m_capped.faces()) {
+      if(!is_cap(f)) continue;
+      const auto [behind, least] = least_gap_at(tree, f, requirements.gap);
+      gap[f] = behind;
+      if(behind < least) is_bad[hole_of(f)] = 1;
+    }
+    m_least_gap = std::numeric_limits<double>::infinity();
+    for(Face_index f : m_capped.faces())
+      if(is_cap(f) && !is_bad[hole_of(f)]) m_least_gap = (std::min)(m_least_gap, gap[f]);
+    for(std::size_t n = 0; n < m_holes.size(); ++n)
+      if(is_bad[n]) m_holes[n].triangles.clear();
+    rebuild();
+  }
+
+  void describe(Closing_report& report) const
+  {
+    for(const Hole& hole : m_holes) {
+      report.holes.emplace_back();
+      const Point_3& p = m_mesh.point(m_mesh.source(hole.halfedges[0]));
+      report.holes.back().point = { p.x(), p.y(), p.z() };
+      report.holes.back().edges = hole.halfedges.size();
+      report.holes.back().is_capped = !hole.triangles.empty();
+    }
+  }
+
+private:
+  enum class Method { PLANAR, SPATIAL, FLAT_FAN, CONE, NONE };
+  struct Hole
+  {
+    std::vector<Halfedge_index> halfedges;                      // in their order
+    Method method = Method::PLANAR;
+    Point_3 apex;       // of a fan
+    // corner i is the source of halfedge i, and the last one the apex
+    std::vector<std::array<std::size_t, 3> > triangles;
+  };
+  struct Triple
+  {
+    std::array<std::size_t, 3> v;
+    Triple(int i, int j, int k) : v{ std::size_t(i), std::size_t(j), std::size_t(k) } {}
+  };
+
+  std::size_t hole_of(Face_index f) const { return m_hole_of[std::size_t(f) - m_mesh.number_of_faces()]; }
+
+  // By the method, or not at all if that is none. Returns false, and goes on to the next method, if this one fails.
+  bool triangulate(Hole& hole) const
+  {
+    // beyond that, holes without a Delaunay triangulation take too long
+    constexpr std::size_t most_for_cubic = 120;
+    hole.triangles.clear();
+    if(hole.method == Method::NONE) return true;
+    std::vector<Point_3> points, beyond;
+    for(Halfedge_index h : hole.halfedges) {
+      points.push_back(m_mesh.point(m_mesh.source(h)));
+      beyond.push_back(m_mesh.point(m_mesh.target(m_mesh.next(m_mesh.opposite(h)))));
+    }
+    const std::size_t size = points.size();
+    std::vector<Triple> patch;
+    if(size == 3) patch.emplace_back(0, 1, 2);
+    else if(is_fan(hole)) {
+      points.push_back(hole.apex = apex(hole, points));
+      for(std::size_t i = 0; i < size; ++i) patch.emplace_back(int(i), int((i + 1) % size), int(size));
+    }
+    else Polygon_mesh_processing::triangulate_hole_polyline(points, beyond, std::back_inserter(patch),
+      CGAL::parameters::use_delaunay_triangulation(true).use_2d_constrained_delaunay_triangulation(hole.method == Method::PLANAR)
+                       .do_not_use_cubic_algorithm(size > most_for_cubic));
+    bool is_good = patch.size() + 2 == points.size() || (size > 3 && is_fan(hole));
+    for(const Triple& t : patch) is_good = is_good && !CGAL::collinear(points[t.v[0]], points[t.v[1]], points[t.v[2]]);
+    if(is_good) for(const Triple& t : patch) hole.triangles.push_back(t.v);
+    else hole.method = Method(int(hole.method) + 1);
+    return is_good;
+  }
+
+  static bool is_fan(const Hole& hole) { return hole.method == Method::FLAT_FAN || hole.method == Method::CONE; }
+
+  // The middle of a hole, weighted by the lengths of edges, so that dense parts of the border count no more; for a cone, moved where the mesh leads to
+  // at the border, by half the mean distance from it. That helps where facets at the border stick out of the hole.
+  Point_3 apex(const Hole& hole, const std::vector<Point_3>& points) const
+  {
+    Closing_kernel::Vector_3 sum(0, 0, 0), outwards(0, 0, 0);
+    double weight = 0, radius = 0;
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Point_3 &p = points[i], &q = points[(i + 1) % points.size()];
+      const double w = std::sqrt(CGAL::squared_distance(p, q));
+      sum = sum + w * (CGAL::midpoint(p, q) - CGAL::ORIGIN);
+      outwards = outwards + w * outward_conormal(m_mesh, hole.halfedges[i]);
+      weight += w;
+    }
+    const Point_3 middle = CGAL::ORIGIN + sum / weight;
+    if(hole.method == Method::FLAT_FAN) return middle;
+    for(const Point_3& p : points) radius += std::sqrt(CGAL::squared_distance(p, middle)) / double(points.size());
+    return middle + radius / 2 / weight * outwards;
+  }
+
+  // The mesh with the caps that are left. A cap with an edge that the mesh has, too, cannot be added: it is given up.
+  void rebuild()
+  {
+    bool is_complete;
+    do {
+      is_complete = true;
+      m_capped = m_mesh;
+      m_hole_of.clear();
+      for(std::size_t n = 0; n < m_holes.size() && is_complete; ++n) {
+        Hole& hole = m_holes[n];
+        std::vector<Vertex_index> vertices;
+        for(Halfedge_index h : hole.halfedges) vertices.push_back(m_mesh.source(h));
+        if(!hole.triangles.empty() && vertices.size() > 3 && is_fan(hole)) vertices.push_back(m_capped.add_vertex(hole.apex));
+        for(const auto& t : hole.triangles) {
+          const std::array<Vertex_index, 3> corners = { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
+          is_complete = is_complete && Euler::add_face(corners, m_capped) != Closing_mesh::null_face();
+          m_hole_of.push_back(n);
+        }
+        if(!is_complete) hole.triangles.clear();
+      }
+    } while(!is_complete);
+  }
+
+  bool is_folded(const Hole& hole, double least_margin) const
+  {
+    if(hole.triangles.empty()) return false;
+    for(Halfedge_index h : hole.halfedges) {
+      const Vertex_index v = m_mesh.source(h);
+      const double closed = length(cone_axis_at(m_capped, v));
+      // what the mesh folds itself is not the cap's fault
+      if(closed < least_margin && closed < 0.5 * length(cone_axis_at(m_mesh, v))) return true;
+    }
+    return false;
+  }
+
+  // the gap at the middle of a facet, and what it must be
+  std::pair<double, double> least_gap_at(const Ray_tree& tree, Face_index f, double gap) const
+  {
+    const Halfedge_index h = m_capped.halfedge(f);
+    const std::array<Point_3, 3> t = { m_capped.point(m_capped.source(h)), m_capped.point(m_capped.target(h)),
+                                       m_capped.point(m_capped.target(m_capped.next(h))) };
+    const Point_3 center = CGAL::centroid(t[0], t[1], t[2]);
+    double to_border = std::numeric_limits<double>::infinity();
+    for(const Point_3& p : t) to_border = (std::min)(to_border, std::sqrt(CGAL::squared_distance(p, center)));
+    const Closing_kernel::Vector_3 normal = unit_normal(m_capped, f);
+    const auto is_facet = [&](Face_index g) { return g == f; };
+    return { (std::min)(tree.distance(center, -normal, is_facet), tree.distance(center, normal, is_facet)), (std::min)(gap, to_border / 8) };
+  }
+
+  const Closing_mesh& m_mesh;
+  Closing_mesh m_capped;
+  std::vector<Hole> m_holes;
+  std::vector<std::size_t> m_hole_of;         // of facets of caps
+  double m_least_gap = std::numeric_limits<double>::infinity();
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_HOLE_CAPS_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_MESH_SHELL_CLOSING_3_H
+#define CGAL_BSPLINE_SHELL_3_MESH_SHELL_CLOSING_3_H
+
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief triangles that close an open mesh: caps of its holes, and back sheets.
+ *
+ * A shell of an open mesh is that of the closed one, and keeps its closing. Every mesh with the same border, bit for bit, can be closed by
+ * the same triangles. If both closed meshes are certified in the shell, the integral curves map the open ones one-to-one onto each
+ * other, and the border onto itself: a curve that meets a triangle of the closing meets both meshes there.
+ *
+ * Points on the border are known by their coordinates: a mesh that is closed and embedded has no two vertices in the same place.
+ */
+class Shell_closing_3
+{
+public:
+  typedef std::array<double, 3> Point;
+  typedef std::uint32_t Index;
+  typedef std::array<Index, 3> Triangle;      ///< points, counterclockwise as seen from where the mesh faces
+
+  static constexpr Index npos = std::numeric_limits<Index>::max();
+
+  enum class Kind : unsigned char
+  {
+    CAP,        ///< fills a hole
+    BACK        ///< part of a sheet behind the mesh, and of the strips that connect it to the border
+  };
+
+  Shell_closing_3() = default;
+  /// \param points the points on the border first
+  /// \param border how many these are
+  /// \param triangles the triangles
+  /// \param kinds of the triangles
+  Shell_closing_3(std::vector<Point> points, std::size_t border, std::vector<Triangle> triangles, std::vector<Kind> kinds)
+    : m_points(std::move(points)), m_border(border), m_triangles(std::move(triangles)), m_kinds(std::move(kinds))
+  {
+    for(std::size_t n = 0; n < m_border; ++n) m_border_point.emplace(m_points[n], Index(n));
+  }
+
+  const std::vector<Point>& points() const { return m_points; }
+  /// how many of the points are on the border; they come first
+  std::size_t number_of_border_points() const { return m_border; }
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  const std::vector<Kind>& kinds() const { return m_kinds; }
+  bool empty() const { return m_triangles.empty(); }
+  /// the number of the border point with these coordinates, or `npos`
+  Index border_point(const Point& p) const
+  {
+    const auto found = m_border_point.find(p);
+    return found == m_border_point.end() ? npos : found->second;
+  }
+
+  /// what was attached to a mesh: the facets in the order of the triangles, and the vertices that are no border points, in the order of the points
+  template <typename FaceGraph>
+  struct Attached
+  {
+    std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> faces;
+    std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
+  };
+
+  /// closes a mesh: adds vertices and facets.
+  /// \tparam FaceGraph a model of `MutableFaceGraph` and `HalfedgeListGraph`
+  /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
+  /// \return nothing, and the mesh as it was, if its border is not that of the closing
+  template <typename FaceGraph, typename VertexPointMap>
+  std::optional<Attached<FaceGraph> > attach(FaceGraph& mesh, VertexPointMap vpm) const;
+
+  /// opens the mesh again. Vertices without facets go, too.
+  template <typename FaceGraph>
+  static void detach(FaceGraph& mesh, const Attached<FaceGraph>& attached)
+  {
+    for(auto f = attached.faces.rbegin(); f != attached.faces.rend(); ++f) Euler::remove_face(halfedge(*f, mesh), mesh);
+  }
+
+  /// The border halfedges of a mesh by the numbers of the border points that they connect, or nothing if the border is another one: a map from
+  /// `key(source, target)`.
+  template <typename FaceGraph, typename VertexPointMap>
+  std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
+  match_border(const FaceGraph& mesh, VertexPointMap vpm) const;
+
+  static std::uint64_t key(Index source, Index target) { return std::uint64_t(source) << 32 | target; }
+
+private:
+  std::vector<Point> m_points;
+  std::size_t m_border = 0;
+  std::vector<Triangle> m_triangles;
+  std::vector<Kind> m_kinds;
+  std::unordered_map<Point, Index, internal::Hash_coordinates> m_border_point;
+};
+
+template <typename FaceGraph, typename VertexPointMap>
+std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
+Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
+{
+  typedef std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Border;
+  if(m_border_point.size() != m_border) return std::nullopt;       // the border touches itself
+  // each edge of the closing's border, once
+  std::unordered_map<std::uint64_t, char> is_open;
+  for(const Triangle& t : m_triangles)
+    for(int i = 0; i < 3; ++i) {
+      const Index p = t[i], q = t[(i + 1) % 3];
+      if(p < m_border && q < m_border && is_open.erase(key(q, p)) == 0) is_open.emplace(key(p, q), 1);
+    }
+  Border border;
+  std::vector<char> is_met(m_border, 0);
+  for(auto h : halfedges(mesh)) {
+    if(!is_border(h, mesh) || is_border(opposite(h, mesh), mesh)) continue;
+    std::array<Index, 2> ends;
+    for(int i = 0; i < 2; ++i) {
+      const auto& p = get(vpm, i == 0 ? source(h, mesh) : target(h, mesh));
+      ends[i] = border_point({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
+      if(ends[i] == npos) return std::nullopt;
+    }
+    // A border that passes a point twice touches itself.
+    if(is_open.count(key(ends[0], ends[1])) == 0 || is_met[ends[0]]) return std::nullopt;
+    is_met[ends[0]] = 1;
+    border.emplace(key(ends[0], ends[1]), h);
+  }
+  if(border.size() != is_open.size()) return std::nullopt;
+  return border;
+}
+
+template <typename FaceGraph, typename VertexPointMap>
+std::optional<Shell_closing_3::Attached<FaceGraph> > Shell_closing_3::attach(FaceGraph& mesh, VertexPointMap vpm) const
+{
+  typedef boost::graph_traits<FaceGraph> Graph_traits;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
+  const auto border = match_border(mesh, vpm);
+  if(!border) return std::nullopt;
+  std::vector<typename Graph_traits::vertex_descriptor> vertex(m_points.size());
+  for(const auto& pair : *border) vertex[pair.first >> 32] = source(pair.second, mesh);
+  Attached<FaceGraph> attached;
+  for(std::size_t n = m_border; n < m_points.size(); ++n) {
+    vertex[n] = add_vertex(mesh);
+    put(vpm, vertex[n], Point_3(m_points[n][0], m_points[n][1], m_points[n][2]));
+    attached.vertices.push_back(vertex[n]);
+  }
+  for(const Triangle& t : m_triangles) {
+    const auto f = Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertex[t[0]], vertex[t[1]], vertex[t[2]] }, mesh);
+    if(f != Graph_traits::null_face()) {
+      attached.faces.push_back(f);
+      continue;
+    }
+    // the mesh has an edge that the closing has, too
+    detach(mesh, attached);
+    for(auto v : attached.vertices)
+      if(halfedge(v, mesh) == Graph_traits::null_halfedge()) remove_vertex(v, mesh);
+    return std::nullopt;
+  }
+  return attached;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_MESH_SHELL_CLOSING_3_H

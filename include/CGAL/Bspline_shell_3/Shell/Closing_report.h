@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_CLOSING_REPORT_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_CLOSING_REPORT_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
+ * \brief how an open mesh was closed.
+ */
+struct Closing_report
+{
+  /// a cycle of border edges
+  struct Hole
+  {
+    std::array<double, 3> point = {};     ///< on the cycle, user units
+    std::size_t edges = 0;                ///< of the cycle
+    bool is_capped = false;               ///< filled by a cap; otherwise, a back sheet begins there
+  };
+
+  std::vector<Hole> holes;
+  std::size_t sheets = 0;                 ///< components of the mesh that got a back sheet
+  std::size_t triangles = 0;              ///< of caps and back sheets
+  double least_offset = 0;                ///< of back sheets from the mesh, at a vertex; user units
+  double largest_offset = 0;              ///< the same, where it is largest
+
+  std::size_t caps() const
+  {
+    std::size_t number = 0;
+    for(const Hole& hole : holes) number += hole.is_capped ? 1 : 0;
+    return number;
+  }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_CLOSING_REPORT_H

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bspline_shell_3/Closing/close_virtually_impl.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+template Input_mesh_3::Closed close_virtually<Sequential_tag>(const Input_mesh_3::Triangle_mesh&, double, Closing_report&);
+#ifdef CGAL_LINKED_WITH_TBB
+template Input_mesh_3::Closed close_virtually<Parallel_tag>(const Input_mesh_3::Triangle_mesh&, double, Closing_report&);
+#endif
+
+} // namespace Bspline_shells
+} // namespace CGAL
