@@ -16,6 +16,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 namespace CGAL {
@@ -53,6 +54,7 @@ namespace CGAL {
  *     any more. Unlimited by default.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
+ *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only that
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
@@ -91,7 +93,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   BS::Shell_construction construction(visitor);
   if(!parameters.are_valid()) return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
   BS::Input_mesh_3::Closer closer;
-  if(choose_parameter(get_parameter(np, tags::virtual_closing), true))
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
+    closer = BS::Input_mesh_3::closer(std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));
+  else if(choose_parameter(get_parameter(np, tags::virtual_closing), true))
     closer = [&](const BS::Input_mesh_3::Triangle_mesh& open) {
       const Bbox_3 box = Polygon_mesh_processing::bbox(open);
       const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });

@@ -103,7 +103,9 @@ public:
   {
     const std::string text = read_file(name);
     Reader in(name, text, true);
-    in.expect("cubic_bspline_shell").expect("2").expect("ascii").end_line();
+    in.expect("cubic_bspline_shell");
+    const bool has_closing = in.integer(2, 3) == 3;
+    in.expect("ascii").end_line();
     in.expect("unit");
     if(!(in.number() > 0)) in.fail("the unit is not positive");
     in.end_line();
@@ -158,6 +160,7 @@ public:
       if(!(least <= in.number())) in.fail("a facet range is empty");
       in.end_line();
     }
+    if(has_closing) read_closing(in);
     in.end_file();
     checksum = in.checksum;
     check_leaves();
@@ -248,6 +251,24 @@ public:
   std::string checksum;
 
 private:
+  // What closes an open mesh. The mesh of the certificate has these triangles, so that no claim rests on them being here.
+  static void read_closing(Reader& in)
+  {
+    const Integer points = in.expect("closing").integer(0, (std::numeric_limits<Integer>::max)());
+    in.integer(0, points);
+    const Integer triangles = in.integer(0, (std::numeric_limits<Integer>::max)());
+    in.end_line();
+    for(Integer n = 0; n < points; ++n) {
+      in.point();
+      in.end_line();
+    }
+    for(Integer n = 0; n < triangles; ++n) {
+      for(int i = 0; i < 3; ++i) in.integer(0, points - 1);
+      in.integer(0, 1);
+      in.end_line();
+    }
+  }
+
   static Integer count(Reader& in, const char* what)
   {
     const Integer n = in.expect(what).integer(0, 1 << 30);

@@ -120,16 +120,8 @@ public:
     auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
-    Input_mesh_3::Closer closer;
-    if(m_closing)
-      closer = [this](const Triangle_mesh&) {
-        Input_mesh_3::Closed closed;
-        closed.status = Shell_status::SUCCESS;
-        closed.closing = m_closing;
-        return closed;
-      };
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, closer);
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing));
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 

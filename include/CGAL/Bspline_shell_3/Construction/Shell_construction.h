@@ -79,6 +79,7 @@ public:
     m_input = mesh_copy;
     m_report.offending_simplices = m_input->offending_simplices();
     if(status != Shell_status::SUCCESS) return status;
+    if(m_input->closing()) m_report.closing.triangles = m_input->closing()->triangles().size();
     m_report.triangles = m_input->mesh().number_of_faces();
     m_report.components = m_input->number_of_components();
     m_report.unit = m_input->unit();

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,6 +48,24 @@ struct Shell_file_content
   std::vector<Position> leaves;
   std::vector<char> marks;
   std::vector<Level_range> facet_ranges;
+  bool has_closing = false;
+  std::vector<Shell_closing_3::Point> closing_points;
+  std::uint64_t border_points = 0;
+  std::vector<Shell_closing_3::Triangle> closing_triangles;
+  std::vector<Shell_closing_3::Kind> closing_kinds;
+
+  // false if there is no such triangle
+  bool add_closing_triangle(const std::array<std::uint64_t, 3>& corners, int kind)
+  {
+    Shell_closing_3::Triangle t;
+    for(int i = 0; i < 3; ++i) {
+      if(corners[i] >= closing_points.size()) return false;
+      t[i] = Shell_closing_3::Index(corners[i]);
+    }
+    closing_triangles.push_back(t);
+    closing_kinds.push_back(Shell_closing_3::Kind(kind));
+    return kind == 0 || kind == 1;
+  }
 };
 
 // Vectors grow with what is read, never to what a count promises.
@@ -85,6 +104,21 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
     range.min = in.binary<double>();
     range.max = in.binary<double>();
     content.facet_ranges.push_back(range);
+  }
+  content.has_closing = version > version_without_closing;
+  if(content.has_closing) {
+    const std::uint64_t points = in.binary<std::uint64_t>();
+    content.border_points = in.binary<std::uint64_t>();
+    const std::uint64_t triangles = in.binary<std::uint64_t>();
+    for(std::uint64_t n = 0; n < points && !in.is_bad(); ++n) {
+      content.closing_points.emplace_back();
+      for(double& x : content.closing_points.back()) x = in.binary<double>();
+    }
+    for(std::uint64_t n = 0; n < triangles && !in.is_bad(); ++n) {
+      std::array<std::uint64_t, 3> corners;
+      for(std::uint64_t& i : corners) i = in.binary<std::uint32_t>();
+      if(!content.add_closing_triangle(corners, in.binary<std::uint8_t>())) return Shell_file_status::DAMAGED;
+    }
   }
   const std::uint64_t checksum = in.checksum();
   const bool intact = in.binary<std::uint64_t>() == checksum && !in.is_bad() && in.is_at_end();
@@ -149,6 +183,22 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
     Level_range range;
     if(!Words(in.line()).number(range.min).number(range.max).are_complete()) return damaged;
     content.facet_ranges.push_back(range);
+  }
+  content.has_closing = version > version_without_closing;
+  if(content.has_closing) {
+    std::uint64_t triangles = 0;
+    if(!Words(in.line()).word("closing").number(count).number(content.border_points).number(triangles).are_complete()) return damaged;
+    for(; count > 0; --count) {
+      Shell_closing_3::Point p = {};
+      if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
+      content.closing_points.push_back(p);
+    }
+    for(; triangles > 0; --triangles) {
+      std::array<std::uint64_t, 3> corners = {};
+      int kind = 0;
+      if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete()) return damaged;
+      if(!content.add_closing_triangle(corners, kind)) return damaged;
+    }
   }
   const std::string checksum = Checksum::text(in.checksum());
   const bool intact = Words(in.line()).word("checksum").word(checksum).are_complete() && in.is_at_end();
@@ -226,6 +276,11 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     report.thickness = content.levels.max;
     made = between(Threshold(spline(1)), Threshold(spline(2)));
   }
+  if(content.has_closing) {
+    if(content.border_points > content.closing_points.size()) return false;
+    made.set_closing(std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
+                                                             std::move(content.closing_triangles), std::move(content.closing_kinds)));
+  }
   if(!is_shell(made)) return false;
   shell = std::move(made);
   return true;
@@ -238,7 +293,7 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  *
  * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, thresholds and facet ranges are those that were written, bit by bit. Nothing that was cut off or altered is
+ * The field, cells, thresholds, facet ranges and closing are those that were written, bit by bit. Nothing that was cut off or altered is
  * taken for a shell: every file has a checksum, and what it says must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
  *

@@ -42,7 +42,7 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     for(int i : p) word(i);
   };
   out.text(ASCII_shell_magic);
-  word(shell_file_version);
+  word(file_version(shell));
   out.text(" ascii\nunit");
   word(shell.report().unit);
   if(kind.has_spline_thresholds) out.text("\nthickness");
@@ -89,6 +89,27 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     word(range.max);
     out.text("\n");
   }
+
+  if(!shell.closing()) return;
+  const Shell_closing_3& closing = *shell.closing();
+  out.text("closing");
+  word(closing.points().size());
+  word(closing.number_of_border_points());
+  word(closing.triangles().size());
+  out.text("\n");
+  for(const Shell_closing_3::Point& p : closing.points()) {
+    out.decimal(p[0]);
+    word(p[1]);
+    word(p[2]);
+    out.text("\n");
+  }
+  for(std::size_t t = 0; t < closing.triangles().size(); ++t) {
+    out.decimal(std::size_t(closing.triangles()[t][0]));
+    word(std::size_t(closing.triangles()[t][1]));
+    word(std::size_t(closing.triangles()[t][2]));
+    word(int(closing.kinds()[t]));
+    out.text("\n");
+  }
 }
 
 // all but the checksum
@@ -100,7 +121,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
   const auto count = [&out](std::size_t n) { out.binary(std::uint64_t(n)); };
   out.text(binary_shell_magic);
   out.text("0");
-  out.decimal(shell_file_version);
+  out.decimal(file_version(shell));
   out.binary(shell.report().unit);
   out.binary(levels(shell).min);
   out.binary(levels(shell).max);
@@ -123,6 +144,17 @@ void write_binary_shell(File_output& out, const Shell& shell)
     out.binary(range.min);
     out.binary(range.max);
   }
+  if(!shell.closing()) return;
+  const Shell_closing_3& closing = *shell.closing();
+  count(closing.points().size());
+  count(closing.number_of_border_points());
+  count(closing.triangles().size());
+  for(const Shell_closing_3::Point& p : closing.points())
+    for(double x : p) out.binary(x);
+  for(std::size_t t = 0; t < closing.triangles().size(); ++t) {
+    for(Shell_closing_3::Index i : closing.triangles()[t]) out.binary(std::uint32_t(i));
+    out.binary(std::uint8_t(closing.kinds()[t]));
+  }
 }
 
 } // namespace internal
@@ -130,7 +162,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds and facet ranges,
+ * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges and closing,
  * bit by bit. See \ref BsplineShell3FileFormats.
  *
  * Of the report, the unit, the numbers of triangles and components, the thickness and what follows from the shell are written.

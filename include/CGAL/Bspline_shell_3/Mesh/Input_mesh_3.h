@@ -66,6 +66,18 @@ public:
   /// closes an open triangle mesh that has no degenerate facets and whose vertices have one fan each
   typedef std::function<Closed(const Triangle_mesh&)> Closer;
 
+  /// a closer that has one answer; none, if that is null
+  static Closer closer(std::shared_ptr<const Shell_closing_3> closing)
+  {
+    if(!closing) return Closer();
+    return [closing](const Triangle_mesh&) {
+      Closed closed;
+      closed.status = Shell_status::SUCCESS;
+      closed.closing = closing;
+      return closed;
+    };
+  }
+
   Input_mesh_3() = default;
 
   /// copies, triangulates and checks the mesh.

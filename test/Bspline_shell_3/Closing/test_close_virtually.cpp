@@ -1,0 +1,257 @@
+// close_virtually.h: caps where they leave room, back sheets elsewhere; the closed mesh never intersects itself, and what cannot be closed is refused.
+#include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace PMP = CGAL::Polygon_mesh_processing;
+typedef BS::Shell_closing_3 Closing;
+typedef BS::Shell_status Status;
+
+std::vector<double> steps(double first, double last, int number)
+{
+  std::vector<double> x;
+  for(int i = 0; i <= number; ++i) x.push_back(first + (last - first) * i / number);
+  return x;
+}
+
+// a rectangle of a parameter plane, moved to where it belongs
+Mesh surface(int nu, int nv, const std::function<Point_3(double, double)>& place)
+{
+  Mesh mesh = sheet(steps(0, 1, nu), steps(0, 1, nv), [](double, double) { return 0.; });
+  for(auto v : mesh.vertices()) mesh.point(v) = place(mesh.point(v).x(), mesh.point(v).y());
+  return mesh;
+}
+
+void remove_faces(Mesh& mesh, const std::function<bool(const Point_3&)>& is_removed)
+{
+  std::vector<Mesh::Face_index> faces;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    if(is_removed(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))))) faces.push_back(f);
+  }
+  for(auto f : faces) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+}
+
+// The closed mesh, after a check of all that is promised.
+Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
+{
+  const BS::Input_mesh_3::Closed found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
+  REQUIRE(found.status == Status::SUCCESS);
+  REQUIRE(found.closing);
+  CHECK(found.offending_facets.empty());
+  CHECK(report.triangles == found.closing->triangles().size());
+  CHECK(found.closing->kinds().size() == found.closing->triangles().size());
+  Mesh whole = mesh;
+  const auto attached = found.closing->attach(whole, whole.points());
+  REQUIRE(attached);
+  CHECK(CGAL::is_closed(whole));
+  CHECK_FALSE(PMP::does_self_intersect(whole));
+  std::size_t border = 0;
+  for(auto v : mesh.vertices())
+    if(mesh.is_border(v)) {
+      ++border;
+      CHECK(found.closing->border_point({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() }) < found.closing->number_of_border_points());
+    }
+  CHECK(found.closing->number_of_border_points() == border);
+  return whole;
+}
+
+} // namespace
+
+TEST_CASE("Closing: a half sphere gets a flat cap")
+{
+  Mesh mesh = sphere(3);
+  remove_faces(mesh, [](const Point_3& p) { return p.z() < 0.1; });
+  BS::Closing_report report;
+  const Mesh whole = closed(mesh, 0.05, report);
+  REQUIRE(report.holes.size() == 1);
+  CHECK(report.caps() == 1);
+  CHECK(report.sheets == 0);
+  CHECK(report.holes[0].is_capped);
+  CHECK(report.triangles == report.holes[0].edges - 2);
+  CHECK(PMP::volume(whole) == Approx(2 * CGAL_PI / 3).epsilon(0.2));
+  CHECK(whole.number_of_vertices() == mesh.number_of_vertices());
+}
+
+TEST_CASE("Closing: a planar sheet becomes a slab with sloping sides")
+{
+  constexpr double offset = 0.05;
+  const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 2, 8), [](double, double) { return 0.; });
+  BS::Closing_report report;
+  const Mesh whole = closed(mesh, offset, report);
+  CHECK(report.caps() == 0);
+  CHECK(report.sheets == 1);
+  CHECK(report.least_offset == Approx(offset));
+  CHECK(report.largest_offset == Approx(offset));
+  CHECK(report.triangles == mesh.number_of_faces() + 2 * report.holes.at(0).edges);
+  // a frustum between 1 x 2 and 1.1 x 2.1
+  const double a = 2, b = (1 + 2 * offset) * (2 + 2 * offset), middle = (1 + offset) * (2 + offset);
+  CHECK(PMP::volume(whole) == Approx(offset / 6 * (a + 4 * middle + b)));
+  for(auto v : whole.vertices())
+    if(std::size_t(v) >= mesh.number_of_vertices()) CHECK(whole.point(v).z() == Approx(-offset));
+}
+
+TEST_CASE("Closing: an annulus in a plane, with a slit and a flat tip")
+{
+  BS::Closing_report report;
+  const Mesh annulus = surface(24, 3, [](double u, double v) {
+    const double angle = -1.96 * CGAL_PI * u, r = 0.5 + 0.5 * v;
+    return Point_3(r * std::cos(angle), r * std::sin(angle), 0);
+  });
+  closed(annulus, 0.05, report);       // the slit is 0.06 wide at the inner circle
+  CHECK(report.sheets == 1);
+  CHECK(report.largest_offset <= 0.05 * (1 + 1e-12));
+
+  Mesh tip;       // five degrees
+  const double t = std::tan(5 * CGAL_PI / 180);
+  tip.add_face(tip.add_vertex(Point_3(0, 0, 0)), tip.add_vertex(Point_3(1, 0, 0)), tip.add_vertex(Point_3(1, t, 0)));
+  closed(tip, 0.02, report);
+  CHECK(report.sheets == 1);
+}
+
+TEST_CASE("Closing: a sphere with a hundred holes gets as many caps")
+{
+  Mesh mesh = sphere(4);
+  std::vector<char> is_taken(mesh.number_of_vertices(), 0);
+  std::vector<Mesh::Vertex_index> centers;
+  for(auto v : mesh.vertices()) {
+    if(centers.size() == 100) break;
+    bool is_free = true;
+    std::vector<Mesh::Vertex_index> near = { v };
+    for(auto w : mesh.vertices_around_target(mesh.halfedge(v))) {
+      near.push_back(w);
+      for(auto x : mesh.vertices_around_target(mesh.halfedge(w))) near.push_back(x);
+    }
+    for(auto w : near) is_free = is_free && !is_taken[w];
+    if(!is_free) continue;
+    for(auto w : near) is_taken[w] = 1;
+    centers.push_back(v);
+  }
+  REQUIRE(centers.size() == 100);
+  for(auto v : centers) CGAL::Euler::remove_center_vertex(mesh.halfedge(v), mesh);
+  std::vector<Mesh::Face_index> polygons;
+  for(auto f : mesh.faces())
+    if(!CGAL::is_triangle(mesh.halfedge(f), mesh)) polygons.push_back(f);
+  for(auto f : polygons) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  BS::Closing_report report;
+  closed(mesh, 0.05, report);
+  CHECK(report.holes.size() == 100);
+  CHECK(report.caps() == 100);
+  CHECK(report.sheets == 0);
+}
+
+TEST_CASE("Closing: where a cap would intersect, there is a back sheet, nearer where there is less room")
+{
+  // a leaf rolled up: a spiral of two turns, 0.1 from one to the next
+  const Mesh mesh = surface(96, 4, [](double u, double v) {
+    const double angle = 4 * CGAL_PI * u, r = 0.3 + 0.2 * u;
+    return Point_3(r * std::cos(angle), r * std::sin(angle), 0.5 * v);
+  });
+  BS::Closing_report report;
+  closed(mesh, 0.2, report);
+  CHECK(report.caps() == 0);
+  CHECK(report.sheets == 1);
+  CHECK(report.least_offset < 0.1);
+  CHECK(report.largest_offset > report.least_offset);
+}
+
+TEST_CASE("Closing: two sheets back to back, nearer than the offset")
+{
+  Mesh mesh = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.02; });
+  Mesh other = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.; });
+  PMP::reverse_face_orientations(other);
+  mesh.join(other);
+  BS::Closing_report report;
+  closed(mesh, 0.05, report);
+  CHECK(report.sheets == 2);
+  CHECK(report.largest_offset < 0.01);
+}
+
+TEST_CASE("Closing: components that are closed stay as they are")
+{
+  Mesh mesh = sphere(2, 1, Point_3(5, 0, 0));
+  mesh.join(sheet(steps(0, 1, 2), steps(0, 1, 2), [](double, double) { return 0.; }));
+  BS::Closing_report report;
+  const Mesh whole = closed(mesh, 0.05, report);
+  CHECK(report.sheets == 1);
+  CHECK(report.triangles == 8 + 2 * 8);
+  CHECK(whole.number_of_faces() == mesh.number_of_faces() + report.triangles);
+}
+
+TEST_CASE("Closing: a dish gets no cap that leaves a thin wall")
+{
+  BS::Closing_report report;
+  const auto dish = [](double depth) {
+    return sheet(steps(-1, 1, 8), steps(-1, 1, 8), [depth](double x, double y) {
+      return depth * (1 - (std::max)(std::abs(x), std::abs(y)));
+    });
+  };
+  closed(dish(0.01), 0.05, report);
+  CHECK(report.sheets == 1);
+  closed(dish(1), 0.05, report);
+  CHECK(report.caps() == 1);
+}
+
+TEST_CASE("Closing: a mesh that intersects itself is refused, with its facets")
+{
+  Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  Mesh other = mesh;
+  for(auto v : other.vertices()) {
+    const Point_3 p = other.point(v);
+    other.point(v) = Point_3(0.3 + 0.2 * p.y(), 0.3 + 0.1 * p.x(), p.y() - 0.5);
+  }
+  mesh.join(other);
+  BS::Closing_report report;
+  const auto found = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.05, report);
+  CHECK(found.status == Status::SELF_INTERSECTION);
+  CHECK_FALSE(found.closing);
+  CHECK_FALSE(found.offending_facets.empty());
+}
+
+TEST_CASE("Closing: a spiral ramp cannot be closed at its axis")
+{
+  // embedded, and all of it faces upwards, but it turns by 630 degrees around one vertex
+  Mesh mesh;
+  const auto axis = mesh.add_vertex(Point_3(0, 0, 0));
+  std::vector<Mesh::Vertex_index> rim;
+  for(int i = 0; i <= 28; ++i) {
+    const double angle = CGAL_PI * i / 8;
+    rim.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0.05 * i)));
+  }
+  for(std::size_t i = 0; i + 1 < rim.size(); ++i) mesh.add_face(axis, rim[i], rim[i + 1]);
+  REQUIRE_FALSE(PMP::does_self_intersect(mesh));
+  BS::Closing_report report;
+  const auto found = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.02, report);
+  CHECK(found.status == Status::NOT_CLOSABLE);
+  CHECK_FALSE(found.closing);
+}
+
+TEST_CASE("Closing: the number of threads does not matter")
+{
+  Mesh mesh = sphere(3);
+  remove_faces(mesh, [](const Point_3& p) { return std::abs(p.z()) < 0.3 || p.x() > 0.9; });
+  BS::Closing_report one, several;
+  const auto a = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.2, one);
+  const auto b = BS::close_virtually<CGAL::Parallel_if_available_tag>(mesh, 0.2, several);
+  REQUIRE(a.closing);
+  REQUIRE(b.closing);
+  CHECK(a.closing->points() == b.closing->points());
+  CHECK(a.closing->triangles() == b.closing->triangles());
+}

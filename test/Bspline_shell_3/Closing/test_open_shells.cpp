@@ -1,0 +1,350 @@
+// Shells of open meshes: certified with what closes them; certificates, edits, maps and files take open meshes, and leave their borders alone.
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_shell.h>
+#include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+#include <CGAL/certified_bspline_shell_3.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
+typedef BS::Shell_map_3<Shell, Mesh> Map;
+
+std::vector<double> steps(int number)
+{
+  std::vector<double> x;
+  for(int i = 0; i <= number; ++i) x.push_back(double(i) / number);
+  return x;
+}
+
+// a hill over the unit square, which gets a back sheet
+const Mesh& hill()
+{
+  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) { return 0.3 * std::sin(3 * x) * std::sin(3 * y); });
+  return mesh;
+}
+const Shell& hill_shell()
+{
+  static const Shell shell = CGAL::certified_bspline_shell_3(hill());
+  return shell;
+}
+
+// a sphere with two holes, which get caps
+const Mesh& lantern()
+{
+  static const Mesh mesh = [] {
+    Mesh m = sphere(3);
+    std::vector<Mesh::Face_index> removed;
+    for(auto f : m.faces()) {
+      const auto h = m.halfedge(f);
+      if(std::abs(CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h)))).z()) > 0.8) removed.push_back(f);
+    }
+    for(auto f : removed) CGAL::Euler::remove_face(m.halfedge(f), m);
+    m.collect_garbage();
+    return m;
+  }();
+  return mesh;
+}
+const Shell& lantern_shell()
+{
+  static const Shell shell = CGAL::certified_bspline_shell_3(lantern());
+  return shell;
+}
+
+typedef std::set<std::pair<Point_3, Point_3> > Border;
+Border border(const Mesh& mesh)
+{
+  Border result;
+  for(auto h : mesh.halfedges())
+    if(mesh.is_border(h)) result.emplace(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return result;
+}
+
+// every vertex and facet there and back, and every border vertex to itself
+void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
+{
+  const Map map(shell, from, to);
+  REQUIRE(map.status() == BS::Flow_status::SUCCESS);
+  const auto back = map.inverse();
+  const double tolerance = 1e-9 * shell.report().unit;
+  std::size_t lost = 0, far = 0, moved = 0;
+  const auto check = [&](const Map::Source_location& location, const Point_3& p) {
+    const auto image = map(location);
+    if(!image) { ++lost; return Point_3(); }
+    const auto again = back(image.location);
+    if(!again) ++lost;
+    else if(CGAL::squared_distance(again.point, p) > tolerance * tolerance) ++far;
+    return image.point;
+  };
+  for(auto v : from.vertices()) {
+    const Point_3 image = check(CGAL::Polygon_mesh_processing::locate_vertex<double>(v, from), from.point(v));
+    if(from.is_border(v) && image != from.point(v)) ++moved;
+  }
+  for(auto f : from.faces())
+    for(const std::array<double, 3>& b : { std::array<double, 3>{ 0.2, 0.3, 0.5 }, std::array<double, 3>{ 0.5, 0.5, 0 },
+                                           std::array<double, 3>{ 0, 0.25, 0.75 }, std::array<double, 3>{ 0.75, 0, 0.25 } }) {
+      const auto p = map.point({ f, b });
+      check({ f, b }, Point_3(p[0], p[1], p[2]));
+    }
+  CHECK(lost == 0);
+  CHECK(far == 0);
+  CHECK(moved == 0);
+}
+
+} // namespace
+
+TEST_CASE("Open meshes: the shell is certified with what closes them")
+{
+  REQUIRE(hill_shell().is_certified());
+  CHECK(hill_shell().report().closing.sheets == 1);
+  CHECK(hill_shell().report().closing.caps() == 0);
+  REQUIRE(hill_shell().closing());
+  CHECK(hill_shell().facet_ranges().size() == hill().number_of_faces() + hill_shell().closing()->triangles().size());
+  CHECK(hill_shell().report().triangles == hill_shell().facet_ranges().size());
+
+  REQUIRE(lantern_shell().is_certified());
+  CHECK(lantern_shell().report().closing.caps() == 2);
+  CHECK(lantern_shell().report().closing.sheets == 0);
+
+  CHECK_FALSE(CGAL::certified_bspline_shell_3(sphere(2)).closing());
+  const Shell refused = CGAL::certified_bspline_shell_3(hill(), parameters::virtual_closing(false));
+  CHECK(refused.status() == BS::Shell_status::OPEN_MESH);
+  CHECK_FALSE(refused.report().offending_simplices.facets.empty());
+}
+
+TEST_CASE("Open meshes: polygons, too")
+{
+  Mesh mesh;      // a box without its top, of quadrangles
+  const Mesh whole = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
+  mesh = whole;
+  for(auto f : whole.faces()) {
+    bool is_top = true;
+    for(auto v : whole.vertices_around_face(whole.halfedge(f))) is_top = is_top && whole.point(v).z() == 1;
+    if(is_top) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+  REQUIRE(shell.is_certified());
+  CHECK(shell.report().closing.caps() == 1);
+  CHECK(shell.facet_ranges().size() == 5 + 2);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+}
+
+TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
+{
+  Certificate certificate(hill_shell());
+  CHECK(certificate.verify(hill()));
+  CHECK(certificate.facets().size() == hill_shell().facet_ranges().size());
+  CHECK(CGAL::is_closed(certificate.examined_mesh()));
+  for(auto v : hill().vertices()) {
+    if(!hill().is_border(v)) continue;
+    Mesh moved = hill();
+    const Point_3 p = moved.point(v);
+    moved.point(v) = Point_3(p.x(), p.y(), std::nextafter(p.z(), 1.));
+    CHECK_FALSE(certificate.verify(moved));
+    CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
+    break;
+  }
+  Mesh smaller = hill();      // without a facet at the border
+  for(auto h : smaller.halfedges())
+    if(smaller.is_border(h)) {
+      CGAL::Euler::remove_face(smaller.opposite(h), smaller);
+      break;
+    }
+  CHECK_FALSE(certificate.verify(smaller));
+  CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
+  Mesh turned = hill();
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  CHECK_FALSE(certificate.verify(turned));
+  Mesh closed = hill();       // by the same triangles, before it is asked for
+  REQUIRE(hill_shell().closing()->attach(closed, closed.points()));
+  CHECK(certificate.verify(closed));
+}
+
+TEST_CASE("Open meshes: simplified, their borders stay, and each point goes there and back")
+{
+  for(const auto& [mesh, shell] : { std::make_pair(hill(), &hill_shell()), std::make_pair(lantern(), &lantern_shell()) }) {
+    Mesh coarse = mesh;
+    const auto result = BS::simplify_in_shell(coarse, *shell, parameters::locate_vertices(true));
+    REQUIRE(result.status == BS::Edit_status::SUCCESS);
+    CHECK(result.facets_before == mesh.number_of_faces());
+    CHECK(result.facets < 0.7 * double(mesh.number_of_faces()));
+    CHECK(result.facets == coarse.number_of_faces());
+    CHECK(result.images.size() == mesh.number_of_vertices());
+    CHECK(result.locations.size() == mesh.number_of_vertices());
+    for(const auto& location : result.locations) CHECK(location.first != Mesh::null_face());
+    for(auto v : result.images) CHECK_FALSE(coarse.is_removed(v));
+    coarse.collect_garbage();
+    CHECK(coarse.is_valid());
+    CHECK(border(coarse) == border(mesh));
+    check_round_trips(*shell, mesh, coarse);
+    check_round_trips(*shell, coarse, mesh);
+  }
+}
+
+TEST_CASE("Open meshes: a number of facets that is asked for is that of the open mesh")
+{
+  const std::size_t asked = hill().number_of_faces() / 2;
+  Mesh coarse = hill();
+  const auto result = BS::simplify_in_shell(coarse, hill_shell(), parameters::stop(BS::Facet_count_stop_predicate(asked)));
+  REQUIRE(result);
+  CHECK(result.facets <= asked);
+  CHECK(result.facets + 2 >= asked);
+}
+
+TEST_CASE("Open meshes: constraints, and frozen facets")
+{
+  Mesh coarse = hill();
+  auto is_constrained = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  std::size_t constrained = 0;
+  for(auto e : coarse.edges()) {
+    const double x = coarse.point(coarse.source(coarse.halfedge(e))).x(), y = coarse.point(coarse.target(coarse.halfedge(e))).x();
+    if(x == 0.5 && y == 0.5) { is_constrained[e] = true; ++constrained; }
+  }
+  REQUIRE(constrained == 16);
+  auto result = BS::simplify_in_shell(coarse, hill_shell(), parameters::edge_is_constrained_map(is_constrained));
+  REQUIRE(result);
+  CHECK(result.constrained_edges == constrained);
+  coarse.collect_garbage();
+  CHECK(border(coarse) == border(hill()));
+
+  // A vertex far out of the shell: its facets stay, and so does the border.
+  Mesh damaged = hill();
+  const Point_3 out(0.5, 0.5, 2);
+  for(auto v : damaged.vertices())
+    if(damaged.point(v).x() == 0.5 && damaged.point(v).y() == 0.5) damaged.point(v) = out;
+  const Mesh before = damaged;
+  CHECK(BS::simplify_in_shell(damaged, hill_shell()).status == BS::Edit_status::NOT_IN_SHELL);
+  CHECK(is_equal(damaged, before));
+  result = BS::simplify_in_shell(damaged, hill_shell(), parameters::freeze_rejected_facets(true));
+  CHECK(result.status == BS::Edit_status::EDITED_EXCEPT_FROZEN);
+  CHECK(result.facets < before.number_of_faces());
+  CHECK(result.frozen_facets.size() == result.frozen_facets_before.size());
+  damaged.collect_garbage();
+  CHECK(damaged.is_valid());
+  CHECK(border(damaged) == border(before));
+}
+
+TEST_CASE("Open meshes: remeshed, their borders stay, and each point goes there and back")
+{
+  Mesh mesh = lantern();
+  const auto result = BS::remesh_in_shell(mesh, 0.2, lantern_shell());
+  REQUIRE(result.status == BS::Edit_status::SUCCESS);
+  CHECK(result.images.size() == lantern().number_of_vertices());
+  for(auto v : result.images) CHECK_FALSE(mesh.is_removed(v));
+  mesh.collect_garbage();
+  CHECK(mesh.is_valid());
+  CHECK(border(mesh) == border(lantern()));
+  check_round_trips(lantern_shell(), lantern(), mesh);
+}
+
+TEST_CASE("Open meshes: other types of meshes are edited, too, and other borders are refused")
+{
+  CGAL::Polyhedron_3<Kernel> mesh;
+  CGAL::copy_face_graph(hill(), mesh);
+  const auto result = BS::simplify_in_shell(mesh, hill_shell());
+  CHECK(result.status == BS::Edit_status::SUCCESS);
+  CHECK(mesh.is_valid());
+  CHECK(mesh.size_of_facets() == result.facets);
+  CHECK(mesh.size_of_border_edges() == 0);       // of the normalized part: what counts is that there is one
+  mesh.normalize_border();
+  CHECK(mesh.size_of_border_edges() == border(hill()).size());
+
+  Mesh other = lantern();
+  CHECK(BS::simplify_in_shell(other, hill_shell()).status == BS::Edit_status::OPEN_MESH);
+  CHECK(BS::remesh_in_shell(other, 0.2, hill_shell()).status == BS::Edit_status::OPEN_MESH);
+  CHECK(is_equal(other, lantern()));
+}
+
+TEST_CASE("Open meshes: attributes, with those of the border as they were")
+{
+  Mesh source = hill(), target = hill();
+  REQUIRE(BS::simplify_in_shell(target, hill_shell()));
+  target.collect_garbage();
+  auto value = source.add_property_map<Mesh::Vertex_index, double>("v:value").first;
+  auto got = target.add_property_map<Mesh::Vertex_index, double>("v:value").first;
+  for(auto v : source.vertices()) value[v] = 3 * source.point(v).x() - source.point(v).y();
+  const Map map(hill_shell(), source, target);
+  const auto report = BS::transfer_vertex_attribute(map, value, got);
+  CHECK(report);
+  for(auto v : target.vertices()) {
+    const double expected = 3 * target.point(v).x() - target.point(v).y();
+    if(target.is_border(v)) CHECK(got[v] == expected);
+    else CHECK(got[v] == Approx(expected).margin(0.05));
+  }
+}
+
+TEST_CASE("Open meshes: shells in files keep what closes them")
+{
+  for(BS::Shell_format format : { BS::Shell_format::BINARY, BS::Shell_format::ASCII }) {
+    std::stringstream file;
+    REQUIRE(BS::write_shell(file, lantern_shell(), format) == BS::Shell_file_status::SUCCESS);
+    const std::string text = file.str();
+    Shell back;
+    REQUIRE(BS::read_shell(file, back) == BS::Shell_file_status::SUCCESS);
+    REQUIRE(back.closing());
+    CHECK(back.closing()->points() == lantern_shell().closing()->points());
+    CHECK(back.closing()->number_of_border_points() == lantern_shell().closing()->number_of_border_points());
+    CHECK(back.closing()->triangles() == lantern_shell().closing()->triangles());
+    CHECK(back.closing()->kinds() == lantern_shell().closing()->kinds());
+    Certificate certificate(back);
+    CHECK(certificate.verify(lantern()));
+    Mesh coarse = lantern();
+    CHECK(BS::simplify_in_shell(coarse, back));
+    std::stringstream again;
+    REQUIRE(BS::write_shell(again, back, format) == BS::Shell_file_status::SUCCESS);
+    CHECK(again.str() == text);
+    for(std::size_t size : { text.size() / 2, text.size() - 200, text.size() - 1 }) {
+      std::istringstream cut(text.substr(0, size));
+      Shell none;
+      CHECK(BS::read_shell(cut, none) == BS::Shell_file_status::DAMAGED);
+    }
+  }
+}
+
+TEST_CASE("Open meshes: closed by the caller's own triangles")
+{
+  // a tent under the square
+  const Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const BS::Shell_closing_3 tent({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -0.5 } }, 4,
+                                 { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
+                                 std::vector<BS::Shell_closing_3::Kind>(4, BS::Shell_closing_3::Kind::CAP));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::closing(tent));
+  REQUIRE(shell.is_certified());
+  CHECK(shell.closing()->points() == tent.points());
+  CHECK(shell.report().triangles == 6);
+  Certificate certificate(shell);
+  CHECK(certificate.verify(mesh));
+  const BS::Shell_closing_3 other({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } }, 3, { { 0, 1, 2 } }, { BS::Shell_closing_3::Kind::CAP });
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::closing(other)).status() == BS::Shell_status::OPEN_MESH);
+}
+
+TEST_CASE("Open meshes: one and several threads build the same shell")
+{
+  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(lantern()),
+              several = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(lantern());
+  CHECK(one.closing()->triangles() == several.closing()->triangles());
+  CHECK(BS::shell_checksum(one) == BS::shell_checksum(several));
+}

@@ -1,0 +1,133 @@
+// Shell_closing_3.h: triangles that close every mesh with their border, and no other; they come and go without a trace.
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Shell_closing_3 Closing;
+
+// the unit cube without its top, and without a facet of it if there is no border
+Mesh open_cube()
+{
+  Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  std::vector<Mesh::Face_index> top;
+  for(auto f : mesh.faces()) {
+    bool is_top = true;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) is_top = is_top && mesh.point(v).z() == 1;
+    if(is_top) top.push_back(f);
+  }
+  for(auto f : top) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
+// a roof with a ridge point
+Closing roof(double height = 1.5)
+{
+  return Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.5, height } }, 4,
+                 { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } }, std::vector<Closing::Kind>(4, Closing::Kind::CAP));
+}
+
+} // namespace
+
+TEST_CASE("Closing: a mesh is closed by its triangles, in their order, and opened again")
+{
+  const Mesh before = open_cube();
+  Mesh mesh = before;
+  const auto attached = roof().attach(mesh, mesh.points());
+  REQUIRE(attached);
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(mesh.is_valid());
+  CHECK(mesh.number_of_faces() == before.number_of_faces() + 4);
+  CHECK(mesh.number_of_vertices() == before.number_of_vertices() + 1);
+  REQUIRE(attached->faces.size() == 4);
+  REQUIRE(attached->vertices.size() == 1);
+  CHECK(mesh.point(attached->vertices[0]) == Point_3(0.5, 0.5, 1.5));
+  for(std::size_t n = 0; n < 4; ++n) {
+    bool has_apex = false;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(attached->faces[n]))) has_apex = has_apex || v == attached->vertices[0];
+    CHECK(has_apex);
+  }
+  Closing::detach(mesh, *attached);
+  mesh.collect_garbage();
+  CHECK(mesh.is_valid());
+  CHECK(is_equal(mesh, before));
+}
+
+TEST_CASE("Closing: other types of meshes")
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Polyhedron mesh;
+  CGAL::copy_face_graph(open_cube(), mesh);
+  const std::size_t facets = mesh.size_of_facets(), vertices = mesh.size_of_vertices();
+  const auto attached = roof().attach(mesh, get(CGAL::vertex_point, mesh));
+  REQUIRE(attached);
+  CHECK(mesh.is_closed());
+  CHECK(mesh.is_valid());
+  Closing::detach(mesh, *attached);
+  CHECK(mesh.size_of_facets() == facets);
+  CHECK(mesh.size_of_vertices() == vertices);
+  CHECK(mesh.is_valid());
+}
+
+TEST_CASE("Closing: zeros have no sign")
+{
+  Mesh mesh = open_cube();
+  for(auto v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    mesh.point(v) = Point_3(p.x() == 0 ? -0. : p.x(), p.y(), p.z());
+  }
+  CHECK(roof().attach(mesh, mesh.points()));
+}
+
+TEST_CASE("Closing: a mesh with another border is left as it is")
+{
+  const auto is_refused = [](const Mesh& before, const Closing& closing) {
+    Mesh mesh = before;
+    const bool is_attached = bool(closing.attach(mesh, mesh.points()));
+    mesh.collect_garbage();
+    return !is_attached && is_equal(mesh, before);
+  };
+  const Mesh cube = open_cube();
+  REQUIRE_FALSE(is_refused(cube, roof()));
+  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof()));       // closed already
+
+  Mesh moved = cube;        // by one unit in the last place
+  for(auto v : moved.vertices())
+    if(moved.point(v) == Point_3(1, 1, 1)) moved.point(v) = Point_3(1, 1 - 1.2e-16, 1);
+  CHECK(is_refused(moved, roof()));
+
+  Mesh split = cube;
+  for(auto h : split.halfedges())
+    if(split.is_border(h)) {
+      const auto v = CGAL::Euler::split_edge(h, split);
+      split.point(split.target(v)) = Point_3(0.5, 0.5, 1);
+      break;
+    }
+  CHECK(is_refused(split, roof()));
+
+  Mesh another = cube;      // one hole more
+  CGAL::Euler::remove_face(another.halfedge(*another.faces().begin()), another);
+  another.collect_garbage();
+  CHECK(is_refused(another, roof()));
+
+  // the triangles turn their backs to where the mesh faces
+  CHECK(is_refused(cube, Closing(roof().points(), 4, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
+                                 std::vector<Closing::Kind>(4, Closing::Kind::CAP))));
+  // an edge that the mesh has, too: the diagonal of the bottom, between its corners
+  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } }, 4, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 2 } },
+                                 std::vector<Closing::Kind>(3, Closing::Kind::CAP))));
+  // two points of the border in one place
+  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4, { { 0, 1, 2 }, { 0, 2, 3 } },
+                                 std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
+}
