@@ -197,12 +197,12 @@ TEST_CASE("Closing: components that are closed stay as they are")
 
 TEST_CASE("Closing: a dish gets no cap that leaves a thin wall")
 {
-  Mesh dish = sphere(4);      // 0.1 deep
-  remove_faces(dish, [](const Point_3& p) { return p.z() < 0.9; });
+  Mesh dish = sphere(5);      // 0.28 wide and 0.01 deep
+  remove_faces(dish, [](const Point_3& p) { return p.z() < 0.99; });
   BS::Closing_report report;
   closed(dish, 0.1, report);
   CHECK(report.sheets == 1);
-  closed(dish, 0.02, report);
+  closed(dish, 0.002, report);
   CHECK(report.caps() == 1);
 }
 
