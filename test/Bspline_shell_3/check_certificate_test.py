@@ -427,7 +427,7 @@ add("vertex moved, old checksum of the mesh", lambda f: f.points[0].__setitem__(
 add("one facet flipped", lambda f: f.facets[3].reverse(), 1, "closed", "mc")
 add("all facets flipped", lambda f: [t.reverse() for t in f.facets], 1, "P2, facet 0", "mc")
 add("facet removed", lambda f: f.facets.pop(), 1, "closed", "mc")
-add("mesh twice", double_mesh, 1, "P4", "mc")
+add("mesh twice", double_mesh, 1, "count 2", "mc")
 add("mesh twice, without P4", double_mesh_without_p4, 1, "count 2", "mc")
 add("vertex number too large", lambda f: f.facets[0].__setitem__(0, len(f.points)), 2, "out of range", "mc")
 

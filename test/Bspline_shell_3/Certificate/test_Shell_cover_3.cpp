@@ -183,13 +183,6 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     });
     const double level = is_ball ? 1 : random.get_double(-0.5, 0.5), half = is_ball ? 1.05 : seed % 2 ? 0.03 : 0.2;
     Cover cover(field, Constant(level - half), Constant(level + half));
-    std::vector<std::uint32_t> all(field.number_of_cells());
-    std::iota(all.begin(), all.end(), 0);
-    for(unsigned n = 0; n < seed % 3; ++n) {
-      Cover closer(field, Constant(level - half), Constant(level + half));
-      REQUIRE(closer.reuse_and_halve(cover, all, 3));
-      cover = std::move(closer);
-    }
     const Boxes in_units(field);
     // from points in the shell, one component after the other; some are corners of cells, also at the end of the domain
     std::vector<Point_3> seeds;
@@ -497,13 +490,14 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
   const Point_3 nowhere((seeds[0].x() + seeds[1].x()) / 2, 0.1, 0.2);
   REQUIRE(component(nowhere) == none);
   const auto adopts = [&](const std::vector<Point_3>& points) { return make().adopt(cover.boxes(), points); };
-  CHECK(adopts({ seeds[2], seeds[0], seeds[1] }));
-  CHECK_FALSE(adopts({ seeds[2], seeds[0], seeds[2] }));
-  CHECK_FALSE(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()) }));
+  typedef std::vector<Cover::Shared> Shared;
+  CHECK(adopts({ seeds[2], seeds[0], seeds[1] }) == Shared());
+  CHECK(adopts({ seeds[2], seeds[0], seeds[2] }) == Shared{ { 0, 2 } });
+  CHECK(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()), seeds[0], seeds[1] }) == Shared{ { 0, 1 }, { 0, 3 } });
   CHECK_FALSE(adopts({ nowhere }));
   CHECK_FALSE(adopts({ seeds[0], nowhere }));
   CHECK_FALSE(adopts({ seeds[0], Point_3(9, 0, 0) }));
-  for(const std::vector<std::size_t>& order : { std::vector<std::size_t>{ 2, 0, 1 }, std::vector<std::size_t>{ 1 } }) {
+  for(const std::vector<std::size_t>& order : { std::vector<std::size_t>{ 2, 0, 1 }, std::vector<std::size_t>{ 1 }, std::vector<std::size_t>{ 2, 2, 0 } }) {
     std::vector<Point_3> chosen;
     for(std::size_t n : order) chosen.push_back(seeds[n]);
     Cover some = make();
@@ -551,88 +545,6 @@ TEST_CASE("Covers: what another cover found out is taken over where nothing has 
   CHECK(found.size() == expected.size());
   for(const auto& cell : expected)
     CHECK(std::equal(cell.second.begin(), cell.second.end(), found.at(cell.first).begin(), found.at(cell.first).end(), is_same));
-}
-
-TEST_CASE("Covers: walks from points of two kinds meet in cells that part the boxes of one kind from those of the other")
-{
-  for(unsigned seed = 1; seed < 5; ++seed) {
-    CGAL::Random random(seed);
-    const Field field = with(random_cells(random, 4, 1, 1 + int(seed % 2)), [](double x, double y, double z) { return z + 0.3 * std::sin(1.5 * x) * std::cos(y); });
-    Cover cover(field, Constant(-0.2), Constant(0.2));
-    REQUIRE(cover.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
-    std::vector<std::pair<Point_3, std::uint32_t> > points;
-    for(int n = 0; n < 2000; ++n) {
-      const Point_3 p(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-2, 2));
-      if(std::abs(*field.value(p)) < 0.2 && (p.x() < -1.2 || p.x() > 1.2)) points.emplace_back(p, p.x() < 0 ? 0 : 1);
-    }
-    const std::vector<std::uint32_t> meeting = cover.meeting_cells(points);
-    CHECK_FALSE(meeting.empty());
-    CHECK(std::is_sorted(meeting.begin(), meeting.end()));
-    CHECK(meeting.size() < cover.number_of_cells() / 2);
-    // by a search through all pairs of boxes in other cells
-    const Boxes in_units(field);
-    std::vector<Integer_box> box;
-    for(const Cover_box& b : cover.boxes()) box.push_back(in_units.box(b));
-    const auto holds = [&](std::size_t n, std::uint32_t kind) {
-      const CGAL::Bbox_3 b = cover.bbox(cover.boxes()[n]);
-      return std::any_of(points.begin(), points.end(), [&](const auto& p) { return p.second == kind && do_overlap(b, p.first.bbox()); });
-    };
-    std::vector<char> reached(box.size(), 0);
-    std::vector<std::size_t> stack;
-    const auto reach = [&](std::size_t n) {
-      if(reached[n] || cover.boxes()[n].component == none || std::binary_search(meeting.begin(), meeting.end(), cover.boxes()[n].cell)) return;
-      reached[n] = 1;
-      stack.push_back(n);
-    };
-    for(std::size_t n = 0; n < box.size(); ++n)
-      if(holds(n, 0)) reach(n);
-    std::size_t number = 0, wrong = 0;
-    while(!stack.empty()) {
-      const std::size_t n = stack.back();
-      stack.pop_back();
-      ++number;
-      wrong += holds(n, 1);
-      for(std::size_t m = 0; m < box.size(); ++m)
-        if(box[m].touches(box[n])) reach(m);
-    }
-    CHECK(number > 10);
-    CHECK(wrong == 0);
-    // points of one kind meet nobody
-    for(auto& p : points) p.second = 7;
-    CHECK(cover.meeting_cells(points).empty());
-  }
-}
-
-TEST_CASE("Covers: in cells that are to be looked at more closely, boxes that are not entirely in the shell are halved, and in others none")
-{
-  CGAL::Random random(28);
-  const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return z + 0.1 * x * y; });
-  const Constant inner(-0.1), outer(0.1);
-  Cover cover(field, inner, outer);
-  REQUIRE(cover.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
-  std::vector<std::uint32_t> close;
-  for(const Cover_box& b : cover.boxes())
-    if(b.component != none && b.cell % 2 == 0) close.push_back(b.cell);
-  std::sort(close.begin(), close.end());
-  close.erase(std::unique(close.begin(), close.end()), close.end());
-  REQUIRE_FALSE(close.empty());
-  for(int depth = 1; depth < 7; ++depth) {
-    Cover closer(field, inner, outer);
-    REQUIRE(closer.reuse_and_halve(cover, close, 5) == (depth <= 5));
-    if(depth > 5) break;
-    REQUIRE(closer.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
-    std::size_t wrong = 0, deep = 0, unchanged = 0;
-    for(const Cover_box& b : closer.boxes()) {
-      if(std::binary_search(close.begin(), close.end(), b.cell)) {
-        wrong += b.kind == Box_kind::MONOTONE && int(b.depth) < (std::min)(depth, 3) && !closer.is_between_thresholds(b);
-        deep += int(b.depth) == depth;
-      } else unchanged += b.depth == 0;
-    }
-    CHECK(wrong == 0);
-    CHECK(deep > 0);
-    CHECK(unchanged > 0);
-    cover = std::move(closer);
-  }
 }
 
 TEST_CASE("Covers: bounds of the gradient are those of its least length, wherever in a box that is")

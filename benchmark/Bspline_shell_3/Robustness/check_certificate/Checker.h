@@ -294,7 +294,13 @@ private:
     for(std::size_t c = 0; c < mesh.components; ++c) root_of_seed.push_back(cover.find(cover_box_of_seed(c, begin)));
     if(!certificate.claimed[3]) return;
     std::sort(root_of_seed.begin(), root_of_seed.end());
-    if(root_of_seed != root) throw Unconfirmed("P4: a component of the cover does not contain exactly one component of the mesh");
+    const bool are_apart = std::unique(root_of_seed.begin(), root_of_seed.end()) == root_of_seed.end();
+    root_of_seed.erase(std::unique(root_of_seed.begin(), root_of_seed.end()), root_of_seed.end());
+    if(root_of_seed != root) throw Unconfirmed("P4: a component of the cover contains no component of the mesh");
+    // Components of A that share a component of the cover do not share one of Omega*: without critical points, all curves of that meet each component
+    // of A in it equally often, and at least once; so does a path through one of them, which meets A once.
+    if(!are_apart && !(certificate.claimed[1] && certificate.claimed[2] && certificate.claimed[4]))
+      throw Unconfirmed("P4: a component of the cover contains several components of the mesh, and P2, P3 and P5 are not all claimed");
   }
 
   // what is claimed about f on a box

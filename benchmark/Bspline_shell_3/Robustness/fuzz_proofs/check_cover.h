@@ -60,17 +60,7 @@ public:
   Cover_check(Tally& tally, CGAL::Random& random, const Shell& shell, const std::vector<Point_3>& seeds)
     : m_tally(tally), m_random(random), m_shell(shell), m_cover(shell.field(), shell.inner(), shell.outer())
   {
-    std::vector<std::uint32_t> components = flood(seeds);
-    // closer in some cells
-    for(int halvings = random.get_int(0, 3); halvings > 0; --halvings) {
-      std::vector<std::uint32_t> cells;
-      for(std::uint32_t c = 0; c < shell.field().number_of_cells(); ++c)
-        if(random.get_int(0, 2) == 0) cells.push_back(c);
-      Cover closer(shell.field(), shell.inner(), shell.outer());
-      closer.reuse_and_halve(m_cover, cells, 3);
-      m_cover = std::move(closer);
-      components = flood(seeds);
-    }
+    const std::vector<std::uint32_t> components = flood(seeds);
     for(const BS::Cover_box& box : m_cover.boxes()) m_bbox.push_back(m_cover.bbox(box));
     check_boxes();
     check_tiling();

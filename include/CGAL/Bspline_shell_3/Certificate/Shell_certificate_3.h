@@ -12,7 +12,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 #include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
-#include <CGAL/Bspline_shell_3/Certificate/sample_components.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -379,20 +378,20 @@ private:
     return std::sqrt(squared) / cell.width() * (1 + 16 * internal::rounding);
   }
 
-  // whether the cover is known, and has a component for each of the mesh
-  bool adopt_proved_cover(const Triangle_mesh& mesh)
+  typedef typename Cover::Shared Shared;
+
+  // if the cover is known, and has all components of the mesh: those that share a component of the cover with an earlier one
+  std::optional<std::vector<Shared> > adopt_proved_cover(const Triangle_mesh& mesh)
   {
-    if(!m_proved_cover) return false;
+    if(!m_proved_cover) return std::nullopt;
     std::vector<Point_3> points;
     for(Vertex_index v : m_seeds) points.push_back(to_field(mesh.point(v)));
     m_cover.emplace(*m_field, m_inner, m_outer);
     return m_cover->adopt(*m_proved_cover, points);
   }
 
-  // Of two components in one component of the cover, the latter comes with the former. Where all is monotone, they have no critical
-  // point between them, and a cover that is closer midway between them separates them.
   template <typename ConcurrencyTag>
-  std::vector<std::array<std::size_t, 2> > find_cover(const Input_mesh_3& input)
+  std::vector<Shared> find_cover(const Input_mesh_3& input)
   {
     // the cells at the mesh are needed in any case
     std::vector<std::uint32_t> cells;
@@ -400,28 +399,7 @@ private:
       cells.push_back(m_field->locate(to_field(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
     m_cover.emplace(*m_field, m_inner, m_outer);
     m_cover->template prepare<ConcurrencyTag>(std::move(cells));
-    std::vector<std::array<std::size_t, 2> > shared = flood<ConcurrencyTag>(input);
-    if(shared.empty()) return shared;
-    const auto samples = internal::sample_components(*m_field, input);
-    for(int n = 0; n < max_closer_covers && !shared.empty() && m_cover->number_of_undecided_boxes() == 0; ++n) {
-      Cover closer(*m_field, m_inner, m_outer), close_everywhere = closer;
-      if(closer.reuse_and_halve(*m_cover, m_cover->meeting_cells(samples), most_halvings_midway)) m_cover = std::move(closer);
-      else {
-        // walks may meet where all is in the shell, and not where they passed from one to the other
-        std::vector<std::uint32_t> all(m_field->number_of_cells());
-        std::iota(all.begin(), all.end(), std::uint32_t(0));
-        if(!close_everywhere.reuse_and_halve(*m_cover, all, most_halvings)) break;
-        m_cover = std::move(close_everywhere);
-      }
-      shared = flood<ConcurrencyTag>(input);
-    }
-    return shared;
-  }
-
-  template <typename ConcurrencyTag>
-  std::vector<std::array<std::size_t, 2> > flood(const Input_mesh_3& input)
-  {
-    std::vector<std::array<std::size_t, 2> > shared;
+    std::vector<Shared> shared;
     for(std::size_t c = 0; c < input.number_of_components(); ++c) {
       const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(input.mesh().point(m_seeds[c])), std::uint32_t(c));
       if(known != c) shared.push_back({ known, c });
@@ -429,29 +407,19 @@ private:
     return shared;
   }
 
-  // P3 and P4, given P1: the mesh's components stay in the components of their seeds
+  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of the cover.
   template <typename ConcurrencyTag>
-  void examine_cover(const Input_mesh_3& input)
+  std::vector<Shared> examine_cover(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
     m_seeds.assign(input.number_of_components(), Triangle_mesh::null_vertex());
     for(Face_index f : mesh.faces())
       if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex()) m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
-    const bool is_known = adopt_proved_cover(mesh);
-    std::vector<std::array<std::size_t, 2> > shared;
-    if(!is_known) shared = find_cover<ConcurrencyTag>(input);
+    const std::optional<std::vector<Shared> > known = adopt_proved_cover(mesh);
+    const std::vector<Shared> shared = known ? *known : find_cover<ConcurrencyTag>(input);
     const Cover& cover = *m_cover;
     begin(Claim::GRADIENT);
-    begin(Claim::ONE_SHEET);
     m_draft.covers = input.number_of_components() - shared.size();
-    for(const std::array<std::size_t, 2>& pair : shared) {
-      const std::optional<std::array<double, 3> > joint = joined(input, pair[0], pair[1]);
-      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::TWO_SHEETS);
-      w.component = pair[0];
-      w.other_component = pair[1];
-      w.point = joint ? *joint : to_array(mesh.point(m_seeds[pair[1]]));
-      conclude(w);
-    }
 
     Level_range thresholds;
     double steepest_in_cover = 0;
@@ -493,9 +461,30 @@ private:
     if(found(Claim::TRANSVERSALITY) == Verdict::PROVED)
       m_draft.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
     if(found(Claim::GRADIENT) == Verdict::PROVED)
-      m_draft.least_gradient = is_known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
+      m_draft.least_gradient = known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_draft.least_gradient > 0)
       m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
+    return shared;
+  }
+
+  // P4, given P1. Components of the mesh in different components of the cover are in different components of the shell. So are those that share one, if
+  // P2, P3 and P5 hold: each component of the shell is a product of a surface and the curves, all of which meet a component of the mesh in it equally
+  // often, and at least once. As the path through one meets the whole mesh once, there is no other.
+  void examine_sheets(const Input_mesh_3& input, const std::vector<Shared>& shared)
+  {
+    begin(Claim::ONE_SHEET);
+    const bool is_product = found(Claim::TRANSVERSALITY) == Verdict::PROVED && found(Claim::GRADIENT) == Verdict::PROVED;
+    std::vector<char> has_path(input.number_of_components(), 0);
+    for(const Crossing_path& path : m_draft.paths) has_path[path.component] = 1;
+    for(const Shared& pair : shared) {
+      if(is_product && has_path[pair[0]] && has_path[pair[1]]) continue;
+      const std::optional<std::array<double, 3> > joint = joined(input, pair[0], pair[1]);
+      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::TWO_SHEETS);
+      w.component = pair[0];
+      w.other_component = pair[1];
+      w.point = joint ? *joint : to_array(input.mesh().point(m_seeds[pair[1]]));
+      conclude(w);
+    }
   }
 
   // Whether there certainly is a critical point in an undecided box, and in the shell: between the thresholds, and
@@ -677,8 +666,6 @@ private:
 
   static constexpr std::size_t max_paths = 64;        // tried for a component
   static constexpr std::size_t max_spare_paths = 3;   // for a component
-  // covers that are to separate components: of boxes where walks from both meet, and of all
-  static constexpr int max_closer_covers = 6, most_halvings_midway = 3, most_halvings = 3;
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 
   const Field* m_field;
@@ -728,9 +715,10 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   examine_vertices<ConcurrencyTag>(*m_input);
   std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
   if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
-    examine_cover<ConcurrencyTag>(*m_input);
+    const std::vector<Shared> shared = examine_cover<ConcurrencyTag>(*m_input);
     const Crossing_counter_3 counter(m_input->mesh());
     examine_paths(*m_input, counter);
+    examine_sheets(*m_input, shared);
     examine_components(*m_input);
   } else {
     for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })

@@ -57,26 +57,10 @@ public:
 
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_least_depth(field.number_of_cells(), 0), m_first(field.number_of_cells(), unseen)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_first(field.number_of_cells(), unseen)
   {}
 
   const Field& field() const { return *m_field; }
-
-  /// takes over what another cover found out, but for the given cells: there, monotone boxes that are not entirely in the shell are
-  /// halved once more, but not more than `most` times in all, and the cover is closer. Returns whether there is any such cell.
-  /// \pre `other` is of the same field and thresholds, and no cell of this cover has been subdivided
-  bool reuse_and_halve(const Shell_cover_3& other, const std::vector<std::uint32_t>& cells, int most)
-  {
-    m_least_depth = other.m_least_depth;
-    bool is_closer = false;
-    for(std::uint32_t c : cells) {
-      if(m_least_depth[c] >= most) continue;
-      ++m_least_depth[c];
-      is_closer = true;
-    }
-    reuse(other, [&](std::uint32_t c) { return m_least_depth[c] != other.m_least_depth[c]; });
-    return is_closer;
-  }
 
   /// takes over what another cover found out about cells
   /// \param changed whether the field or a threshold is another one on a cell: a function of cells
@@ -111,22 +95,28 @@ public:
     }
   }
 
-  /// the same, with those components alone that hold given points, numbered in their order. Returns whether each point lies in a component of
-  /// its own; if not, this cover is of no use.
+  /// two points of one component of the cover, the earlier one first
+  typedef std::array<std::size_t, 2> Shared;
+
+  /// the same, with those components alone that hold given points; the number of each becomes that of the first of its points
+  /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and this cover is of no use
   /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
-  bool adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
+  std::optional<std::vector<Shared> > adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
   {
     adopt(std::move(boxes));
     std::map<std::uint32_t, std::uint32_t> numbers;
-    for(const Point_3& p : points) {
-      const std::uint32_t component = this->component(p), number = std::uint32_t(numbers.size());
-      if(component == Cover_box::no_component || !numbers.emplace(component, number).second) return false;
+    std::vector<Shared> shared;
+    for(std::size_t n = 0; n < points.size(); ++n) {
+      const std::uint32_t component = this->component(points[n]);
+      if(component == Cover_box::no_component) return std::nullopt;
+      const auto [known, is_new] = numbers.emplace(component, std::uint32_t(n));
+      if(!is_new) shared.push_back({ known->second, n });
     }
     for(Cover_box& box : m_boxes) {
       const auto number = numbers.find(box.component);
       box.component = number == numbers.end() ? Cover_box::no_component : number->second;
     }
-    return true;
+    return shared;
   }
 
   /// subdivides cells that are known to be needed, several at a time
@@ -217,42 +207,6 @@ public:
         });
     });
     return component;
-  }
-
-  /// Leaf cells in which walks, box by box, from points of different kinds meet: what joins the kinds leads through them.
-  /// \param points and their kinds
-  std::vector<std::uint32_t> meeting_cells(const std::vector<std::pair<Point_3, std::uint32_t> >& points) const
-  {
-    constexpr std::uint32_t none = std::uint32_t(-1);
-    std::vector<std::uint32_t> kind(m_boxes.size(), none), result;
-    std::vector<Box_index> queue;
-    const auto reach = [&](Box_index b, std::uint32_t k, std::uint32_t from) {
-      if(m_boxes[b].component == Cover_box::no_component || kind[b] == k) return;
-      if(kind[b] == none) {
-        kind[b] = k;
-        queue.push_back(b);
-        return;
-      }
-      result.push_back(m_boxes[b].cell);
-      result.push_back(from);
-    };
-    for(const auto& [p, k] : points) {
-      const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
-      const std::uint32_t point_kind = k;
-      m_field->visit_cells(at, [&](typename Field::Cell_index c) {
-        if(m_first[c] != unseen) for_each_touching(c, at, [&](Box_index b) { reach(b, point_kind, std::uint32_t(c)); });
-      });
-    }
-    for(std::size_t n = 0; n < queue.size(); ++n) {
-      const Cover_box& box = m_boxes[queue[n]];
-      const Bbox_3 b = grown(bbox(box));
-      m_field->visit_cells(b, [&](typename Field::Cell_index c) {
-        if(m_first[c] != unseen) for_each_touching(c, b, [&](Box_index other) { reach(other, kind[queue[n]], box.cell); });
-      });
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
   }
 
   /// all boxes: those of one leaf cell are consecutive
@@ -397,9 +351,7 @@ private:
       box.kind = kind(queue[n].functions, box.direction);
       const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
                         // what is inside must be told from what is not
-                        : box.kind == Box_kind::MONOTONE
-                          && ((at_border && box.depth < max_border_depth && touches_border(bbox(box)))
-                              || (box.depth < m_least_depth[c] && !are_between_thresholds(queue[n].functions)));
+                        : box.kind == Box_kind::MONOTONE && at_border && box.depth < max_border_depth && touches_border(bbox(box));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -675,7 +627,6 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
-  std::vector<std::uint8_t> m_least_depth;    // of each leaf cell
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
