@@ -62,6 +62,7 @@ public:
       if(!attached || !CGAL::is_closed(whole)) return false;
       m_intersections = intersections(whole);
       if(m_intersections.empty()) {
+        if(round + 1 < most_rounds && improves(back, assembled, whole, attached->vertices)) continue;
         m_closing = std::make_shared<const Shell_closing_3>(std::move(assembled.closing));
         m_least_gap = (std::min)(m_caps.least_gap(), back.least_gap());
         m_caps.describe(m_report);
@@ -76,6 +77,27 @@ public:
       if(!back.move_closer(intersecting)) return false;
     }
     return false;
+  }
+
+  // Whether a back sheet that intersects nothing is changed all the same: where it is folded, or facets leave no cone. What does not go away is the
+  // mesh's.
+  bool improves(Back_sheet& back, const Assembled_closing& assembled, const Closing_mesh& whole,
+                const std::vector<Closing_mesh::Vertex_index>& added) const
+  {
+    constexpr double least_margin = 0.05, least_distance = 1. / 16;
+    const std::vector<Back_sheet::Triangle> folded = back.folded_triangles();
+    if(!folded.empty()) return back.move_closer(folded);
+    bool has_changed = false;
+    std::vector<Back_sheet::Triangle> steep;
+    const auto examine = [&](Closing_mesh::Vertex_index v, std::size_t n) {
+      if(length(cone_axis_at(whole, v)) >= least_margin) return;
+      if(back.make_steeper(n)) has_changed = true;
+      else if(back.distance(n) > least_distance * m_offset) steep.push_back({ n, n, n });
+    };
+    for(auto v : m_mesh.vertices())
+      if(!m_mesh.is_isolated(v) && m_mesh.is_border(v)) examine(v, std::size_t(v));
+    for(std::size_t n = 0; n < added.size(); ++n) examine(added[n], assembled.points[assembled.closing.number_of_border_points() + n]);
+    return has_changed || (!steep.empty() && back.move_closer(steep));
   }
 
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }

@@ -27,7 +27,7 @@ namespace internal {
 
 // A copy of the open components of a mesh, behind them and facing the other way, and strips that lead from their borders to it. Beyond the border it
 // extends as far as it is behind: strips slope at 45 degrees, so that flat tips and slits have vertices whose facets face a common
-// direction.
+// direction. Where the border turns in space, they may have to be steeper.
 //
 // Vertex n of the mesh is n, and its copy n plus the number of vertices.
 class Back_sheet
@@ -42,7 +42,9 @@ public:
   Back_sheet(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_size(mesh.number_of_vertices()), m_offset(offset)
   {
     m_distance.assign(m_size, 0);
-    m_direction.assign(m_size, Vector_3(0, 0, 0));
+    m_back.assign(m_size, Vector_3(0, 0, 0));
+    m_beyond = m_back;
+    m_slope.assign(m_size, 1);
     const std::vector<char> is_open = find_open_facets();
     for(Halfedge_index h : mesh.halfedges())
       if(mesh.is_border(h) && !mesh.is_border(mesh.opposite(h))) {
@@ -66,8 +68,36 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   Closing_kernel::Point_3 point(std::size_t n) const
   {
-    return n < m_size ? m_mesh.point(vertex(n))
-                      : m_mesh.point(vertex(n - m_size)) + m_distance[n - m_size] * m_direction[n - m_size];
+    if(n < m_size) return m_mesh.point(vertex(n));
+    n -= m_size;
+    return m_mesh.point(vertex(n)) + m_distance[n] * (m_back[n] + m_slope[n] * m_beyond[n]);
+  }
+
+  // of a vertex or its copy
+  double distance(std::size_t n) const { return m_distance[n % m_size]; }
+
+  // Copies of facets that face nearly across them, or where they do: the distance is too large for how the mesh bends there.
+  std::vector<Triangle> folded_triangles() const
+  {
+    constexpr double least_cosine = 0.3;
+    std::vector<Triangle> folded;
+    const auto normal = [&](const Triangle& t, std::size_t offset) {
+      const auto n = facet_normal(point(t[0] - offset), point(t[1] - offset), point(t[2] - offset)).direction;
+      const Vector_3 v(n[0], n[1], n[2]);
+      return v / length(v);
+    };
+    for(const Triangle& t : m_triangles)
+      if((std::min)({ t[0], t[1], t[2] }) >= m_size && normal(t, 0) * normal(t, m_size) < least_cosine) folded.push_back(t);
+    return folded;
+  }
+
+  // Makes the strip steeper at a vertex of the border or its copy; false if it is upright already, or there is none.
+  bool make_steeper(std::size_t n)
+  {
+    const std::size_t v = n % m_size;
+    if(m_distance[v] == 0 || m_slope[v] == 0 || m_beyond[v] == Vector_3(0, 0, 0)) return false;
+    m_slope[v] = (std::max)(m_slope[v] - 0.5, 0.);
+    return true;
   }
 
   // Halves the distance of the vertices of some triangles; false if there are none, or if that was done too often.
@@ -144,7 +174,8 @@ private:
       const auto around = m_mesh.vertices_around_face(m_mesh.halfedge(f));
       return std::find(around.begin(), around.end(), v) != around.end();
     });
-    m_direction[v] = back + beyond;
+    m_back[v] = back;
+    m_beyond[v] = beyond;
     m_distance[v] = (std::max)((std::min)(offset, share_of_room * room / length(back)), least * offset);
   }
 
@@ -183,7 +214,8 @@ private:
   std::size_t m_size;
   std::vector<Triangle> m_triangles;
   std::vector<double> m_distance;               // of each vertex; 0 where there is no back sheet
-  std::vector<Vector_3> m_direction;      // to its copy, for a distance of one
+  std::vector<Vector_3> m_back, m_beyond;       // to its copy, for a distance of one: behind the facets, and beyond the border
+  std::vector<double> m_slope;                  // how much of the latter counts
   double m_offset;
   std::size_t m_sheets = 0;
 };

@@ -20,10 +20,11 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// a closing, and what its triangles are in the numbers of a back sheet
+// a closing, and what its points and triangles are in the numbers of a back sheet
 struct Assembled_closing
 {
   Shell_closing_3 closing;
+  std::vector<std::size_t> points;
   std::vector<Back_sheet::Triangle> triangles;
 };
 
@@ -64,15 +65,16 @@ inline Assembled_closing assemble_closing(const Closing_mesh& mesh, const Hole_c
 
   std::vector<Shell_closing_3::Point> points;
   std::unordered_map<std::size_t, Shell_closing_3::Index> number;
+  Assembled_closing assembled;
   const auto add = [&](std::size_t n) {
     if(!number.emplace(n, Shell_closing_3::Index(points.size())).second) return;
     const Closing_kernel::Point_3 p = back.point(n);
     points.push_back({ p.x(), p.y(), p.z() });
+    assembled.points.push_back(n);
   };
   for(auto v : mesh.vertices())
     if(!mesh.is_isolated(v) && mesh.is_border(v)) add(std::size_t(v));
   const std::size_t border = points.size();
-  Assembled_closing assembled;
   std::vector<Shell_closing_3::Triangle> triangles;
   std::vector<Shell_closing_3::Kind> kinds;
   for(std::size_t n : order) {
