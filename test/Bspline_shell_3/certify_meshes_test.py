@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 program, meshes = sys.argv[1:]
-keys = {"mesh", "facets", "components", "status", "reason", "gamma", "levels", "cells", "unknowns", "eps1", "eps2", "thickness",
+keys = {"mesh", "kind", "closing", "facets", "components", "status", "reason", "gamma", "levels", "cells", "unknowns", "eps1", "eps2", "thickness",
         "min_cone_margin", "singular_vertices", "certificate", "violations", "tiers", "seconds", "peak_mb"}
 
 

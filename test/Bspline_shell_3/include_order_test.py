@@ -10,7 +10,7 @@ import os
 import re
 import sys
 
-STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
+STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
            "IO", "Construction"]
 PACKAGE = "CGAL/Bspline_shell_3/"
 

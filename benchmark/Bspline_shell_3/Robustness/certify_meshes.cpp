@@ -7,6 +7,7 @@
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
+// The kind is "closed", or "virtually closed" of an open mesh: facets are those of the closed one.
 // The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even
 // that is proved), or "refused".
 #include "../json.h"
@@ -151,7 +152,9 @@ void print(const std::string& file, const Shell& shell, const BS::Certificate_re
   };
   const BS::Level_range thresholds = threshold_range(shell);
   const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"kind\":\"" << (shell.closing() ? "virtually closed" : "closed")
+            << "\",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets << ",\"triangles\":" << r.closing.triangles
+            << ",\"least_offset\":" << r.closing.least_offset / r.unit << "},\"facets\":" << r.triangles << ",\"components\":" << r.components
             << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
             << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns

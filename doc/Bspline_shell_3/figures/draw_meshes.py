@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, and a texture that is carried over.
+"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, an open mesh and what closes it, and a texture that is carried over.
 
 Usage: draw_meshes.py DATA PICTURES
 """
@@ -206,6 +206,31 @@ def draw_remeshing(prefix, picture):
     save(fig, picture)
 
 
+def borders(data):
+    features = vtk.vtkFeatureEdges()
+    features.SetInputData(data)
+    features.BoundaryEdgesOn()
+    features.FeatureEdgesOff()
+    features.NonManifoldEdgesOff()
+    features.ColoringOff()
+    features.Update()
+    return lines(features.GetOutput(), rgb(MESH), 2.5)
+
+
+def draw_closing(prefixes, picture):
+    size = 440, 330
+    fig, rows = figure(2, 3, 520)
+    for axes, (prefix, direction, up) in zip(rows, prefixes):
+        mesh, closing, simplified = (read(f"{prefix}_{part}.ply") for part in ("mesh", "closing", "simplified"))
+        view = fit(closing if closing.GetNumberOfPolys() > mesh.GetNumberOfPolys() else mesh, size, direction, up)
+        for ax, data, more, what in zip(axes, (mesh, mesh, simplified), ([], [surface(closing, OUTER, ambient=0.3), edges(closing, MESH, 0.4)], []),
+                                        ("open", "closed virtually", "simplified")):
+            image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.4), borders(data)] + more, size, *view)
+            show(ax, image, f"{what}: {data.GetNumberOfPolys() + (closing.GetNumberOfPolys() if more else 0)} facets")
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.95, 0.02, 0.08)
+    save(fig, picture)
+
+
 def checkerboard():
     squares = (np.indices((16, 16)).sum(axis=0) % 2)[..., None]
     colors = np.where(squares, CHECKS[0], CHECKS[1]).repeat(16, axis=0).repeat(16, axis=1).astype(np.uint8)
@@ -240,4 +265,5 @@ if __name__ == "__main__":
     data, pictures = sys.argv[1:]
     draw_curves(f"{data}/eight", f"{pictures}/integral_curves.png")
     draw_remeshing(f"{data}/joint", f"{pictures}/remeshing.png")
+    draw_closing(((f"{data}/lion", (1, -0.8, 0.4), (0, 0, 1)), (f"{data}/three_peaks", (0.5, -1, 0.4), (0, 0, 1))), f"{pictures}/open_mesh.png")
     draw_texture(f"{data}/elephant", f"{pictures}/texture_transfer.png")

@@ -3,6 +3,7 @@
 //   figure_data rounds  MESH PREFIX THICKNESS           the shell after each round of refinement
 //   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves between them
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
+//   figure_data open    MESH PREFIX THICKNESS FACETS    what closes an open mesh, and a simplified mesh
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -144,6 +145,18 @@ void remesh(Mesh mesh, const std::string& prefix, double thickness, double edges
   require(write_mesh(prefix + "_remeshed.ply", mesh), "A mesh cannot be written.");
 }
 
+void close(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  require(bool(shell.closing()), "The mesh is closed.");
+  Mesh closing;
+  std::vector<Mesh::Vertex_index> v;
+  for(const auto& p : shell.closing()->points()) v.push_back(closing.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
+  for(const auto& t : shell.closing()->triangles()) closing.add_face(v[t[0]], v[t[1]], v[t[2]]);
+  require(write_mesh(prefix + "_closing.ply", closing) && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
+          "A mesh cannot be written.");
+}
+
 // corners one by one, as they have texture coordinates of their own
 void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinates uv)
 {
@@ -196,6 +209,7 @@ int main(int argc, char** argv)
     if(what == "rounds") write_rounds(mesh, prefix, thickness);
     else if(what == "curves") write_curves(mesh, prefix, thickness, std::size_t(number));
     else if(what == "remesh") remesh(mesh, prefix, thickness, number);
+    else if(what == "open") close(mesh, prefix, thickness, std::size_t(number));
     else if(what == "texture") transfer_texture(mesh, prefix, thickness, std::size_t(number));
     else throw std::runtime_error("There is no figure " + what + ".");
   } catch(const std::exception& error) {

@@ -20,6 +20,8 @@ run() { echo "figure_data $*"; "$build/figure_data" "$1" "$build/data/meshes/$2.
 run curves eight 0.1 150
 run rounds homer 0.02
 run remesh joint 0.01 20
+run open lion 0.01 0
+run open three_peaks 0.01 0
 run texture elephant 0.02 800
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py

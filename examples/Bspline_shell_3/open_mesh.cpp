@@ -1,0 +1,63 @@
+// Simplifies an open mesh. Its shell is that of a closed one, but caps and back sheets are seen nowhere: the border stays, bit for bit, and the map
+// between the meshes is one-to-one.
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+bool write(const char* name, const Mesh& mesh)
+{
+  std::ofstream out(name);
+  out.precision(17);
+  return bool(out << mesh);
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
+    std::cerr << "Usage: open_mesh MESH\n";
+    return EXIT_FAILURE;
+  }
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  std::cout << shell.message() << "\n";
+  if(!shell.is_certified()) return EXIT_FAILURE;
+  const BS::Closing_report& closing = shell.report().closing;
+  std::cout << closing.holes.size() << " holes: " << closing.caps() << " caps, " << closing.sheets << " back sheets, " << closing.triangles
+            << " triangles\n";
+
+  Mesh coarse = mesh;
+  const auto result = BS::simplify_in_shell(coarse, shell);
+  if(!result) {
+    std::cerr << BS::message(result.status) << std::endl;
+    return EXIT_FAILURE;
+  }
+  coarse.collect_garbage();
+  std::cout << result.facets_before << " facets before, " << result.facets << " now\n";
+
+  const BS::Shell_map_3 map(shell, mesh, coarse);
+  std::size_t lost = 0, moved = 0;
+  for(auto v : mesh.vertices()) {
+    const auto image = map(v);
+    if(!image) ++lost;
+    else if(mesh.is_border(v) && image.point != mesh.point(v)) ++moved;
+  }
+  std::cout << lost << " vertices without an image, " << moved << " border vertices moved\n";
+
+  // the mesh as it was certified, to look at
+  Mesh closed = mesh;
+  if(shell.closing()) shell.closing()->attach(closed, closed.points());
+  return lost == 0 && moved == 0 && write("simplified.off", coarse) && write("closed.off", closed) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
