@@ -383,7 +383,7 @@ hierarchy("function with a coefficient of its own at a coarser leaf", function_o
 add("another spacing", shell_line("field", 0, set_word(5, lambda x: 2 * x)), 1, "P", "sc")
 add("another origin", shell_line("field", 0, set_word(2, lambda x: x + 0.1)), 1, "P", "sc")
 add("no kind of field", shell_line("field", 0, set_word(1, "dense")), 2, "kind", "sc")
-add("version of another time", shell_line("cubic_bspline_shell", 0, set_word(1, "1")), 2, "expected", "sc")
+add("version of another time", shell_line("cubic_bspline_shell", 0, set_word(1, "1")), 2, "out of range", "sc")
 add("too many leaves", shell_line("leaves", 0, set_word(1, "999999999")), 2, "expected", "sc")
 add("shell of another certificate", lambda f: f.certificate.__setitem__(1, "shell 0123456789abcdef"), 2, "another shell")
 

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,16 @@ Border border(const Mesh& mesh)
     if(mesh.is_border(h)) result.emplace(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
   return result;
 }
+
+struct Throwing_predicate
+{
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t edges) const
+  {
+    if(edges < 700) throw std::runtime_error("enough");
+    return false;
+  }
+};
 
 // every vertex and facet there and back, and every border vertex to itself
 void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
@@ -245,6 +256,42 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   damaged.collect_garbage();
   CHECK(damaged.is_valid());
   CHECK(border(damaged) == border(before));
+}
+
+TEST_CASE("Open meshes: an exception leaves a mesh open")
+{
+  Mesh mesh = hill();
+  REQUIRE(mesh.number_of_edges() > 700);
+  CHECK_THROWS_AS(BS::simplify_in_shell(mesh, hill_shell(), parameters::stop(Throwing_predicate())), std::runtime_error);
+  mesh.collect_garbage();
+  CHECK(mesh.is_valid());
+  CHECK(mesh.number_of_faces() < hill().number_of_faces());
+  CHECK(border(mesh) == border(hill()));
+}
+
+TEST_CASE("Open meshes: components near each other, one above the other and closed ones among them")
+{
+  Mesh mesh = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
+  mesh.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
+  mesh.join(sphere(2, 0.2, Point_3(1.5, 0.5, 0)));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+  REQUIRE(shell.is_certified());
+  CHECK(shell.report().components == 3);
+  CHECK(shell.report().closing.sheets == 2);
+  Mesh coarse = mesh;
+  const auto result = BS::simplify_in_shell(coarse, shell);
+  REQUIRE(result);
+  coarse.collect_garbage();
+  check_round_trips(shell, mesh, coarse);
+  // without the sphere, the border is the same, and a component of the shell is empty
+  Mesh sheets = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
+  sheets.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
+  Certificate certificate(shell);
+  CHECK_FALSE(certificate.verify(sheets));
+  CHECK(certificate.verdict(BS::Claim::ONE_SHEET) == BS::Verdict::REFUTED);
+  CHECK(Map(shell, mesh, sheets).status() == BS::Flow_status::OTHER_COMPONENTS);
+  CHECK(BS::simplify_in_shell(sheets, shell).status == BS::Edit_status::NOT_CERTIFIED);
+  CHECK(sheets.number_of_faces() == 64);
 }
 
 TEST_CASE("Open meshes: remeshed, their borders stay, and each point goes there and back")

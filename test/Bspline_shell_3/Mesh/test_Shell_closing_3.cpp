@@ -124,10 +124,37 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
   // the triangles turn their backs to where the mesh faces
   CHECK(is_refused(cube, Closing(roof().points(), 4, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
                                  std::vector<Closing::Kind>(4, Closing::Kind::CAP))));
-  // an edge that the mesh has, too: the diagonal of the bottom, between its corners
-  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } }, 4, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 2 } },
-                                 std::vector<Closing::Kind>(3, Closing::Kind::CAP))));
+  // an edge that the mesh has, too, after facets have been added: the diagonal of a square
+  const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
+                       { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } }, std::vector<Closing::Kind>(6, Closing::Kind::BACK));
+  REQUIRE(across.is_valid());
+  CHECK(is_refused(square, across));
   // two points of the border in one place
   CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4, { { 0, 1, 2 }, { 0, 2, 3 } },
                                  std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
+}
+
+TEST_CASE("Closing: triangles that can close no mesh are told from those that can")
+{
+  const auto is_valid = [](std::size_t points, std::size_t border, const std::vector<Closing::Triangle>& triangles) {
+    std::vector<Closing::Point> p;
+    for(std::size_t n = 0; n < points; ++n) p.push_back({ double(n), double(n * n), 0 });
+    const Closing closing(p, border, triangles, std::vector<Closing::Kind>(triangles.size(), Closing::Kind::CAP));
+    Mesh mesh = open_cube();
+    CHECK_FALSE(closing.attach(mesh, mesh.points()));
+    CHECK(is_equal(mesh, open_cube()));
+    return closing.is_valid();
+  };
+  CHECK(is_valid(3, 3, { { 0, 1, 2 } }));
+  CHECK(is_valid(4, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));
+  CHECK(is_valid(6, 6, { { 0, 1, 2 }, { 3, 4, 5 } }));
+  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 3 } }));                                           // a point that there is not
+  CHECK_FALSE(is_valid(3, 4, { { 0, 1, 2 } }));
+  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 1 } }));
+  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));                 // the apex is on no border
+  CHECK_FALSE(is_valid(4, 3, { { 0, 1, 2 } }));                                           // a point in no triangle
+  CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } }));                 // open between interior points
+  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));                              // an edge twice the same way
+  CHECK_FALSE(is_valid(5, 5, { { 0, 1, 2 }, { 0, 3, 4 } }));                              // the border passes a point twice
 }

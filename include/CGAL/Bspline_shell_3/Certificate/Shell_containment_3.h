@@ -97,7 +97,7 @@ public:
   template <typename TriangleMesh>
   bool operator()(const TriangleMesh& mesh) const { return (*this)(mesh, CGAL::parameters::default_values()); }
 
-  /// which component of a certified shell each component of a closed mesh lies in. A mesh may be contained and have fewer components than the
+  /// which component of a certified shell each component of a mesh lies in, if it is closed, or can be closed as the mesh of the shell was. A mesh may be contained and have fewer components than the
   /// shell, or several in one; then no map onto the mesh that the shell was built for is one-to-one, and the verdict is not
   /// `PROVED`. Undecided for a shell that is not certified, and for a mesh that is refused (`Input_mesh_3`).
   /// \pre all facets are contained, and face along the gradient: `Shell_certificate_3` proves both, and makes the same comparison
@@ -114,7 +114,8 @@ public:
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     Input_mesh_3 input;
-    if(input.template build<Sequential_tag>(mesh, vpm, tolerated) != Shell_status::SUCCESS) return match;
+    const Input_mesh_3::Closer closer = Input_mesh_3::closer(m_shell->closing());
+    if(input.template build<Sequential_tag>(mesh, vpm, tolerated, closer) != Shell_status::SUCCESS) return match;
     return match_components(m_shell->component_paths(), input);
   }
 

@@ -33,12 +33,12 @@ class Virtual_closer
 public:
   Virtual_closer(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_offset(offset), m_caps(mesh) {}
 
+  // There may be many, and some are enough to go on with: which ones must not depend on threads.
   static Facet_pairs intersections(const Closing_mesh& mesh)
   {
-    // there may be many, and some are enough to go on with
     constexpr unsigned int most_pairs = 10000;
     Facet_pairs pairs;
-    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(mesh, std::back_inserter(pairs), CGAL::parameters::maximum_number(most_pairs));
+    Polygon_mesh_processing::self_intersections<Sequential_tag>(mesh, std::back_inserter(pairs), CGAL::parameters::maximum_number(most_pairs));
     return pairs;
   }
 
@@ -59,29 +59,30 @@ public:
       Assembled_closing assembled = assemble_closing(m_mesh, m_caps, back);
       Closing_mesh whole(m_mesh);
       const auto attached = assembled.closing.attach(whole, whole.points());
-      if(!attached || !CGAL::is_closed(whole)) return false;
+      if(!attached) break;
       m_intersections = intersections(whole);
       if(m_intersections.empty()) {
-        if(round + 1 < most_rounds && improves(back, assembled, whole, attached->vertices)) continue;
         m_closing = std::make_shared<const Shell_closing_3>(std::move(assembled.closing));
         m_least_gap = (std::min)(m_caps.least_gap(), back.least_gap());
+        m_report = Closing_report();
         m_caps.describe(m_report);
         back.describe(m_report);
         m_report.triangles = m_closing->triangles().size();
-        return true;
+        if(!improves(back, *m_closing, assembled.points, whole, attached->vertices)) break;
+        continue;
       }
       std::vector<Back_sheet::Triangle> intersecting;
       for(const auto& pair : m_intersections)
         for(Face_index f : { pair.first, pair.second })
           if(m_caps.is_cap(f)) intersecting.push_back(assembled.triangles[std::size_t(f) - m_mesh.number_of_faces()]);
-      if(!back.move_closer(intersecting)) return false;
+      if(!back.move_closer(intersecting)) break;
     }
-    return false;
+    return bool(m_closing);
   }
 
   // Whether a back sheet that intersects nothing is changed all the same: where it is folded, or facets leave no cone. What does not go away is the
   // mesh's.
-  bool improves(Back_sheet& back, const Assembled_closing& assembled, const Closing_mesh& whole,
+  bool improves(Back_sheet& back, const Shell_closing_3& closing, const std::vector<std::size_t>& points, const Closing_mesh& whole,
                 const std::vector<Closing_mesh::Vertex_index>& added) const
   {
     constexpr double least_margin = 0.05, least_distance = 1. / 16;
@@ -96,7 +97,7 @@ public:
     };
     for(auto v : m_mesh.vertices())
       if(!m_mesh.is_isolated(v) && m_mesh.is_border(v)) examine(v, std::size_t(v));
-    for(std::size_t n = 0; n < added.size(); ++n) examine(added[n], assembled.points[assembled.closing.number_of_border_points() + n]);
+    for(std::size_t n = 0; n < added.size(); ++n) examine(added[n], points[closing.number_of_border_points() + n]);
     return has_changed || (!steep.empty() && back.move_closer(steep));
   }
 

@@ -61,7 +61,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         predicates and `FT` = `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, often the one that the shell was built for. If it is not edited, it is as before: if the
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not edited, it is as before: if the
  *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
  *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
  *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
@@ -85,7 +85,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *     facet of the mesh, and for each equilateral triangle of the size asked for that its area has room for; a `Surface_mesh` takes about a third of
  *     that. If they are more, the status is `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
  *
  * \cgalHeading{Cost} an operation costs the proofs for the facets at one vertex. The certificate costs what it costs for any mesh
  * in the shell. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
@@ -179,7 +179,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     remesher.flip_to_larger_angles();
     result.images = remesher.images();
     if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
-      for(auto e : edges(mesh)) result.constrained_edges += get(edge_is_constrained, e) ? 1 : 0;
+      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
     return is_sizing_valid ? Status::SUCCESS : Status::INVALID_PARAMETER;
   }));
 }

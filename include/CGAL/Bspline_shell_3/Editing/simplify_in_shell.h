@@ -283,7 +283,7 @@ struct Accepted_filter
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
  *
- * \param mesh a closed mesh in the shell, often the one that the shell was built for. If it is not edited, it is as before: if the
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not edited, it is as before: if the
  *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and
  *        so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that
  *        the caller has of them are invalid. With all other statuses it was not touched.
@@ -310,7 +310,7 @@ struct Accepted_filter
  *     not collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
  *
  * \cgalHeading{Cost} a collapse costs the proofs for the facets at one vertex, and these a bound for each cell that they pass through,
  * where the field is curved. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the result's facets, and
@@ -367,7 +367,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
     Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true), frozen);
     const auto kept = [&] {
-      if constexpr(may_merge || may_freeze)
+      if constexpr(has_constraints || may_freeze)
         return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
       else return constrained;
     }();
@@ -410,7 +410,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     result.retried = state.retried;
     result.placements = filter.statistics();
     if constexpr(has_constraints)
-      for(auto e : edges(mesh)) result.constrained_edges += get(constrained, e) ? 1 : 0;
+      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(constrained, e) ? 1 : 0;
     for(auto v : all) result.images.push_back(history.history().image(v));
     return Status::SUCCESS;
   }));

@@ -278,8 +278,10 @@ bool make_shell(Shell_file_content& content, Shell& shell)
   }
   if(content.has_closing) {
     if(content.border_points > content.closing_points.size()) return false;
-    made.set_closing(std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
-                                                             std::move(content.closing_triangles), std::move(content.closing_kinds)));
+    const auto closing = std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
+                                                                 std::move(content.closing_triangles), std::move(content.closing_kinds));
+    if(!closing->is_valid()) return false;
+    made.set_closing(closing);
   }
   if(!is_shell(made)) return false;
   shell = std::move(made);

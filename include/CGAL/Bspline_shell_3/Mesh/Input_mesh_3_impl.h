@@ -75,7 +75,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& close
     return refuse_facets(closed.status, facets);
   }
   const auto attached = closed.closing->attach(m_mesh, m_mesh.points());
-  if(!attached || !CGAL::is_closed(m_mesh)) return check_border();      // a closing of another mesh
+  m_mesh.collect_garbage();       // of an attempt that failed
+  if(!attached) return check_border();      // a closing of another mesh
   m_closing = closed.closing;
   m_origin.resize(m_mesh.number_of_faces());
   for(Face_index f : attached->faces) m_origin[f] = m_number_of_facets++;

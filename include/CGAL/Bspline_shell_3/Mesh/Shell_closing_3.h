@@ -21,6 +21,7 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,9 @@ public:
   std::size_t number_of_border_points() const { return m_border; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<Kind>& kinds() const { return m_kinds; }
-  bool empty() const { return m_triangles.empty(); }
+  /// whether the triangles can close a mesh: they are between different points, all of which they use; each border point has one edge that leads to
+  /// the next, and all other edges have triangles on both sides
+  bool is_valid() const;
   /// the number of the border point with these coordinates, or `npos`
   Index border_point(const Point& p) const
   {
@@ -115,12 +118,36 @@ private:
   std::unordered_map<Point, Index, internal::Hash_coordinates> m_border_point;
 };
 
+inline bool Shell_closing_3::is_valid() const
+{
+  if(m_border > m_points.size() || m_border_point.size() != m_border || m_kinds.size() != m_triangles.size()) return false;
+  std::vector<char> is_used(m_points.size(), 0);
+  std::unordered_set<std::uint64_t> edges;
+  for(const Triangle& t : m_triangles)
+    for(int i = 0; i < 3; ++i) {
+      const Index p = t[i], q = t[(i + 1) % 3];
+      if(p >= m_points.size() || p == q || !edges.insert(key(p, q)).second) return false;
+      is_used[p] = 1;
+    }
+  std::vector<int> outgoing(m_border, 0), incoming(m_border, 0);
+  for(std::uint64_t e : edges) {
+    const Index p = Index(e >> 32), q = Index(e & npos);
+    if(edges.count(key(q, p)) > 0) continue;
+    if(p >= m_border || q >= m_border) return false;
+    ++outgoing[p];
+    ++incoming[q];
+  }
+  const auto is_one = [](int n) { return n == 1; };
+  return std::find(is_used.begin(), is_used.end(), 0) == is_used.end() && std::all_of(outgoing.begin(), outgoing.end(), is_one)
+      && std::all_of(incoming.begin(), incoming.end(), is_one);
+}
+
 template <typename FaceGraph, typename VertexPointMap>
 std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
 Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
 {
   typedef std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Border;
-  if(m_border_point.size() != m_border) return std::nullopt;       // the border touches itself
+  if(!is_valid()) return std::nullopt;
   // each edge of the closing's border, once
   std::unordered_map<std::uint64_t, char> is_open;
   for(const Triangle& t : m_triangles)
@@ -168,10 +195,12 @@ std::optional<Shell_closing_3::Attached<FaceGraph> > Shell_closing_3::attach(Fac
       attached.faces.push_back(f);
       continue;
     }
-    // the mesh has an edge that the closing has, too
-    detach(mesh, attached);
+    // The mesh has an edge that the closing has, too. Vertices with facets go with these.
+    std::vector<typename Graph_traits::vertex_descriptor> isolated;
     for(auto v : attached.vertices)
-      if(halfedge(v, mesh) == Graph_traits::null_halfedge()) remove_vertex(v, mesh);
+      if(halfedge(v, mesh) == Graph_traits::null_halfedge()) isolated.push_back(v);
+    detach(mesh, attached);
+    for(auto v : isolated) remove_vertex(v, mesh);
     return std::nullopt;
   }
   return attached;

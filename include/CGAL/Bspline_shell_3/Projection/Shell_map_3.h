@@ -151,33 +151,37 @@ private:
     return image;
   }
 
-  // Whether a component of the shell holds no part of a mesh. Of an open mesh, only its vertices tell.
+  // Whether a component of the shell holds no part of a mesh. What closes an open mesh in the shell counts as part of it; for other open meshes the
+  // count depends on the path.
   template <typename Target>
   bool misses_component(const Target& target) const
   {
+    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
     const std::vector<Crossing_path> paths = shell().component_paths();
-    if(paths.empty() || !(target.is_closed() || shell().closing())) return false;
-    std::vector<char> is_missed;
-    if(target.is_closed()) {
-      std::size_t number;
-      const std::vector<typename Target::Index> component = target.components(number);
-      typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-      const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
-      const Component_match match = match_components(paths, number, target.number_of_facets(), [&](std::size_t n) {
-        const typename Target::Index f = typename Target::Index(n);
-        return std::array<Point, 3>{ point(target.vertex(f, 0)), point(target.vertex(f, 1)), point(target.vertex(f, 2)) };
-      }, [&](std::size_t n) { return std::size_t(component[n]); });
-      is_missed.resize(match.crossings.size());
-      for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
-      for(std::size_t k : match.component_of_shell)
-        if(k != Component_match::none) is_missed[k] = 0;
-    }
-    else {
-      for(const Crossing_path& path : paths) is_missed.resize((std::max)(is_missed.size(), std::size_t(path.component) + 1), 1);
-      if(is_missed.size() == 1) return false;       // there is no other
-    }
+    const bool is_closed = target.is_closed();
+    if(paths.empty() || !(is_closed || has_border_of_closing(target))) return false;
+    std::size_t number;
+    const std::vector<typename Target::Index> component = target.components(number);
+    const std::size_t facets = target.number_of_facets(), all = facets + (is_closed ? 0 : shell().closing()->triangles().size());
+    const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
+    const Component_match match = match_components(paths, number + (all > facets ? 1 : 0), all, [&](std::size_t n) {
+      std::array<Point, 3> t;
+      for(int i = 0; i < 3; ++i)
+        t[i] = n < facets ? point(target.vertex(typename Target::Index(n), i)) : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
+      return t;
+    }, [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
+    std::vector<char> is_missed(match.crossings.size(), 0);
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
+    for(std::size_t k : match.component_of_shell)
+      if(k != Component_match::none) is_missed[k] = 0;
     const auto is_any_missed = [&] { return std::find(is_missed.begin(), is_missed.end(), 1) != is_missed.end(); };
     if(!is_any_missed() || !shell().proved_cover()) return false;
+    // Meshes without a certificate may be there, and not be counted. Where components of the shell share one of the cover, it cannot tell which of them
+    // a vertex is in.
+    std::vector<char> has_boxes(is_missed.size(), 0);
+    for(const Cover_box& box : *shell().proved_cover())
+      if(box.component < has_boxes.size()) has_boxes[box.component] = 1;
+    if(std::find(has_boxes.begin(), has_boxes.end(), 0) != has_boxes.end()) return true;
     Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
     cover.adopt(*shell().proved_cover());
     for(const Coordinates& v : target.vertices_of_mesh()) {
@@ -185,6 +189,16 @@ private:
       if(k < is_missed.size()) is_missed[k] = 0;
     }
     return is_any_missed();
+  }
+
+  template <typename Target>
+  bool has_border_of_closing(const Target& target) const
+  {
+    if(!shell().closing()) return false;
+    const Shell_closing_3& closing = *shell().closing();
+    for(std::size_t n = 0; n < closing.number_of_border_points(); ++n)
+      if(!target.border_corner(closing.points()[n])) return false;
+    return true;
   }
 
   template <typename NamedParameters>

@@ -104,17 +104,18 @@ public:
     }
     const Coordinates start = { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) };
     // vertices on the border of an open mesh are on the borders of all that the shell maps it to
-    if(const auto* corner = m_target->border_corner(start)) {
-      const typename Shell::Field::Cell_index cell = m_shell->field().locate(Point_3(start[0], start[1], start[2]));
-      if(cell != Shell::Field::npos) {
-        image.status = Flow_status::SUCCESS;
-        image.location.first = m_target->face_of(corner->facet);
-        image.location.second[corner->vertex] = 1;
-        image.point = Point_3(start[0], start[1], start[2]);
-        image.value = m_shell->field().cell(cell).value(image.point);
-        return image;
+    if(m_shell->closing() && m_shell->closing()->border_point(start) != Shell_closing_3::npos)
+      if(const auto* corner = m_target->border_corner(start)) {
+        const Point_3 point(start[0], start[1], start[2]);
+        if(m_shell->bounded_side(point) != ON_UNBOUNDED_SIDE) {
+          image.status = Flow_status::SUCCESS;
+          image.location.first = m_target->face_of(corner->facet);
+          image.location.second[corner->vertex] = 1;
+          image.point = point;
+          image.value = m_shell->field().cell(m_shell->field().locate(point)).value(point);
+          return image;
+        }
       }
-    }
     typename internal::Facet_on_curve<Shell>::Hit hit;
     image.status = internal::Facet_on_curve<Shell>(*m_shell, *m_target, m_tolerance)(start, hit);
     if(image.status != Flow_status::SUCCESS) return image;

@@ -54,7 +54,7 @@ public:
         is_known[g] = 1;
         m_holes.back().halfedges.push_back(g);
       }
-      while(m_holes.back().method != Method::NONE && !triangulate(m_holes.back())) {}
+      while(!triangulate(m_holes.back())) {}
     }
     rebuild();
   }
@@ -77,9 +77,10 @@ public:
       for(Face_index f : { pair.first, pair.second })
         if(is_cap(f)) is_bad[hole_of(f)] = 1;
     for(std::size_t n = 0; n < m_holes.size(); ++n)
-      if(is_bad[n])
-        do m_holes[n].method = Method(int(m_holes[n].method) + 1);
-        while(!triangulate(m_holes[n]));
+      if(is_bad[n] && m_holes[n].method != Method::NONE) {
+        m_holes[n].method = Method(int(m_holes[n].method) + 1);
+        while(!triangulate(m_holes[n])) {}
+      }
     if(std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) return false;
     rebuild();
     return true;
@@ -138,8 +139,8 @@ private:
   // By the method, or not at all if that is none. Returns false, and goes on to the next method, if this one fails.
   bool triangulate(Hole& hole) const
   {
-    // beyond that, holes without a Delaunay triangulation take too long
-    constexpr std::size_t most_for_cubic = 120;
+    // beyond that, holes without a Delaunay triangulation take too long, and so does adding a fan
+    constexpr std::size_t most_for_cubic = 120, most_for_fan = 2000;
     hole.triangles.clear();
     if(hole.method == Method::NONE) return true;
     std::vector<Point_3> points, beyond;
@@ -150,6 +151,7 @@ private:
     const std::size_t size = points.size();
     std::vector<Triple> patch;
     if(size == 3) patch.emplace_back(0, 1, 2);
+    else if(is_fan(hole) && size > most_for_fan) {}
     else if(is_fan(hole)) {
       points.push_back(hole.apex = apex(hole, points));
       for(std::size_t i = 0; i < size; ++i) patch.emplace_back(int(i), int((i + 1) % size), int(size));
@@ -157,7 +159,7 @@ private:
     else Polygon_mesh_processing::triangulate_hole_polyline(points, beyond, std::back_inserter(patch),
       CGAL::parameters::use_delaunay_triangulation(true).use_2d_constrained_delaunay_triangulation(hole.method == Method::PLANAR)
                        .do_not_use_cubic_algorithm(size > most_for_cubic));
-    bool is_good = patch.size() + 2 == points.size() || (size > 3 && is_fan(hole));
+    bool is_good = patch.size() == (size > 3 && is_fan(hole) ? size : size - 2);
     for(const Triple& t : patch) is_good = is_good && !CGAL::collinear(points[t.v[0]], points[t.v[1]], points[t.v[2]]);
     if(is_good) for(const Triple& t : patch) hole.triangles.push_back(t.v);
     else hole.method = Method(int(hole.method) + 1);
@@ -185,7 +187,7 @@ private:
     return middle + radius / 2 / weight * outwards;
   }
 
-  // The mesh with the caps that are left. A cap with an edge that the mesh has, too, cannot be added: it is given up.
+  // The mesh with the caps that are left. A cap with an edge that the mesh, or a cap before, has, too, cannot be added: it is given up.
   void rebuild()
   {
     bool is_complete;
@@ -195,15 +197,24 @@ private:
       m_hole_of.clear();
       for(std::size_t n = 0; n < m_holes.size() && is_complete; ++n) {
         Hole& hole = m_holes[n];
+        const std::size_t size = hole.halfedges.size();
         std::vector<Vertex_index> vertices;
         for(Halfedge_index h : hole.halfedges) vertices.push_back(m_mesh.source(h));
-        if(!hole.triangles.empty() && vertices.size() > 3 && is_fan(hole)) vertices.push_back(m_capped.add_vertex(hole.apex));
+        for(const auto& t : hole.triangles)
+          for(int i = 0; i < 3; ++i) {
+            const std::size_t p = t[i], q = t[(i + 1) % 3];
+            if(p < size && q < size && q != (p + 1) % size && m_capped.halfedge(vertices[p], vertices[q]) != Closing_mesh::null_halfedge())
+              hole.method = Method::NONE;
+          }
+        if(hole.method == Method::NONE) hole.triangles.clear();
+        if(hole.triangles.empty()) continue;
+        if(size > 3 && is_fan(hole)) vertices.push_back(m_capped.add_vertex(hole.apex));
         for(const auto& t : hole.triangles) {
           const std::array<Vertex_index, 3> corners = { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
           is_complete = is_complete && Euler::add_face(corners, m_capped) != Closing_mesh::null_face();
           m_hole_of.push_back(n);
         }
-        if(!is_complete) hole.triangles.clear();
+        if(!is_complete) hole.method = Method::NONE;
       }
     } while(!is_complete);
   }

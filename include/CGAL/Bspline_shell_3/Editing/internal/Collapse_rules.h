@@ -65,15 +65,16 @@ public:
     const vertex_descriptor v0 = profile.v0(), v1 = profile.v1();
     if(m_frozen.has_vertex(v0) || m_frozen.has_vertex(v1)) return allowed;
     if(m_frozen.is_fixed(v0) && m_frozen.is_fixed(v1)) return allowed;
-    const std::size_t number_0 = number_of_constrained_edges(v0), number_1 = number_of_constrained_edges(v1);
+    // edges that close the mesh are no keys of the map
     if(m_frozen.is_fixed(v0)) {
-      if(number_1 == 0) allowed.places.push_back(profile.p0());
+      if(number_of_constrained_edges(v1) == 0) allowed.places.push_back(profile.p0());
       return allowed;
     }
     if(m_frozen.is_fixed(v1)) {
-      if(number_0 == 0) allowed.places.push_back(profile.p1());
+      if(number_of_constrained_edges(v0) == 0) allowed.places.push_back(profile.p1());
       return allowed;
     }
+    const std::size_t number_0 = number_of_constrained_edges(v0), number_1 = number_of_constrained_edges(v1);
     allowed.are_all = number_0 == 0 && number_1 == 0;
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());

@@ -53,6 +53,12 @@ public:
 
   std::size_t number_of_closing_facets() const { return m_closing.size(); }
   bool closes(face_descriptor f) const { return !m_closing.empty() && m_closing.count(f) > 0; }
+  // whether an edge is none of the open mesh
+  bool closes(edge_descriptor e) const
+  {
+    const auto h = halfedge(e, *m_mesh);
+    return closes(face(h, *m_mesh)) && closes(face(opposite(h, *m_mesh), *m_mesh));
+  }
   // whether a vertex stays where it is because a facet at it closes the mesh. An edge to it may be collapsed, so that its place has another vertex.
   bool is_fixed(vertex_descriptor v) const { return !m_closing.empty() && m_fixed.count(v) > 0; }
   // an edge collapse has put `v` in the place of `w`

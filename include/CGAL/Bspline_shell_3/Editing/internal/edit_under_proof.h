@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <unordered_map>
 #include <vector>
@@ -77,7 +78,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   std::vector<char> is_good(facets.size(), 1);
   for_each_chunk<ConcurrencyTag>(facets.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
-      if(frozen.has_facet(facets[n]) || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm))) continue;
+      if(frozen.has_facet(facets[n]) || frozen.closes(facets[n]) || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm))) continue;
       const auto h = halfedge(facets[n], mesh);
       is_good[n] = oracle(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)))
                      == Placement_verdict::ACCEPTED;
@@ -95,7 +96,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   for(auto v : vertices(mesh)) {
     const std::size_t n = position++;
     if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
-    if(CGAL::is_border(v, mesh)) continue;
+    if(CGAL::is_border(v, mesh) || frozen.is_fixed(v)) continue;
     link.clear();
     bool is_degenerate = false;
     for(auto h : CGAL::halfedges_around_target(v, mesh)) {
@@ -243,6 +244,37 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
     result.locations.push_back(image.location);
 }
 
+// Opens a mesh again that was closed for an edit, also when an exception ends that.
+template <typename TriangleMesh>
+class Closed_for_edit
+{
+public:
+  explicit Closed_for_edit(TriangleMesh& mesh) : m_mesh(mesh) {}
+  Closed_for_edit(const Closed_for_edit&) = delete;
+  Closed_for_edit& operator=(const Closed_for_edit&) = delete;
+  ~Closed_for_edit() { open(); }
+
+  // whether the mesh is closed now
+  template <typename VertexPointMap>
+  bool close(const Shell_closing_3& closing, VertexPointMap vpm)
+  {
+    m_attached = closing.attach(m_mesh, vpm);
+    return bool(m_attached);
+  }
+  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const { return m_attached->faces; }
+  void open()
+  {
+    if(m_attached) Shell_closing_3::detach(m_mesh, *m_attached);
+    m_attached.reset();
+  }
+  // the mesh is another one
+  void forget() { m_attached.reset(); }
+
+private:
+  TriangleMesh& m_mesh;
+  std::optional<Shell_closing_3::Attached<TriangleMesh> > m_attached;
+};
+
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
 // `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
 // mesh must be gone when it returns. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
@@ -275,14 +307,9 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   std::vector<Point> points;
   for(auto v : vertices(mesh)) points.push_back(get(vpm, v));
   Constraints_before<TriangleMesh, EdgeIsConstrainedMap> constraints_before(mesh, edge_is_constrained);
-  Shell_closing_3::Attached<TriangleMesh> closing;
-  if(!CGAL::is_closed(mesh)) {
-    auto attached = shell.closing()->attach(mesh, vpm);
-    if(!attached) return Edit_status::OPEN_MESH;        // an edge of the mesh is one of the closing, too
-    closing = std::move(*attached);
-    for(auto f : closing.faces) frozen.close(f);
-  }
+  Closed_for_edit<TriangleMesh> closed(mesh);
   const auto undone = [&](Edit_status status) {
+    closed.forget();
     constraints_before.release(mesh);
     restore(before, points, mesh, vpm);
     constraints_before.restore(mesh);
@@ -292,6 +319,10 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     result.frozen_facets.clear();
     return status;
   };
+  if(!CGAL::is_closed(mesh)) {
+    if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
+    for(auto f : closed.faces()) frozen.close(f);
+  }
   result.frozen_facets_before = frozen_before.positions();
   const Edit_status edited = edit(oracle, frozen);
   lap(result.edit_seconds);
@@ -300,7 +331,7 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   Offending_simplices others;
   bool are_others_accepted = true;
   if(!frozen.empty()) are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
-  Shell_closing_3::detach(mesh, closing);
+  closed.open();
   result.facets = faces(mesh).size();
   Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));

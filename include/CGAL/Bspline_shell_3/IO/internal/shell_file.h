@@ -98,6 +98,7 @@ bool is_shell(const Shell& shell)
   for(const Eigen::VectorXd* x : coefficients_of_splines(shell))
     if(std::size_t(x->size()) != field.number_of_coefficients() || !std::all_of(x->data(), x->data() + x->size(), is_coefficient))
       return false;
+  if(shell.closing() && !shell.closing()->is_valid()) return false;
   if(shell.closing())
     for(const Shell_closing_3::Point& p : shell.closing()->points())
       if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
