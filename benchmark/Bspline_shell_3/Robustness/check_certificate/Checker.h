@@ -294,7 +294,7 @@ private:
     for(std::size_t c = 0; c < mesh.components; ++c) root_of_seed.push_back(cover.find(cover_box_of_seed(c, begin)));
     if(!certificate.claimed[3]) return;
     std::sort(root_of_seed.begin(), root_of_seed.end());
-    const bool are_apart = std::unique(root_of_seed.begin(), root_of_seed.end()) == root_of_seed.end();
+    const bool are_apart = std::adjacent_find(root_of_seed.begin(), root_of_seed.end()) == root_of_seed.end();
     root_of_seed.erase(std::unique(root_of_seed.begin(), root_of_seed.end()), root_of_seed.end());
     if(root_of_seed != root) throw Unconfirmed("P4: a component of the cover contains no component of the mesh");
     // Components of A that share a component of the cover do not share one of Omega*: without critical points, all curves of that meet each component
