@@ -62,7 +62,7 @@ public:
   Shell_closing_3(std::vector<Point> points, std::size_t border, std::vector<Triangle> triangles, std::vector<Kind> kinds)
     : m_points(std::move(points)), m_border(border), m_triangles(std::move(triangles)), m_kinds(std::move(kinds))
   {
-    for(std::size_t n = 0; n < m_border; ++n) m_border_point.emplace(m_points[n], Index(n));
+    for(std::size_t n = 0; n < (std::min)(m_border, m_points.size()); ++n) m_border_point.emplace(m_points[n], Index(n));
   }
 
   const std::vector<Point>& points() const { return m_points; }
