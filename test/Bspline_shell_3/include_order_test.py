@@ -11,7 +11,7 @@ import re
 import sys
 
 STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
-           "IO", "Construction"]
+           "IO", "Construction", "Soup"]
 PACKAGE = "CGAL/Bspline_shell_3/"
 
 

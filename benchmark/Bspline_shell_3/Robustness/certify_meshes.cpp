@@ -1,13 +1,14 @@
 // Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
 // dies: every mesh has a process of its own.
 //
-//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
+//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
 //
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
-// The kind is "closed", or "virtually closed" of an open mesh: facets are those of the closed one.
+// The kind is "closed", or "virtually closed" of an open mesh: facets are those of the closed one; or "proxy", with shares of the area, sampled, and
+// the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only, also with singular vertices.
 // The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even
 // that is proved), or "refused".
 #include "../json.h"
@@ -16,8 +17,10 @@
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
+#include <CGAL/certified_shell_of_soup_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
@@ -44,7 +47,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 struct Options
 {
   double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0;
-  bool paper = false, constant = false;
+  bool paper = false, constant = false, proxy = true;
   std::string directory;
 };
 
@@ -134,9 +137,22 @@ BS::Level_range threshold_range(const Shell& shell)
   return range;
 }
 
+// what belongs to a proxy
+std::string proxy_properties(const BS::Shell_of_soup_3& result)
+{
+  if(!result.proxy) return "";
+  const BS::Proxy_report& r = result.proxy->report();
+  const double unit = result.shell().report().unit;
+  const BS::Soup_shares shares = BS::sample_soup_shares(result.proxy->map());
+  std::ostringstream out;
+  out << ",\"proxy\":{\"because\":" << quoted(message(result.mesh_status)) << ",\"alpha\":" << r.alpha / unit << ",\"offset\":" << r.offset / unit
+      << ",\"wraps\":" << r.wraps << ",\"carried\":" << shares.carried << ",\"continued\":" << shares.continued << ",\"hidden\":" << shares.hidden << "}";
+  return out.str();
+}
+
 template <typename Shell>
-void print(const std::string& file, const Shell& shell, const BS::Certificate_report& certificate, bool certified, std::string reason,
-           double seconds, bool written)
+void print(const std::string& file, const char* kind, const Shell& shell, const BS::Certificate_report& certificate, bool certified,
+           std::string reason, double seconds, bool written, const std::string& more = "")
 {
   const BS::Shell_report& r = shell.report();
   const BS::Certificate_statistics& s = certificate.statistics;
@@ -152,8 +168,8 @@ void print(const std::string& file, const Shell& shell, const BS::Certificate_re
   };
   const BS::Level_range thresholds = threshold_range(shell);
   const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"kind\":\"" << (shell.closing() ? "virtually closed" : "closed")
-            << "\",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets << ",\"triangles\":" << r.closing.triangles
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"kind\":\"" << kind << "\"" << more
+            << ",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets << ",\"triangles\":" << r.closing.triangles
             << ",\"least_offset\":" << r.closing.least_offset / r.unit << "},\"facets\":" << r.triangles << ",\"components\":" << r.components
             << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
@@ -181,32 +197,44 @@ void certify(const std::string& file, const Options& options)
 {
   CGAL::Real_timer timer;
   timer.start();
-  Mesh mesh;
-  BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
-  if(read != BS::Shell_status::SUCCESS)
-    return print_refused(file, options, message(read), offenders, timer.time(), peak_mb());
+  const auto refuse = [&](BS::Shell_status status, const BS::Offending_simplices& offenders) {
+    print_refused(file, options, message(status), offenders, timer.time(), peak_mb());
+  };
   const double limit = options.max_memory_mb > 0 ? options.max_memory_mb * 1024 * 1024
                                                  : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-  const auto refused = [&](const BS::Shell_report& report) {
-    print_refused(file, options, message(report.status), report.offending_simplices, timer.time(), peak_mb());
-  };
+  // what a round takes is only estimated
+  constexpr double part = 0.7;
+  const double limit_of_rounds = options.max_seconds > 0 ? part * options.max_seconds : std::numeric_limits<double>::infinity();
+  const auto parameters = BS::parameters::relative_thickness(options.thickness)
+                                         .time_limit(limit_of_rounds)
+                                         .constant_thresholds(options.constant)
+                                         .memory_limit(limit);
+  BS::Offending_simplices offenders;
+  if(options.gamma == 0 && options.proxy) {
+    BS::Polygon_soup soup;
+    const BS::Shell_status read = BS::read_polygon_soup(file, soup, offenders);
+    if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
+    const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup, parameters);
+    const double seconds = timer.time();
+    if(!result) return refuse(result.mesh_status, result.shell_of_mesh.report().offending_simplices);
+    BS::Shell_certificate_3 certificate(result.shell());
+    if(!options.directory.empty()) certificate.verify(result.mesh());
+    print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "", seconds,
+          write_files(file, options, result.shell(), certificate), proxy_properties(result));
+    return;
+  }
 
+  Mesh mesh;
+  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
+  if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
   if(options.gamma == 0) {
-    // what a round takes is only estimated
-    constexpr double part = 0.7;
-    const double limit_of_rounds = options.max_seconds > 0 ? part * options.max_seconds : std::numeric_limits<double>::infinity();
-    const auto shell = CGAL::certified_bspline_shell_3(mesh,
-      BS::parameters::relative_thickness(options.thickness)
-                     .allow_singular_vertices(true)
-                     .time_limit(limit_of_rounds)
-                     .constant_thresholds(options.constant)
-                     .memory_limit(limit));
-    if(!shell) return refused(shell.report());
+    const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters.allow_singular_vertices(true));
+    if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
     const double seconds = timer.time();
     BS::Shell_certificate_3 certificate(shell);
     if(!options.directory.empty()) certificate.verify(mesh);
-    print(file, shell, shell.report().certificate, shell.is_certified(), "", seconds, write_files(file, options, shell, certificate));
+    print(file, shell.closing() ? "virtually closed" : "closed", shell, shell.report().certificate, shell.is_certified(), "", seconds,
+          write_files(file, options, shell, certificate));
     return;
   }
   const auto shell = CGAL::bspline_shell_3(mesh,
@@ -216,14 +244,14 @@ void certify(const std::string& file, const Options& options)
                    .allow_singular_vertices(true)
                    .allow_open_shell(true)
                    .memory_limit(limit));
-  if(!shell) return refused(shell.report());
+  if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
   BS::Shell_certificate_3<> certificate(shell);
   certificate.verify(mesh);
   const double seconds = timer.time();
   std::string reason;
   if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
   else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
-  print(file, shell, certificate.report(), certificate.is_certified(), reason, seconds, write_files(file, options, shell, certificate));
+  print(file, "closed", shell, certificate.report(), certificate.is_certified(), reason, seconds, write_files(file, options, shell, certificate));
 }
 
 // in a process of its own; reports what the process cannot report any more
@@ -271,6 +299,7 @@ int main(int argc, char** argv)
     const bool has_value = i + 1 < argc;
     if(arg == "--paper") options.paper = true;
     else if(arg == "--constant") options.constant = true;
+    else if(arg == "--no-proxy") options.proxy = false;
     else if(arg == "--thickness" && has_value) options.thickness = positive(argv[++i]);
     else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
     else if(arg == "--max-seconds" && has_value) options.max_seconds = positive(argv[++i]);
@@ -281,7 +310,7 @@ int main(int argc, char** argv)
   }
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
-    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--max-seconds S] [--max-memory-mb M]"
+    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--max-seconds S] [--max-memory-mb M]"
                  " [--write-shells DIR]\n";
     return 2;
   }

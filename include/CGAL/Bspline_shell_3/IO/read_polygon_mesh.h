@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H
 
+#include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -20,20 +21,23 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-namespace internal {
+/*!
+ * \ingroup PkgBsplineShell3IO
+ *
+ * \brief reads the polygons of a file, whatever they form.
+ *
+ * The format follows from the file's extension: OFF, OBJ, PLY, STL and the others of `CGAL::IO::read_polygon_soup()`.
+ *
+ * \param file its name
+ * \param[out] soup what was read, if the status is `SUCCESS`; otherwise it is left as it is
+ * \param[out] offenders positions of points that are no finite numbers
+ */
+Shell_status read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
 
-struct Polygon_soup
-{
-  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
-  typedef std::vector<std::vector<std::size_t> > Polygons;
-  std::vector<Point_3> points;
-  Polygons polygons;
-};
+namespace internal {
 
 // reads a soup that is a mesh
 Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
-// false if triangles would share edges that polygons do not
-bool triangulate(Polygon_soup& soup);
 
 template <typename PolygonMesh>
 void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
@@ -54,9 +58,8 @@ void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
  *
  * \brief reads a surface mesh and says what is wrong with it, if it is none.
  *
- * The format follows from the file's extension: OFF, OBJ, PLY, STL and the others of `CGAL::IO::read_polygon_soup()`.
- * Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned round where
- * they do not agree with their neighbors; nothing else is repaired.
+ * The formats are those of `read_polygon_soup()`. Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned
+ * round where they do not agree with their neighbors; nothing else is repaired.
  *
  * \tparam PolygonMesh a model of `MutableFaceGraph` whose points have a constructor from three `double` coordinates
  * \param file its name
@@ -66,7 +69,7 @@ void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
 {
-  internal::Polygon_soup soup;
+  Polygon_soup soup;
   const Shell_status status = internal::read_oriented_soup(file, soup, offenders);
   if(status == Shell_status::SUCCESS) internal::assign_soup(soup, mesh);
   return status;
@@ -93,7 +96,7 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
 template <typename TriangleMesh>
 Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Offending_simplices& offenders)
 {
-  internal::Polygon_soup soup;
+  Polygon_soup soup;
   const Shell_status status = internal::read_oriented_soup(file, soup, offenders);
   if(status != Shell_status::SUCCESS) return status;
   if(!internal::triangulate(soup)) return Shell_status::DEGENERATE_FACET;

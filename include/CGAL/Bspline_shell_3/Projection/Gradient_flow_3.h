@@ -49,6 +49,19 @@ struct Flow_differential
   Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
 };
 
+namespace internal {
+
+// that of the projection along a normal
+inline Flow_differential orthogonal_differential(const std::array<double, 3>& normal)
+{
+  Flow_differential result;
+  result.status = Flow_status::SUCCESS;
+  result.velocity = Eigen::Vector3d(normal[0], normal[1], normal[2]);
+  return result;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Projection
  *

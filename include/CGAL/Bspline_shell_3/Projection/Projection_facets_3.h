@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -88,6 +89,9 @@ public:
   /// \pre the facet has an area
   Position position(Index facet, const Coordinates& p) const;
 
+  /// the facet that is nearest to a point, and the barycentric coordinates of the nearest point of it. \pre there is a facet
+  std::pair<Index, Coordinates> closest(const Coordinates& p) const;
+
   /// calls `visit(facet)` for all facets whose boxes meet the box
   template <typename Visitor>
   void visit_facets(const Bbox_3& box, const Visitor& visit) const
@@ -106,6 +110,7 @@ private:
   static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
   static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r);
   static Coordinates exact_barycentric(const Facet& f, const Coordinates& p);
+  static double nearest_on_edges(const Facet& f, const Coordinates& p, Coordinates& barycentric);
 
   std::vector<Facet> m_facets;
   std::shared_ptr<const Tree> m_tree;

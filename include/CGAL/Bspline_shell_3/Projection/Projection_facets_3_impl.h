@@ -80,6 +80,11 @@ public:
     m_tree.traversal(query, traits);
   }
 
+  Index closest(const Coordinates& p) const
+  {
+    return Index(m_tree.closest_point_and_primitive(Kernel::Point_3(p[0], p[1], p[2])).second - m_triangles.cbegin());
+  }
+
 private:
   template <typename Visitor>
   struct Visiting_traits
@@ -164,19 +169,37 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
   result.nearest = result.barycentric;
   if(!(result.outside > 0)) return result;
   // where two edges meet at a small angle, a point far from both may be next to their lines
+  result.outside = nearest_on_edges(f, p, result.nearest);
+  return result;
+}
+
+// the distance from the edges, and the barycentric coordinates of where it is taken
+CGAL_BSPLINE_SHELL_3_INLINE double Projection_facets_3::nearest_on_edges(const Facet& f, const Coordinates& p, Coordinates& barycentric)
+{
+  using internal::dot;
   double least = std::numeric_limits<double>::infinity();
   for(int i = 0; i < 3; ++i) {
-    const Coordinates v = difference(p, f.vertex[i]);
-    const double t = (std::min)((std::max)(dot(v, e[i]) / dot(e[i], e[i]), 0.), 1.);
-    const Coordinates off = { v[0] - t*e[i][0], v[1] - t*e[i][1], v[2] - t*e[i][2] };
+    const Coordinates e = difference(f.vertex[(i + 1) % 3], f.vertex[i]), v = difference(p, f.vertex[i]);
+    const double length = dot(e, e), t = length > 0 ? (std::min)((std::max)(dot(v, e) / length, 0.), 1.) : 0.;
+    const Coordinates off = { v[0] - t*e[0], v[1] - t*e[1], v[2] - t*e[2] };
     if(!(dot(off, off) < least)) continue;
     least = dot(off, off);
-    result.nearest[i] = 1 - t;
-    result.nearest[(i + 1) % 3] = t;
-    result.nearest[(i + 2) % 3] = 0;
+    barycentric[i] = 1 - t;
+    barycentric[(i + 1) % 3] = t;
+    barycentric[(i + 2) % 3] = 0;
   }
-  result.outside = std::sqrt(least);
-  return result;
+  return std::sqrt(least);
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE std::pair<Projection_facets_3::Index, Projection_facets_3::Coordinates>
+Projection_facets_3::closest(const Coordinates& p) const
+{
+  CGAL_precondition(m_tree != nullptr);
+  const Index facet = m_tree->closest(p);
+  if(has_area(facet)) return { facet, position(facet, p).nearest };
+  Coordinates barycentric;
+  nearest_on_edges(m_facets[facet], p, barycentric);
+  return { facet, barycentric };
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE void

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,16 +47,21 @@ namespace Bspline_shells {
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
  * \tparam TargetMesh_ a model of `FaceListGraph`
+ * \tparam ProjectionToSource_ how points of the shell get to the source; others than the default are for polygon soups (`Soup_map_3`), and no
+ *         component is asked for then
+ * \tparam ProjectionToTarget_ how they get to the target
  */
-template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_>
+template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_,
+          typename ProjectionToSource_ = Shell_projection_3<Shell_, SourceMesh_>,
+          typename ProjectionToTarget_ = Shell_projection_3<Shell_, TargetMesh_> >
 class Shell_map_3
 {
 public:
   typedef Shell_ Shell;
   typedef SourceMesh_ Source_mesh;
   typedef TargetMesh_ Target_mesh;
-  typedef Shell_projection_3<Shell, Source_mesh> Projection_to_source;
-  typedef Shell_projection_3<Shell, Target_mesh> Projection_to_target;
+  typedef ProjectionToSource_ Projection_to_source;
+  typedef ProjectionToTarget_ Projection_to_target;
   typedef typename Projection_to_source::Image Source_image;
   typedef typename Projection_to_target::Image Target_image;
   typedef typename Projection_to_source::Location Source_location;      ///< facet and barycentric coordinates
@@ -87,7 +93,9 @@ public:
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {
     if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
-    else if(misses_component(m_to_source.target()) || misses_component(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
+    else if constexpr(std::is_same<Projection_to_source, Shell_projection_3<Shell, Source_mesh> >::value
+                      && std::is_same<Projection_to_target, Shell_projection_3<Shell, Target_mesh> >::value)
+      if(misses_component(m_to_source.target()) || misses_component(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
   }
 
   /// whether points are mapped: `SUCCESS`, or the status that all images have
@@ -100,7 +108,7 @@ public:
   const Projection_to_target& to_target() const { return m_to_target; }      ///< for points anywhere in the shell
 
   /// the same curves, the other way
-  Shell_map_3<Shell, Target_mesh, Source_mesh> inverse() const { return { m_to_target, m_to_source }; }
+  Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const { return { m_to_target, m_to_source }; }
 
   /// the point, in coordinates, of a location on the source
   Coordinates point(const Source_location& location) const

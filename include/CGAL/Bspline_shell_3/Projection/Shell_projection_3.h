@@ -10,8 +10,8 @@
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Facet_on_curve.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
-#include <CGAL/Bspline_shell_3/Support/for_each_point.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
@@ -23,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -46,6 +45,9 @@ struct Projected_point
   Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});      ///< facet and barycentric coordinates
   Point_3 point;                       ///< in user coordinates
   double value = 0;                    ///< of the field at the image: the parameter along the curve
+  /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between a polygon soup and its proxy
+  /// do so (`Soup_projection_3`, `Proxy_projection_3`).
+  bool is_continued = false;
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
 };
@@ -140,11 +142,7 @@ public:
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
   {
-    std::vector<Image> images(std::size_t(std::end(points) - std::begin(points)));
-    internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) -> decltype(auto) {
-      return *(std::begin(points) + std::ptrdiff_t(n));
-    }, visitor, [&](std::size_t n, const auto& p) { images[n] = (*this)(p); });
-    return images;
+    return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
   /// the differential, at a point, of the flow to its image: `Flow_differential::onto_plane()` with the facet's normal, or

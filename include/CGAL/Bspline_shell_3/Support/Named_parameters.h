@@ -31,6 +31,8 @@ enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum virtual_closing_t { virtual_closing };
 enum closing_t { closing };
+enum alpha_t { alpha };
+enum offset_t { offset };
 enum allow_open_shell_t { allow_open_shell };
 enum skip_open_components_t { skip_open_components };
 enum tolerance_t { tolerance };
@@ -78,6 +80,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::virtual_closing_t, virtual_closing)                                         \
   ADD(parameter_tags::closing_t, closing)                                                         \
+  ADD(parameter_tags::alpha_t, alpha)                                                             \
+  ADD(parameter_tags::offset_t, offset)                                                           \
   ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
   ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
   ADD(parameter_tags::tolerance_t, tolerance)                                                     \

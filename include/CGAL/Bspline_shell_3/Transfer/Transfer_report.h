@@ -26,6 +26,9 @@ struct Transfer_report
   /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in `faces(mesh)`, in that order.
   /// They have the `default_value()` of the call, or, without one, what they had before.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
+  /// soups and proxies: simplices of the target, by position, whose values come, in part at least, from images that are continued
+  /// (`Projected_point::is_continued`)
+  std::vector<std::size_t> continued;
   /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as seen from the
   /// facet's center, are extrapolated from this side.
   std::vector<std::size_t> facets_across_seams;

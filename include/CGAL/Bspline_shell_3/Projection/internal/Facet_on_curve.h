@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/visit_facets_passed.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
@@ -35,13 +36,7 @@ public:
   typedef Projection_facets_3::Coordinates Coordinates;
   typedef Projection_facets_3::Index Index;
 
-  struct Hit
-  {
-    Index facet = Projection_facets_3::npos;
-    double value = 0;                   // of the field
-    Coordinates barycentric = {};
-    double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
-  };
+  typedef Curve_hit Hit;
 
   // pre: shell and facets outlive this object
   Facet_on_curve(const Shell& shell, const Projection_facets_3& facets, double tolerance)
@@ -58,7 +53,7 @@ private:
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
-    const double precision = newton_precision * m_tolerance / speed;
+    const double precision = crossing_precision * m_tolerance / speed;
     double first = curve.begin(), last = curve.value();
     if(first > last) std::swap(first, last);
     s = curve.value();
@@ -120,7 +115,7 @@ private:
       Coordinates x = curve.state();
       const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
       goal += ds;
-      if(!(std::abs(ds) * curve.speed() <= newton_precision * m_tolerance)) continue;
+      if(!(std::abs(ds) * curve.speed() <= crossing_precision * m_tolerance)) continue;
       for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
       const auto position = m_facets->position(hit.facet, x);
       hit.value = goal;
@@ -138,7 +133,7 @@ private:
   {
     Curve curve(*m_shell, m_tolerance);
     curve.start(start);
-    const double margin = newton_precision * m_tolerance;       // as precisely as curves end at facets
+    const double margin = crossing_precision * m_tolerance;       // as precisely as curves end at facets
     double least = margin;
     best = Hit();
     const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);
@@ -187,41 +182,9 @@ private:
 
   void look_at_step(const Curve& curve, Hit& best, bool& wrong_way) const
   {
-    const double first = curve.begin(), last = curve.value();
-    const Coordinates x0 = curve.at(first), x1 = curve.at(last);
-    Bbox_3 box(x0[0], x0[1], x0[2], x0[0], x0[1], x0[2]);
-    constexpr int parts = 4;
-    for(int i = 1; i <= parts; ++i) {
-      const Coordinates x = curve.at(first + (last - first) * i / parts);
-      box += Bbox_3(x[0], x[1], x[2], x[0], x[1], x[2]);
-    }
-    const double margin = m_tolerance + std::abs(last - first) * curve.speed() / 4;
-    box = Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin,
-                 box.xmax() + margin, box.ymax() + margin, box.zmax() + margin);
-    m_facets->visit_facets(box, [&](Index facet) {
-      const Coordinates& n = m_facets->normal(facet);
-      const double near = m_tolerance * norm(n);
-      if(!(near > 0)) return;       // without an area
-      double s0 = first, s1 = last, h0 = m_facets->height(facet, x0), h1 = m_facets->height(facet, x1);
-      if(!(near > 0) || ((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near)) return;
-      Hit hit;
-      hit.facet = facet;
-      hit.value = std::abs(h0) <= std::abs(h1) ? s0 : s1;
-      Coordinates x = std::abs(h0) <= std::abs(h1) ? x0 : x1;
-      if((h0 < 0) != (h1 < 0))
-        for(int i = 0; i < 100 && s1 != s0; ++i) {       // regula falsi, the Illinois variant
-          hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
-          x = curve.at(hit.value);
-          const double h = m_facets->height(facet, x);
-          if(std::abs(h) <= newton_precision * near) break;
-          if((h < 0) == (h1 < 0)) h0 /= 2;
-          else { s0 = s1; h0 = h1; }
-          s1 = hit.value;
-          h1 = h;
-        }
-      hit.outside = m_facets->position(facet, x).outside;
-      if(!(hit.outside < best.outside && hit.outside <= search_tolerance * m_tolerance) || !curve.is_within_thresholds(x, hit.value)) return;
-      if(dot(n, curve.derivative()) > 0) best = hit;
+    visit_facets_passed(curve, *m_facets, m_tolerance, [&](const Hit& hit) {
+      if(!(hit.outside < best.outside)) return;
+      if(dot(m_facets->normal(hit.facet), curve.derivative()) > 0) best = hit;
       else if(hit.outside <= m_tolerance) wrong_way = true;
     });
   }
@@ -229,8 +192,6 @@ private:
   static constexpr int max_moves = 64;
   static constexpr double overshoot = 1.1;
   static constexpr double bend = 0.1;                   // of a curve, as a part of its length
-  static constexpr double newton_precision = 1e-3;      // of the tolerance
-  static constexpr double search_tolerance = 100;       // of it, for what is less exact within steps
 
   const Shell* m_shell;
   const Projection_facets_3* m_facets;

@@ -24,9 +24,12 @@ namespace Bspline_shells {
 namespace internal {
 
 // notes a status; tells whether there is a value to put
-inline bool record(Transfer_report& report, std::size_t position, Flow_status status)
+inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false)
 {
-  if(status == Flow_status::SUCCESS) ++report.transferred;
+  if(status == Flow_status::SUCCESS) {
+    ++report.transferred;
+    if(is_continued) report.continued.push_back(position);
+  }
   else report.failures.emplace_back(position, status);
   return status == Flow_status::SUCCESS;
 }
@@ -86,6 +89,8 @@ template <typename Map, typename Point>
 Flow_differential differential_from_image(const Map& map, const typename Map::Source_image& image, const Point& p)
 {
   const auto& shell = map.shell();
+  const auto& source = map.to_source().target();
+  if(image.is_continued) return orthogonal_differential(source.normal(source.facet_of(image.location.first)));
   const typename Map::Shell::Point_3 q(p[0], p[1], p[2]);
   const auto level = shell.field().value(q);
   return Gradient_flow_3<typename Map::Shell>(shell, map.to_source().tolerance()).differential(image.point, *level);

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_MESH_POLYGON_SOUP_H
+#define CGAL_BSPLINE_SHELL_3_MESH_POLYGON_SOUP_H
+
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief points, and polygons that are given by positions of points.
+ */
+struct Polygon_soup
+{
+  typedef std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> Points;
+  typedef std::vector<std::vector<std::size_t> > Polygons;
+  Points points;
+  Polygons polygons;
+};
+
+namespace internal {
+
+// Identifies points at equal positions. Returns where the first of each was, ascending.
+std::vector<std::size_t> merge_points(Polygon_soup& soup);
+// Turns polygons round where they do not agree with their neighbors, and counts them. Without success, offenders are what keeps the soup from being a mesh.
+Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned);
+// false if triangles would share edges that polygons do not
+bool triangulate(Polygon_soup& soup);
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#  include <CGAL/Bspline_shell_3/Mesh/Polygon_soup_impl.h>
+#endif
+
+#endif // CGAL_BSPLINE_SHELL_3_MESH_POLYGON_SOUP_H

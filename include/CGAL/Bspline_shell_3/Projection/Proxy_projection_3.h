@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROXY_PROJECTION_3_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_PROXY_PROJECTION_3_H
+
+#include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Projection
+ *
+ * \brief maps points of a polygon soup to its proxy, a mesh in the shell: along the integral curves, as `Shell_projection_3` does.
+ *
+ * Points that have no image so, as they are not in the shell, are mapped to the nearest point of the proxy. These images are marked
+ * (`Projected_point::is_continued`), and two points may have one.
+ *
+ * \tparam Shell a `CGAL::Bspline_shell_3`
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ */
+template <typename Shell, typename TriangleMesh>
+class Proxy_projection_3 : public Shell_projection_3<Shell, TriangleMesh>
+{
+  typedef Shell_projection_3<Shell, TriangleMesh> Base;
+
+public:
+  typedef typename Base::Point_3 Point_3;
+  typedef typename Base::Image Image;
+  typedef typename Base::Coordinates Coordinates;
+
+  using Base::Base;
+
+  /// the image of a point. \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  template <typename Point>
+  Image operator()(const Point& p) const
+  {
+    Image image = Base::operator()(p);
+    if(image || image.status == Flow_status::INVALID_MESH || image.status == Flow_status::NOT_FINITE || this->target().number_of_facets() == 0)
+      return image;
+    const auto closest = this->target().closest({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
+    const Coordinates x = this->target().point(closest.first, closest.second);
+    image.status = Flow_status::SUCCESS;
+    image.is_continued = true;
+    image.location = { this->target().face_of(closest.first), closest.second };
+    image.point = Point_3(x[0], x[1], x[2]);
+    return image;
+  }
+
+  /// the images of many points, as `Shell_projection_3::project()`
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>
+  std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
+  {
+    return internal::project_all<ConcurrencyTag>(*this, points, visitor);
+  }
+
+  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal projection onto the plane of their
+  /// facet. \pre `image` is the image of `p`
+  template <typename Point>
+  Flow_differential differential(const Point& p, const Image& image) const
+  {
+    CGAL_precondition(bool(image));
+    return image.is_continued ? internal::orthogonal_differential(this->target().normal(this->target().facet_of(image.location.first)))
+                              : Base::differential(p, image);
+  }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_PROXY_PROJECTION_3_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_SOUP_PROJECTION_3_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_SOUP_PROJECTION_3_H
+
+#include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Outermost_facet_on_curve.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Projection
+ *
+ * \brief maps points of a shell to what is seen from there of a mesh that may intersect itself, overlap, and face either way.
+ *
+ * The image of a point is the first point of the mesh on its integral curve, from the outer surface of the shell inwards, up to 100 times the
+ * tolerance. Where the curve leaves the
+ * shell by the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to where it does; it is marked
+ * (`Projected_point::is_continued`), and two such points may have one image. Images jump at silhouettes, where one part of the mesh hides another; a
+ * curve that only touches the mesh may miss it there.
+ *
+ * \tparam Shell a `CGAL::Bspline_shell_3`
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ */
+template <typename Shell, typename TriangleMesh>
+class Soup_projection_3
+{
+public:
+  typedef typename Shell::Point_3 Point_3;
+  typedef Projection_target_3<TriangleMesh> Target;
+  typedef Projected_point<TriangleMesh, Point_3> Image;
+  typedef typename Image::Location Location;
+  typedef typename Target::Coordinates Coordinates;
+
+  /// as that of `Shell_projection_3`
+  Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
+    : m_shell(&shell), m_target(std::move(target))
+    , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance * shell.report().unit)
+  {
+    CGAL_precondition(m_target != nullptr);
+  }
+
+  const Shell& shell() const { return *m_shell; }
+  const Target& target() const { return *m_target; }
+  double tolerance() const { return m_tolerance; }
+
+  /// the image of a point. \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  template <typename Point>
+  Image operator()(const Point& p) const
+  {
+    Image image;
+    if(!m_target->is_valid() || m_target->number_of_facets() == 0) {
+      image.status = Flow_status::INVALID_MESH;
+      return image;
+    }
+    internal::Curve_hit hit;
+    Coordinates innermost;
+    image.status = internal::Outermost_facet_on_curve<Shell>(*m_shell, *m_target, m_tolerance)(
+      { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }, hit, innermost);
+    if(image.status == Flow_status::LEAVES_SHELL) {
+      std::tie(hit.facet, hit.barycentric) = m_target->closest(innermost);
+      image.is_continued = true;
+      image.status = Flow_status::SUCCESS;
+    }
+    if(image.status != Flow_status::SUCCESS) return image;
+    const Coordinates x = m_target->point(hit.facet, hit.barycentric);
+    image.location = { m_target->face_of(hit.facet), hit.barycentric };
+    image.point = Point_3(x[0], x[1], x[2]);
+    image.value = hit.value;
+    return image;
+  }
+
+  /// the images of many points, as `Shell_projection_3::project()`
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>
+  std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
+  {
+    return internal::project_all<ConcurrencyTag>(*this, points, visitor);
+  }
+
+  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal projection onto the plane of their
+  /// facet. \pre `image` is the image of `p`
+  template <typename Point>
+  Flow_differential differential(const Point& p, const Image& image) const
+  {
+    CGAL_precondition(bool(image));
+    if(!image.is_continued) return Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
+    return internal::orthogonal_differential(m_target->normal(m_target->facet_of(image.location.first)));
+  }
+
+private:
+  const Shell* m_shell;
+  std::shared_ptr<const Target> m_target;
+  double m_tolerance;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_SOUP_PROJECTION_3_H

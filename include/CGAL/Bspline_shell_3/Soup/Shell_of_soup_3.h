@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_SHELL_OF_SOUP_3_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_SHELL_OF_SOUP_3_H
+
+#include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
+#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+
+#include <memory>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Soup
+/// what a shell is of
+enum class Shell_kind
+{
+  CLOSED,                 ///< the mesh itself
+  VIRTUALLY_CLOSED,       ///< the mesh itself, which is open, and the triangles that close it
+  PROXY                   ///< a closed mesh around it
+};
+
+/// \ingroup PkgBsplineShell3Soup
+/// as in reports
+inline const char* name(Shell_kind kind)
+{
+  switch(kind) {
+    case Shell_kind::CLOSED: return "closed";
+    case Shell_kind::VIRTUALLY_CLOSED: return "virtually closed";
+    case Shell_kind::PROXY: return "proxy";
+  }
+  return "";
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief what `certified_shell_of_soup_3()` makes of polygons: a mesh, its shell, and how both came about.
+ */
+struct Shell_of_soup_3
+{
+  typedef Soup_proxy_3::Mesh Mesh;
+  typedef Soup_proxy_3::Shell Shell;
+
+  Soup_repairs repairs;                                  ///< of the mesh that was tried first
+  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, which is certified unless there is a proxy.
+  Shell_status mesh_status = Shell_status::NOT_BUILT;
+  Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
+  Shell shell_of_mesh;                                   ///< of that mesh
+  std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if the proxy is the result
+
+  Shell_kind kind() const
+  {
+    return proxy ? Shell_kind::PROXY : shell_of_mesh.closing() ? Shell_kind::VIRTUALLY_CLOSED : Shell_kind::CLOSED;
+  }
+  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; }        ///< what the shell is of
+  const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
+  explicit operator bool() const { return bool(shell()); }                          ///< whether there is a shell
+  bool is_certified() const { return shell().is_certified(); }
+  /// the outcome in one sentence
+  const char* message() const
+  {
+    return shell() ? shell().message() : Bspline_shells::message(mesh_status);
+  }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_SHELL_OF_SOUP_3_H

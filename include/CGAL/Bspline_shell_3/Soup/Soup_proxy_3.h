@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_SOUP_PROXY_3_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_SOUP_PROXY_3_H
+
+#include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
+#include <CGAL/Bspline_shell_3/Projection/Soup_map_3.h>
+#include <CGAL/Bspline_shell_3/Soup/Proxy_report.h>
+#include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief a polygon soup, a clean closed mesh around it, and the certified shell of that mesh, by which both carry each other's attributes.
+ *
+ * Made by `certified_soup_proxy_3()`. Maps refer to it: it must outlive them, and stay where it is.
+ */
+class Soup_proxy_3
+{
+public:
+  typedef Soup_mesh_3::Mesh Mesh;
+  typedef Certified_bspline_shell_3 Shell;
+  typedef Soup_map_3<Shell, Mesh> Map;
+
+  /// no proxy, for a reason
+  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT, std::vector<std::size_t> offending_polygons = {})
+    : m_status(status), m_offenders(std::move(offending_polygons))
+  {}
+  Soup_proxy_3(Soup_mesh_3 soup, Mesh mesh, Shell shell, const Proxy_report& report)
+    : m_status(shell.status()), m_soup(std::move(soup)), m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
+  {}
+
+  /// whether there is a shell; if not, `status()` says why
+  explicit operator bool() const { return m_status == Shell_status::SUCCESS; }
+  Shell_status status() const { return m_status; }
+  const std::vector<std::size_t>& offending_polygons() const { return m_offenders; }      ///< if there is no proxy
+  bool is_certified() const { return m_shell.is_certified(); }
+  const char* message() const { return *this ? m_shell.message() : Bspline_shells::message(m_status); }
+
+  const Soup_mesh_3& soup() const { return m_soup; }
+  const Mesh& mesh() const { return m_mesh; }             ///< the proxy: closed, and without self-intersections
+  const Shell& shell() const { return m_shell; }          ///< of the proxy
+  const Proxy_report& report() const { return m_report; }
+
+  /// the map from the soup's mesh to the proxy; `Map::inverse()` leads back
+  Map map() const { return map(m_mesh); }
+  /// the map from the soup's mesh to another mesh in the shell, as edits of the proxy return it
+  Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
+
+private:
+  Shell_status m_status;
+  std::vector<std::size_t> m_offenders;
+  Soup_mesh_3 m_soup;
+  Mesh m_mesh;
+  Shell m_shell;
+  Proxy_report m_report;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_SOUP_PROXY_3_H

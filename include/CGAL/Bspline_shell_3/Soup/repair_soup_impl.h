@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_REPAIR_SOUP_IMPL_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_REPAIR_SOUP_IMPL_H
+
+#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status
+repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  typedef std::vector<std::size_t> Polygon;
+  repairs = Soup_repairs();
+  mesh.clear();
+  const std::size_t points = soup.points.size();
+  internal::merge_points(soup);
+  repairs.merged_points = points - soup.points.size();
+
+  const auto is_no_polygon = [](Polygon& polygon) {
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+    return polygon.size() < 3;
+  };
+  const auto end = std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_no_polygon);
+  repairs.removed_polygons = std::size_t(std::distance(end, soup.polygons.end()));
+  soup.polygons.erase(end, soup.polygons.end());
+  const std::size_t polygons = soup.polygons.size();
+  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons,
+                                                CGAL::parameters::erase_all_duplicates(false).require_same_orientation(false));
+  repairs.doubled_polygons = polygons - soup.polygons.size();
+  if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
+
+  Offending_simplices offenders;
+  const Shell_status status = internal::orient_soup(soup, offenders, repairs.turned_polygons);
+  if(status != Shell_status::SUCCESS) return status;
+  if(!internal::triangulate(soup)) return Shell_status::DEGENERATE_FACET;
+  PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  const auto has_no_area = [&](auto f) { return PMP::is_degenerate_triangle_face(f, mesh); };
+  repairs.degenerate_facets = std::size_t(std::count_if(mesh.faces().begin(), mesh.faces().end(), has_no_area));
+  if(repairs.degenerate_facets > 0) {
+    PMP::remove_degenerate_faces(mesh);
+    mesh.collect_garbage();
+    if(mesh.number_of_faces() == 0) return Shell_status::EMPTY_MESH;
+    if(std::any_of(mesh.faces().begin(), mesh.faces().end(), has_no_area)) return Shell_status::DEGENERATE_FACET;
+  }
+  return Shell_status::SUCCESS;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE bool orient_components(Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  if(!CGAL::is_closed(mesh) || PMP::does_bound_a_volume(mesh)) return false;
+  PMP::orient_to_bound_a_volume(mesh);
+  return true;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_REPAIR_SOUP_IMPL_H

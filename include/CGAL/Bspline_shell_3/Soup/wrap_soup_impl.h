@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_WRAP_SOUP_IMPL_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_WRAP_SOUP_IMPL_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/alpha_wrap_3.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status
+wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, Soup_mesh_3::Mesh& wrap, Proxy_report& report)
+{
+  typedef Soup_mesh_3::Mesh Mesh;
+  if(soup.mesh().number_of_faces() == 0) return Shell_status::EMPTY_MESH;
+  Real_timer timer;
+  timer.start();
+  Polygon_soup::Points points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(Mesh::Vertex_index v : soup.mesh().vertices()) points.push_back(soup.mesh().point(v));
+  for(Mesh::Face_index f : soup.mesh().faces()) {
+    const auto h = soup.mesh().halfedge(f);
+    triangles.push_back({ std::size_t(soup.mesh().source(h)), std::size_t(soup.mesh().target(h)), std::size_t(soup.mesh().target(soup.mesh().next(h))) });
+  }
+  constexpr std::size_t most = 8;
+  constexpr double coarser = 1.25;
+  Shell_status status = Shell_status::SINGULAR_VERTEX;
+  for(report.wraps = 0; report.wraps < most && status == Shell_status::SINGULAR_VERTEX; ++report.wraps) {
+    if(report.wraps > 0) { alpha *= coarser; offset *= coarser; }
+    wrap.clear();
+    CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap);
+    wrap.collect_garbage();
+    status = Input_mesh_3().build<Parallel_if_available_tag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)), Input_mesh_3::Tolerated_defects());
+  }
+  report.alpha = alpha;
+  report.offset = offset;
+  report.wrap_seconds = timer.time();
+  return status;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_WRAP_SOUP_IMPL_H
