@@ -4,6 +4,8 @@
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
+#include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
@@ -11,6 +13,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/io.h>
+#include <CGAL/IO/write_ply_points.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <unistd.h>
@@ -75,6 +78,46 @@ inline int cannot_write(const std::string& file)
 {
   std::cerr << "Cannot write " << file << std::endl;
   return CANNOT_WRITE;
+}
+
+// the first places where a claim is not proved
+inline void list_witnesses(const BS::Certificate_report& certificate)
+{
+  const auto& witnesses = certificate.witnesses;
+  for(std::size_t i = 0; i < (std::min)(witnesses.size(), std::size_t(10)); ++i) {
+    const BS::Certificate_witness& w = witnesses[i];
+    std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2];
+    if(w.facet != BS::Certificate_witness::none) std::cerr << ", facet " << w.facet;
+    std::cerr << "\n";
+  }
+  if(certificate.total_number_of_witnesses() > 10)
+    std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
+}
+
+// Lists the narrowest places that stand in the way, and writes all of them as points.
+inline bool report_obstacles(const BS::Shell_report& report, const std::string& file)
+{
+  std::vector<Kernel::Point_3> places;
+  for(const BS::Refinement_obstacle& o : report.obstacles) {
+    places.emplace_back(o.point[0], o.point[1], o.point[2]);
+    if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
+  }
+  if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
+  return places.empty() || BS::write_file(file, [&](std::ostream& out) { out.precision(17); return CGAL::IO::write_PLY(out, places); });
+}
+
+// what had to be done to polygons before they were a mesh, if anything
+inline void print_repairs(const BS::Soup_repairs& repairs)
+{
+  const auto line = [](std::size_t number, const char* what) {
+    if(number > 0) std::cout << "repaired      " << number << " " << what << "\n";
+  };
+  line(repairs.merged_points, "points merged with others at their positions");
+  line(repairs.removed_polygons, "polygons without three points removed");
+  line(repairs.doubled_polygons, "doubled polygons removed");
+  line(repairs.turned_polygons, "polygons turned round");
+  line(repairs.degenerate_facets, "facets without area removed");
+  if(repairs.turned_components) std::cout << "repaired      components turned inside out, to bound a volume\n";
 }
 
 // Removes results of an older run: they must not pass for those of a run that fails. Returns what is to be returned if one of them is

@@ -1,15 +1,15 @@
-// The whole chain: a mesh, its certified shell, a simplified mesh in the shell, and colors and a scalar at the vertices that are
-// carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding surfaces;
-// render_shell.py draws them.
+// The whole chain: a file, the certified shell of its mesh or of a proxy, a simplified mesh in the shell, and colors and a scalar at the
+// vertices that are carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding
+// surfaces; render_shell.py draws them.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
-#include <CGAL/certified_bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Soup/write_report.h>
+#include <CGAL/certified_shell_of_soup_3.h>
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/IO/write_ply_points.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -24,38 +24,14 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 
 const char* const usage =
-  "Usage: simplify_and_transfer MESH [--facets FACETS] [--output PREFIX]\n"
+  "Usage: simplify_and_transfer FILE [--facets FACETS] [--output PREFIX]\n"
   "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
-  "  simplified if not given. detail is the simplified mesh, cut into small triangles that show the color of every point.\n"
+  "  simplified if not given. mesh is that of the file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why.\n"
+  "  detail is the simplified mesh, cut into small triangles that show the color of every point.\n"
   "  If the shell is not certified, writes PREFIX_{mesh,places}.ply instead: the mesh, and points that stand in the way.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
   "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
   "  (Status.h) if the mesh is refused or the shell fails.\n";
-
-void list_witnesses(const BS::Certificate_report& certificate)
-{
-  const auto& witnesses = certificate.witnesses;
-  for(std::size_t i = 0; i < (std::min)(witnesses.size(), std::size_t(10)); ++i) {
-    const BS::Certificate_witness& w = witnesses[i];
-    std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2];
-    if(w.facet != BS::Certificate_witness::none) std::cerr << ", facet " << w.facet;
-    std::cerr << "\n";
-  }
-  if(certificate.total_number_of_witnesses() > 10)
-    std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
-}
-
-// Lists the narrowest places that stand in the way, and writes all of them as points.
-bool report_obstacles(const BS::Shell_report& report, const std::string& file)
-{
-  std::vector<Kernel::Point_3> places;
-  for(const BS::Refinement_obstacle& o : report.obstacles) {
-    places.emplace_back(o.point[0], o.point[1], o.point[2]);
-    if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
-  }
-  if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
-  return places.empty() || BS::write_file(file, [&](std::ostream& out) { out.precision(17); return CGAL::IO::write_PLY(out, places); });
-}
 
 // Stripes around the point where the largest sum of coordinates is, and its distance.
 void add_attributes(Mesh& mesh)
@@ -139,21 +115,25 @@ int main(int argc, char** argv)
     return WRONG_USAGE;
   }
   const std::string mesh_file = output + "_mesh.ply", simplified_file = output + "_simplified.ply", detail_file = output + "_detail.ply",
-                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", places_file = output + "_places.ply";
-  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file })) return code;
+                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", places_file = output + "_places.ply",
+                    report_file = output + ".json";
+  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file, report_file })) return code;
 
-  Mesh mesh;
+  BS::Polygon_soup soup;
   BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_triangle_mesh(file, mesh, offenders);
+  const BS::Shell_status read = BS::read_polygon_soup(file, soup, offenders);
   if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
 
   // a shell in which the map between meshes is proved to be one-to-one
   Step_printer printer;
   CGAL::Real_timer timer;
   timer.start();
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.).visitor(std::ref(printer)));
+  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(soup, BS::parameters::time_limit(60.).visitor(std::ref(printer)));
+  const Shell& shell = found.shell();
+  Mesh mesh = found.mesh();
   printer.clear();
-  if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
+  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, file); })) return cannot_write(report_file);
+  if(!shell) return refuse(found.mesh_status, shell.report().offending_simplices);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
@@ -193,7 +173,9 @@ int main(int argc, char** argv)
 
   const auto row = [](const char* what) -> std::ostream& { return std::cout << std::left << std::setw(14) << what; };
   std::cout << std::setprecision(3);
-  row("mesh") << mesh.number_of_faces() << " facets\n";
+  print_repairs(found.repairs);
+  if(found.proxy) row("proxy") << found.mesh_message() << "\n";
+  row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
   row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells << " cells; "
                << shell_seconds << " s\n";
   row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)

@@ -48,8 +48,8 @@ namespace CGAL {
  * \param np optional named parameters:
  *   - `alpha(double)`: the width of gaps and cavities that the proxy enters, user units; default 1/50 of the longest side of the box
  *   - `offset(double)`: how far the proxy is from the soup, user units; default a quarter of `alpha`
- *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`. The thickness is at least four times the offset,
- *     unless there is a `sizing()`: half of it is behind the proxy, and must reach the soup. If the proxy cannot be certified in half of the
+ *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`. The thickness is at least eight times the offset,
+ *     unless there is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be certified in half of the
  *     `time_limit()`, one with twice the `alpha` and `offset` gets the rest.
  * \return the proxy, or the reason why there is none. `NOT_FINITE`: offending are polygons with such points. `INVALID_PARAMETER` is returned, too, if a
  *         polygon has the position of no point.
@@ -108,7 +108,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
       return BS::Soup_proxy_3(soup, wrap, certified_bspline_shell_3<ConcurrencyTag>(wrap, limited), report);
     else {
       double thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 0.) * unit;
-      thickness = (std::max)(choose_parameter(get_parameter(np, tags::thickness), thickness), 4 * report.offset);
+      thickness = (std::max)(choose_parameter(get_parameter(np, tags::thickness), thickness), 8 * report.offset);
       const BS::Named_parameters<double, tags::thickness_t, typename Limited::Pack> thick(thickness, limited);
       return BS::Soup_proxy_3(soup, wrap, certified_bspline_shell_3<ConcurrencyTag>(wrap, thick), report);
     }

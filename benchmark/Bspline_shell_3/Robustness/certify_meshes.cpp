@@ -145,7 +145,7 @@ std::string proxy_properties(const BS::Shell_of_soup_3& result)
   const double unit = result.shell().report().unit;
   const BS::Soup_shares shares = BS::sample_soup_shares(result.proxy->map());
   std::ostringstream out;
-  out << ",\"proxy\":{\"because\":" << quoted(message(result.mesh_status)) << ",\"alpha\":" << r.alpha / unit << ",\"offset\":" << r.offset / unit
+  out << ",\"proxy\":{\"because\":" << quoted(result.mesh_message()) << ",\"alpha\":" << r.alpha / unit << ",\"offset\":" << r.offset / unit
       << ",\"wraps\":" << r.wraps << ",\"carried\":" << shares.carried << ",\"continued\":" << shares.continued << ",\"hidden\":" << shares.hidden << "}";
   return out.str();
 }

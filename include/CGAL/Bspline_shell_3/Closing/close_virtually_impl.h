@@ -51,7 +51,7 @@ public:
   // whether there is a closing; if not, `intersections` are the last ones
   bool close(const Hole_caps::Requirements& requirements)
   {
-    m_caps.require(requirements);
+    while(m_caps.replace(requirements)) cap_holes();
     Back_sheet back(m_caps.capped_mesh(), m_offset);
     // Each halving is of some vertices only: a mesh whose parts are ever closer together asks for one after the other.
     constexpr int most_rounds = 40;

@@ -61,10 +61,15 @@ struct Shell_of_soup_3
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
   explicit operator bool() const { return bool(shell()); }                          ///< whether there is a shell
   bool is_certified() const { return shell().is_certified(); }
+  /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
+  const char* mesh_message() const
+  {
+    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message() : Bspline_shells::message(mesh_status);
+  }
   /// the outcome in one sentence
   const char* message() const
   {
-    return shell() ? shell().message() : Bspline_shells::message(mesh_status);
+    return proxy ? proxy->message() : mesh_message();
   }
 };
 

@@ -76,18 +76,11 @@ public:
     for(const auto& pair : intersections)
       for(Face_index f : { pair.first, pair.second })
         if(is_cap(f)) is_bad[hole_of(f)] = 1;
-    for(std::size_t n = 0; n < m_holes.size(); ++n)
-      if(is_bad[n] && m_holes[n].method != Method::NONE) {
-        m_holes[n].method = Method(int(m_holes[n].method) + 1);
-        while(!triangulate(m_holes[n])) {}
-      }
-    if(std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) return false;
-    rebuild();
-    return true;
+    return replace(is_bad);
   }
 
-  // Gives up caps that do not have what they must.
-  void require(const Requirements& requirements)
+  // Triangulates holes in another way whose caps do not have what they must, or gives them up; false if there are none.
+  bool replace(const Requirements& requirements)
   {
     std::vector<char> is_bad(m_holes.size(), 0);
     for(std::size_t n = 0; n < m_holes.size(); ++n) is_bad[n] = is_folded(m_holes[n], requirements.margin);
@@ -102,9 +95,7 @@ public:
     m_least_gap = std::numeric_limits<double>::infinity();
     for(Face_index f : m_capped.faces())
       if(is_cap(f) && !is_bad[hole_of(f)]) m_least_gap = (std::min)(m_least_gap, gap[f]);
-    for(std::size_t n = 0; n < m_holes.size(); ++n)
-      if(is_bad[n]) m_holes[n].triangles.clear();
-    rebuild();
+    return replace(is_bad);
   }
 
   void describe(Closing_report& report) const
@@ -135,6 +126,18 @@ private:
   };
 
   std::size_t hole_of(Face_index f) const { return m_hole_of[std::size_t(f) - m_mesh.number_of_faces()]; }
+
+  bool replace(const std::vector<char>& is_bad)
+  {
+    for(std::size_t n = 0; n < m_holes.size(); ++n)
+      if(is_bad[n] && m_holes[n].method != Method::NONE) {
+        m_holes[n].method = Method(int(m_holes[n].method) + 1);
+        while(!triangulate(m_holes[n])) {}
+      }
+    if(std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) return false;
+    rebuild();
+    return true;
+  }
 
   // By the method, or not at all if that is none. Returns false, and goes on to the next method, if this one fails.
   bool triangulate(Hole& hole) const

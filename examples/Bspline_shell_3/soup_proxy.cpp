@@ -1,0 +1,90 @@
+// What is no surface, as it intersects itself, has gaps, or faces both ways, gets a clean proxy with a certified shell. The proxy is
+// simplified in it, and gets the parts and texture coordinates of the polygons; what it computes goes back to them.
+#include "broken_models.h"
+
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+#include <CGAL/certified_soup_proxy_3.h>
+
+#include <CGAL/IO/PLY.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Soup_proxy_3::Mesh Mesh;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_2 Vector_2;
+
+// the texture coordinates of a corner of the soup's mesh, which knows the polygons and points that it was made of
+struct Texture_of_corner
+{
+  typedef Mesh::Halfedge_index key_type;
+  typedef Vector_2 value_type, reference;
+  typedef boost::readable_property_map_tag category;
+
+  friend Vector_2 get(const Texture_of_corner& map, Mesh::Halfedge_index h)
+  {
+    const std::size_t polygon = map.soup->polygon_of(map.soup->mesh().face(h)), point = map.soup->point_of(map.soup->mesh().target(h));
+    const auto& points = map.model->soup.polygons[polygon];
+    const auto& uv = map.model->texture[polygon][std::size_t(std::find(points.begin(), points.end(), point) - points.begin())];
+    return Vector_2(uv[0], uv[1]);
+  }
+
+  const Broken_model* model;
+  const BS::Soup_mesh_3* soup;
+};
+
+int main(int argc, char** argv)
+{
+  const std::string name = argc > 1 ? argv[1] : "figure";
+  const Broken_model model = name == "balls" ? two_balls() : name == "figure" ? figure() : name == "part" ? machine_part() : Broken_model();
+  if(model.soup.polygons.empty()) {
+    std::cerr << "Usage: soup_proxy balls|figure|part\n";
+    return EXIT_FAILURE;
+  }
+  const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(model.soup.points, model.soup.polygons);
+  std::cout << proxy.message() << "\n";
+  if(!proxy.is_certified()) return EXIT_FAILURE;
+  const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
+  std::cout << model.soup.polygons.size() << " polygons, " << proxy.mesh().number_of_faces() << " facets around them; " << 100 * shares.carried
+            << " % of the area is carried, " << 100 * shares.continued << " % continued, " << 100 * shares.hidden << " % hidden\n";
+
+  // fewer facets, in the same shell
+  Mesh coarse = proxy.mesh();
+  const auto simplified = BS::simplify_in_shell(coarse, proxy.shell());
+  if(!simplified) {
+    std::cerr << BS::message(simplified.status) << std::endl;
+    return EXIT_FAILURE;
+  }
+  coarse.collect_garbage();
+
+  // from the polygons to the proxy
+  const BS::Soup_mesh_3& soup = proxy.soup();
+  const BS::Soup_proxy_3::Map map = proxy.map(coarse);
+  Mesh soup_mesh = soup.mesh();
+  auto part_of = soup_mesh.add_property_map<Mesh::Face_index, int>("f:part").first;
+  for(auto f : soup_mesh.faces()) part_of[f] = int(model.part[soup.polygon_of(f)]);
+  auto part = coarse.add_property_map<Mesh::Face_index, int>("f:part", -1).first;
+  auto texture = coarse.add_property_map<Mesh::Halfedge_index, Vector_2>("h:texture").first;
+  const BS::Transfer_report parts = BS::transfer_face_labels(map, part_of, part);
+  const BS::Transfer_report corners = BS::transfer_corner_attribute(map, Texture_of_corner{ &model, &soup }, texture);
+  std::cout << simplified.facets << " facets after simplification; " << parts.failures.size() << " without a part, " << corners.failures.size()
+            << " without texture, " << corners.continued.size() << " with texture from where nothing is proved\n";
+
+  // and back: the height of the proxy, as seen from the polygons
+  auto height = coarse.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
+  for(auto v : coarse.vertices()) height[v] = coarse.point(v).z();
+  auto height_of = soup_mesh.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
+  const BS::Transfer_report heights = BS::transfer_vertex_attribute(map.inverse(), height, height_of);
+  std::cout << heights.transferred << " points of the polygons have a value from the proxy, " << heights.continued.size()
+            << " of them from its nearest point" << std::endl;
+
+  std::ofstream out("proxy.ply");
+  return parts && corners && heights && CGAL::IO::write_PLY(out, coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

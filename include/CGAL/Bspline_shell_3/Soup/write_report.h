@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_WRITE_REPORT_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_WRITE_REPORT_H
+
+#include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ios>
+#include <locale>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+// Writes the members of a JSON object, one a line; objects in it have a line each.
+class JSON_object
+{
+public:
+  JSON_object(std::ostream& out, bool is_outermost) : m_out(out), m_outermost(is_outermost) { m_out << "{"; }
+  ~JSON_object() { m_out << (m_outermost ? "\n}\n" : "}"); }
+  JSON_object(const JSON_object&) = delete;
+  JSON_object& operator=(const JSON_object&) = delete;
+
+  JSON_object& operator()(const char* name, const std::string& text)
+  {
+    begin(name) << '"';
+    for(char c : text) {
+      if(c == '"' || c == '\\') m_out << '\\';
+      if(static_cast<unsigned char>(c) >= 0x20) m_out << c;
+    }
+    m_out << '"';
+    return *this;
+  }
+  JSON_object& operator()(const char* name, const char* text) { return (*this)(name, std::string(text)); }
+  JSON_object& operator()(const char* name, double x) { number(begin(name), x); return *this; }
+  JSON_object& operator()(const char* name, std::size_t n) { begin(name) << n; return *this; }
+  JSON_object& operator()(const char* name, bool b) { begin(name) << (b ? "true" : "false"); return *this; }
+  JSON_object& operator()(const char* name, const std::array<double, 3>& p)
+  {
+    begin(name);
+    for(int a = 0; a < 3; ++a) number(m_out << (a == 0 ? "[" : ", "), p[a]);
+    m_out << "]";
+    return *this;
+  }
+  JSON_object& operator()(const char* name, const std::vector<std::size_t>& list)
+  {
+    begin(name) << "[";
+    for(std::size_t n = 0; n < list.size(); ++n) m_out << (n == 0 ? "" : ", ") << list[n];
+    m_out << "]";
+    return *this;
+  }
+  // a member that follows
+  std::ostream& begin(const char* name)
+  {
+    m_out << (m_first ? "" : ",") << (m_outermost ? "\n  " : " ") << '"' << name << "\": ";
+    m_first = false;
+    return m_out;
+  }
+
+private:
+  static void number(std::ostream& out, double x)
+  {
+    if(std::isfinite(x)) out << x;
+    else out << "null";
+  }
+
+  std::ostream& m_out;
+  bool m_outermost, m_first = true;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief writes, as a JSON object, what a shell is of and how it came about: status, kind and message; repairs; how holes were closed, or what
+ * share of the area the proxy carries and why the mesh itself has no shell; size, claims, time; and what stands in the way, if it is not
+ * certified.
+ *
+ * Lengths are in user units, times in seconds. Facets and vertices that offend are those of the mesh that repairs made, by position.
+ *
+ * \param out a stream; formats and locale are kept
+ * \param result the shell
+ * \param file the name of the file that it comes from
+ * \return whether it could be written
+ */
+inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const std::string& file)
+{
+  const std::locale locale = out.imbue(std::locale::classic());
+  const std::ios_base::fmtflags flags = out.flags(std::ios_base::dec);
+  const std::streamsize precision = out.precision(10);
+  {
+    internal::JSON_object json(out, true);
+    const auto object = [&](const char* name) { json.begin(name); return internal::JSON_object(out, false); };
+    const Shell_report& r = result.shell().report();
+    json("file", file)("status", !result ? "refused" : result.is_certified() ? "certified" : "not certified")("message", result.message());
+    if(result) json("kind", name(result.kind()));
+    const Soup_repairs& repairs = result.repairs;
+    object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)
+      ("doubled_polygons", repairs.doubled_polygons)("turned_polygons", repairs.turned_polygons)
+      ("degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
+    if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
+      const Offending_simplices& offenders = result.shell_of_mesh.report().offending_simplices;
+      object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)("vertices", offenders.vertices);
+    }
+    if(result.proxy) {
+      const Proxy_report& proxy = result.proxy->report();
+      const Soup_shares shares = sample_soup_shares(result.proxy->map());
+      object("proxy")("alpha", proxy.alpha)("offset", proxy.offset)("wraps", proxy.wraps)("carried", shares.carried)
+        ("continued", shares.continued)("hidden", shares.hidden)("polygons_left_out", result.proxy->soup().polygons_left_out());
+    }
+    if(result.kind() == Shell_kind::VIRTUALLY_CLOSED)
+      object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)
+        ("triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset", r.closing.largest_offset);
+    if(result) {
+      object("shell")("facets", r.triangles)("components", r.components)("thickness", result.shell().thickness())
+        ("narrowed_area", r.narrowed_area)("cells", r.cells)("unknowns", r.unknowns)("rounds", r.rounds.size())("unit", r.unit);
+      internal::JSON_object claims = object("claims");
+      for(std::size_t c = 0; c < r.certificate.verdicts.size(); ++c) claims(name(Claim(c)), name(r.certificate.verdicts[c]));
+    }
+    double seconds = 0;
+    for(double s : r.seconds) seconds += s;
+    json("seconds", seconds + (result.proxy ? result.proxy->report().wrap_seconds : 0));
+    if(!r.obstacles.empty()) {
+      json.begin("obstacles") << "[";
+      for(std::size_t n = 0; n < r.obstacles.size(); ++n) {
+        const Refinement_obstacle& o = r.obstacles[n];
+        out << (n == 0 ? "\n    " : ",\n    ");
+        internal::JSON_object(out, false)("point", o.point)("message", message(o, r.unit));
+      }
+      out << "]";
+    }
+  }
+  out.precision(precision);
+  out.flags(flags);
+  out.imbue(locale);
+  return bool(out);
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_WRITE_REPORT_H
