@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # From nothing to a mesh that is simplified in its shell and keeps what the mesh carried, with a picture (Debian 12):
 #   bash examples/quickstart.sh [MESH] [FACETS]
-# Installs what is missing, builds, runs, and says where the results are. MESH is OFF, OBJ, PLY or STL; without it, the
-# elephant of the Debian package libcgal-demo is used. FACETS: how many are to be left; by default, as few as the shell allows.
+# Installs what is missing, builds, runs, and says where the results are. MESH is OFF, OBJ, PLY or STL, also if it is open or no surface
+# at all; without it, the elephant of the Debian package libcgal-demo is used. FACETS: how many are to be left; by default, as few as the shell allows.
 # If there is no result, the exit code is that of simplify_and_transfer, whose usage explains it.
 set -euo pipefail
 mesh=${1-} options=()
@@ -37,7 +37,7 @@ fi
 name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
-rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name.png"
+rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name".{png,json}
 status=0
 "$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name" || status=$?
 draw() {
@@ -60,7 +60,8 @@ else
 fi
 cat <<END
 Results:
-  results/${name}_mesh.ply         the mesh, with colors and a distance at its vertices
+  results/${name}.json             what was done with the file, and why
+  results/${name}_mesh.ply         the mesh, or a proxy of what is none, with colors and a distance at its vertices
   results/${name}_simplified.ply   the simplified mesh, with what was carried over
   results/${name}_detail.ply       the same surface in small triangles, with the color at every vertex
   results/${name}_inner.ply        inner bounding surface of the shell

@@ -57,7 +57,7 @@ int main(int argc, char** argv)
 
   // fewer facets, in the same shell
   Mesh coarse = proxy.mesh();
-  const auto simplified = BS::simplify_in_shell(coarse, proxy.shell());
+  const auto simplified = BS::simplify_in_shell(coarse, proxy.shell(), BS::parameters::stop(BS::Facet_count_stop_predicate(1000)));
   if(!simplified) {
     std::cerr << BS::message(simplified.status) << std::endl;
     return EXIT_FAILURE;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace CGAL {
 
@@ -58,13 +59,14 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       result.repairs.turned_components = true;
       build();
     }
-    if(result.shell_of_mesh.is_certified()) return result;
   }
-  if(result.mesh_status == BS::Shell_status::CANCELED || result.mesh_status == BS::Shell_status::INVALID_PARAMETER
+  result.seconds = timer.time();
+  if(result.shell_of_mesh.is_certified() || result.mesh_status == BS::Shell_status::CANCELED || result.mesh_status == BS::Shell_status::INVALID_PARAMETER
      || result.mesh_status == BS::Shell_status::UNSOUND_ARITHMETIC) return result;
   auto proxy = std::make_shared<const BS::Soup_proxy_3>(
     certified_soup_proxy_3<ConcurrencyTag>(soup.points, soup.polygons, limited((std::max)(limit / 3, limit - timer.time()))));
   if(proxy->is_certified()) result.proxy = std::move(proxy);
+  result.seconds = timer.time();
   return result;
 }
 

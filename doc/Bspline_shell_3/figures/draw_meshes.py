@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, an open mesh and what closes it, and a texture that is carried over.
+"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, an open mesh and what closes it, textures that are carried over, and a proxy of polygons.
 
 Usage: draw_meshes.py DATA PICTURES
 """
@@ -244,15 +244,37 @@ def checkerboard():
     return texture
 
 
+def textured(name):
+    corners = np.loadtxt(name)
+    data = polydata(corners[:, :3], polygons=np.arange(len(corners)).reshape(-1, 3))
+    data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(corners[:, 3:]), deep=True))
+    actor = surface(data)
+    actor.SetTexture(checkerboard())
+    return data, actor
+
+
+def draw_soup(prefix, picture):
+    size, direction, up = (430, 560), (0.35, -1, 0.25), (0, 0, 1)
+    fig, (axes,) = figure(1, 3, 545)
+    for ax, what, title in zip(axes, ("before", "after"), ("polygons", "proxy, simplified")):
+        data, actor = textured(f"{prefix}_{what}.txt")
+        view = fit(data, size, direction, up)
+        show(ax, render([actor, edges(data, MESH, 0.4)], size, *view), f"{title}: {data.GetNumberOfPolys()} facets")
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(0, 0.05, 0)
+    plane.SetNormal(0, 1, 0)
+    shares, proxy = read(f"{prefix}_shares.ply"), read(f"{prefix}_proxy.ply")
+    behind = half(shares, plane)
+    show(axes[2], render([surface(behind), edges(behind, MESH, 0.3), outline(proxy, plane, rgb(OUTER), 2.5)], size, *view), "cut: carried, hidden; proxy")
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.94, 0.02)
+    save(fig, picture)
+
+
 def draw_texture(prefix, picture):
     size = 650, 750
     fig, (axes,) = figure(1, 2, 545)
     for ax, what in zip(axes, ("before", "after")):
-        corners = np.loadtxt(f"{prefix}_{what}.txt")
-        data = polydata(corners[:, :3], polygons=np.arange(len(corners)).reshape(-1, 3))
-        data.GetPointData().SetTCoords(numpy_to_vtk(np.ascontiguousarray(corners[:, 3:]), deep=True))
-        actor = surface(data)
-        actor.SetTexture(checkerboard())
+        data, actor = textured(f"{prefix}_{what}.txt")
         image = render([actor, edges(data, MESH, 0.6)], size, *fit(data, size, (0.3, 0.15, 1), (0, 1, 0)))
         show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
     fig.subplots_adjust(0.005, 0.01, 0.995, 0.94, 0.02)
@@ -267,3 +289,4 @@ if __name__ == "__main__":
     draw_remeshing(f"{data}/joint", f"{pictures}/remeshing.png")
     draw_closing(((f"{data}/lion", (1, -0.8, 0.4), (0, 0, 1)), (f"{data}/three_peaks", (0.5, -1, 0.4), (0, 0, 1))), f"{pictures}/open_mesh.png")
     draw_texture(f"{data}/elephant", f"{pictures}/texture_transfer.png")
+    draw_soup(f"{data}/figure", f"{pictures}/soup_proxy.png")

@@ -5,15 +5,20 @@
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
 //   figure_data open    MESH PREFIX THICKNESS FACETS    what closes an open mesh, and a simplified mesh
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
+//   figure_data soup    PREFIX                          polygons that intersect each other, and a simplified proxy with their texture coordinates
+#include "../../../examples/Bspline_shell_3/broken_models.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
+#include <CGAL/certified_soup_proxy_3.h>
 
+#include <CGAL/IO/Color.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
@@ -193,10 +198,45 @@ void transfer_texture(Mesh mesh, const std::string& prefix, double thickness, st
   write_textured(prefix + "_after.txt", coarse, uv_on_coarse);
 }
 
+void write_proxy(const std::string& prefix)
+{
+  const Broken_model model = figure();
+  const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(model.soup.points, model.soup.polygons);
+  require(proxy.is_certified(), proxy.message());
+  Mesh soup = proxy.soup().mesh(), coarse = simplified(proxy.mesh(), proxy.shell(), 1200);
+  auto uv = soup.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto uv_on_coarse = coarse.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto color = soup.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+  const BS::Shell_map_3 map = proxy.map(coarse);
+  const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
+  for(Mesh::Face_index f : soup.faces()) {
+    const std::size_t polygon = proxy.soup().polygon_of(f);
+    const auto& points = model.soup.polygons[polygon];
+    for(Mesh::Halfedge_index h : soup.halfedges_around_face(soup.halfedge(f))) {
+      const auto at = std::find(points.begin(), points.end(), proxy.soup().point_of(soup.target(h)));
+      const auto& t = model.texture[polygon][std::size_t(at - points.begin())];
+      uv[h] = Kernel::Point_2(t[0], t[1]);
+    }
+    const BS::Soup_point p = shares.facets[f];
+    color[f] = p == BS::Soup_point::CARRIED ? CGAL::IO::Color(90, 170, 90)
+             : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60) : CGAL::IO::Color(170, 170, 170);
+  }
+  // the map refers to the soup's mesh in the proxy, which has the same facets
+  auto uv_of = boost::make_function_property_map<Mesh::Halfedge_index>([&](Mesh::Halfedge_index h) { return uv[h]; });
+  require(bool(BS::transfer_corner_attribute(map, uv_of, uv_on_coarse)), "Some facets have no texture coordinates.");
+  write_textured(prefix + "_before.txt", soup, uv);
+  write_textured(prefix + "_after.txt", coarse, uv_on_coarse);
+  require(write_mesh(prefix + "_shares.ply", soup) && write_mesh(prefix + "_proxy.ply", proxy.mesh()), "A mesh cannot be written.");
+}
+
 int main(int argc, char** argv)
 {
   try {
     const std::string what = argc > 1 ? argv[1] : "";
+    if(what == "soup" && argc == 3) {
+      write_proxy(argv[2]);
+      return EXIT_SUCCESS;
+    }
     require(argc == (what == "rounds" ? 5 : 6), "Wrong number of arguments.");
     const std::string prefix = argv[3];
     const double thickness = std::atof(argv[4]), number = argc > 5 ? std::atof(argv[5]) : 0;

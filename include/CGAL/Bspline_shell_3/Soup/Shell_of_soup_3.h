@@ -52,6 +52,7 @@ struct Shell_of_soup_3
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
   std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if the proxy is the result
+  double seconds = 0;                                    ///< that all of it took
 
   Shell_kind kind() const
   {

@@ -131,9 +131,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       internal::JSON_object claims = object("claims");
       for(std::size_t c = 0; c < r.certificate.verdicts.size(); ++c) claims(name(Claim(c)), name(r.certificate.verdicts[c]));
     }
-    double seconds = 0;
-    for(double s : r.seconds) seconds += s;
-    json("seconds", seconds + (result.proxy ? result.proxy->report().wrap_seconds : 0));
+    json("seconds", result.seconds);
     if(!r.obstacles.empty()) {
       json.begin("obstacles") << "[";
       for(std::size_t n = 0; n < r.obstacles.size(); ++n) {

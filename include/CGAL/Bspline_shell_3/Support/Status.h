@@ -70,19 +70,19 @@ inline const char* message(Shell_status status)
     case Shell_status::COORDINATES_OUT_OF_RANGE:
       return "Coordinates are larger than 1e60, or the mesh is smaller than 1e-60: choose another unit of length.";
     case Shell_status::NON_MANIFOLD:
-      return "The mesh is not manifold at the listed facets or vertices: split them, or wrap the mesh (CGAL::alpha_wrap_3).";
+      return "The mesh is not manifold at the listed facets or vertices: split them, or take a proxy (CGAL::certified_soup_proxy_3).";
     case Shell_status::NOT_ORIENTABLE:
-      return "The mesh is one-sided: it has no orientation that neighboring facets share.";
+      return "The mesh is one-sided, as it has no orientation that neighboring facets share: cut it open, or take a proxy "
+             "(CGAL::certified_soup_proxy_3).";
     case Shell_status::OPEN_MESH:
       return "The mesh is open at the listed facets: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Shell_status::NOT_CLOSABLE:
       return "The mesh is open, and caps of its holes, or a sheet behind it, would intersect it at the listed facets: close its holes "
-             "(CGAL::Polygon_mesh_processing::triangulate_hole), or wrap it (CGAL::alpha_wrap_3).";
+             "(CGAL::Polygon_mesh_processing::triangulate_hole), or take a proxy (CGAL::certified_soup_proxy_3).";
     case Shell_status::DEGENERATE_FACET:
       return "The listed facets have no area: remove them (CGAL::Polygon_mesh_processing::remove_degenerate_faces).";
     case Shell_status::SELF_INTERSECTION:
-      return "The mesh intersects itself at the listed facets: repair it, or ask for a shell all the same (allow_self_intersections), which "
-             "then maps nothing one-to-one.";
+      return "The mesh intersects itself at the listed facets: repair it, or take a proxy (CGAL::certified_soup_proxy_3).";
     case Shell_status::INCONSISTENT_ORIENTATION:
       return "The mesh does not bound one volume: turn the components that contain the listed facets inside out.";
     case Shell_status::SINGULAR_VERTEX:

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""Breaks closed meshes in the ways that files are broken.
+
+   break_meshes.py FOLDER MESH...       (OFF, triangles)
+
+For each mesh, FOLDER gets NAME_dropped.off, without every 200th facet; NAME_turned.off, in which every tenth faces the other way;
+NAME_doubled.off, with every tenth twice; NAME_split.off, in which no facets share a vertex; NAME_pushed.off, the mesh and a copy that is
+pushed into it; and NAME_gaps.off, in which every facet is smaller by a thousandth.
+"""
+import os
+import sys
+
+from open_meshes import read, write
+
+
+def split(points, facets, scale=1.0):
+    new_points, new_facets = [], []
+    for t in facets:
+        center = [sum(points[v][a] for v in t) / 3 for a in range(3)]
+        new_facets.append(tuple(range(len(new_points), len(new_points) + 3)))
+        new_points += [tuple(center[a] + scale * (points[v][a] - center[a]) for a in range(3)) for v in t]
+    return new_points, new_facets
+
+
+def pushed(points, facets):
+    used = {v for t in facets for v in t}
+    unit = max(max(points[v][a] for v in used) - min(points[v][a] for v in used) for a in range(3))
+    moved = [(p[0] + 0.17 * unit, p[1] + 0.11 * unit, p[2] + 0.05 * unit) for p in points]
+    return points + moved, facets + [tuple(v + len(points) for v in t) for t in facets]
+
+
+if len(sys.argv) < 3:
+    sys.exit(__doc__)
+folder = sys.argv[1]
+os.makedirs(folder, exist_ok=True)
+for file in sys.argv[2:]:
+    points, facets = read(file)
+    name = os.path.join(folder, os.path.splitext(os.path.basename(file))[0])
+    write(name + "_dropped.off", points, [t for n, t in enumerate(facets) if n % 200 != 7])
+    write(name + "_turned.off", points, [t[::-1] if n % 10 == 3 else t for n, t in enumerate(facets)])
+    write(name + "_doubled.off", points, [u for n, t in enumerate(facets) for u in ([t, t] if n % 10 == 3 else [t])])
+    write(name + "_split.off", *split(points, facets))
+    write(name + "_pushed.off", *pushed(points, facets))
+    write(name + "_gaps.off", *split(points, facets, 0.999))

@@ -1,0 +1,144 @@
+// Whatever polygons form, they get a certified shell: of themselves, repaired, virtually closed, or of a proxy.
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Soup/write_report.h>
+#include <CGAL/certified_shell_of_soup_3.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+
+BS::Polygon_soup soup_of(const Mesh& mesh)
+{
+  BS::Polygon_soup soup;
+  CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, soup.points, soup.polygons);
+  return soup;
+}
+
+std::string report_of(const BS::Shell_of_soup_3& result)
+{
+  std::ostringstream out;
+  CHECK(BS::write_report(out, result, "a \"file\""));
+  return out.str();
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// a strip of quadrilaterals, turned by `halves` half turns
+BS::Polygon_soup band(int halves, int around = 48)
+{
+  BS::Polygon_soup soup;
+  const auto number = [&](int i, int side) { return std::size_t(2 * (i % around) + (i >= around && halves % 2 == 1 ? 1 - side : side)); };
+  for(int i = 0; i < around; ++i)
+    for(int side = 0; side < 2; ++side) {
+      const double a = 2 * CGAL_PI * i / around, b = CGAL_PI * halves * i / around, w = side == 0 ? -0.3 : 0.3;
+      soup.points.emplace_back((1 + w * std::cos(b)) * std::cos(a), (1 + w * std::cos(b)) * std::sin(a), w * std::sin(b));
+    }
+  for(int i = 0; i < around; ++i) {
+    soup.polygons.push_back({ number(i, 0), number(i + 1, 0), number(i + 1, 1) });
+    soup.polygons.push_back({ number(i, 0), number(i + 1, 1), number(i, 1) });
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("Front door: a closed mesh in pieces gets a shell of itself")
+{
+  BS::Polygon_soup soup = soup_of(sphere(3));
+  BS::Polygon_soup pieces;
+  for(const auto& polygon : soup.polygons) {
+    pieces.polygons.emplace_back();
+    for(std::size_t v : polygon) {
+      pieces.polygons.back().push_back(pieces.points.size());
+      pieces.points.push_back(soup.points[v]);
+    }
+  }
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(pieces);
+  REQUIRE(result.is_certified());
+  CHECK(result.kind() == BS::Shell_kind::CLOSED);
+  CHECK(result.mesh_status == BS::Shell_status::SUCCESS);
+  CHECK(result.repairs.merged_points == pieces.points.size() - soup.points.size());
+  CHECK(result.mesh().number_of_vertices() == soup.points.size());
+  const std::string report = report_of(result);
+  CHECK(contains(report, "\"kind\": \"closed\""));
+  CHECK(contains(report, "\"file\": \"a \\\"file\\\"\""));
+  CHECK_FALSE(contains(report, "proxy"));
+}
+
+TEST_CASE("Front door: an open mesh is closed virtually, and components that face the wrong way are turned")
+{
+  const BS::Shell_of_soup_3 open = CGAL::certified_shell_of_soup_3(band(0));
+  REQUIRE(open.is_certified());
+  CHECK(open.kind() == BS::Shell_kind::VIRTUALLY_CLOSED);
+  CHECK(contains(report_of(open), "\"sheets\": 1"));
+
+  Mesh two = sphere(3, 1), inner = sphere(2, 0.5);
+  two += inner;
+  const BS::Shell_of_soup_3 hollow = CGAL::certified_shell_of_soup_3(soup_of(two));
+  REQUIRE(hollow.is_certified());
+  CHECK(hollow.kind() == BS::Shell_kind::CLOSED);
+  CHECK(hollow.repairs.turned_components);
+}
+
+TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is kept")
+{
+  const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1), parameters::alpha(0.1));
+  REQUIRE(strip.is_certified());
+  CHECK(strip.kind() == BS::Shell_kind::PROXY);
+  CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
+  CHECK(std::string(strip.mesh_message()) == message(BS::Shell_status::NOT_ORIENTABLE));
+  CHECK(CGAL::is_closed(strip.mesh()));
+  BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(strip.shell());
+  CHECK(certificate.verify(strip.mesh()));
+  const std::string report = report_of(strip);
+  CHECK(contains(report, "\"proxy\": {"));
+  CHECK(contains(report, "\"status\": \"certified\""));
+  CHECK(contains(report, message(BS::Shell_status::NOT_ORIENTABLE)));
+
+  // borders that touch each other in a vertex
+  const BS::Polygon_soup bow{ { Point_3(0, 0, 0), Point_3(1, -0.5, 0), Point_3(1, 0.5, 0), Point_3(-1, 0.5, 0.1), Point_3(-1, -0.5, 0) },
+                              { { 0, 1, 2 }, { 0, 3, 4 } } };
+  const BS::Shell_of_soup_3 touching = CGAL::certified_shell_of_soup_3(bow, parameters::alpha(0.2));
+  CHECK(touching.mesh_status == BS::Shell_status::NON_MANIFOLD);
+  CHECK(touching.kind() == BS::Shell_kind::PROXY);
+  CHECK(touching.is_certified());
+}
+
+TEST_CASE("Front door: nothing, points only, and facets without area are refused, each with a sentence")
+{
+  const BS::Polygon_soup points{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(2, 0, 0) }, {} };
+  for(const BS::Polygon_soup& soup : { BS::Polygon_soup(), points, BS::Polygon_soup{ points.points, { { 0, 1, 2 } } } }) {
+    const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup);
+    CHECK_FALSE(result);
+    CHECK_FALSE(result.is_certified());
+    CHECK((result.mesh_status == BS::Shell_status::EMPTY_MESH || result.mesh_status == BS::Shell_status::DEGENERATE_FACET));
+    CHECK(std::string(result.message()) == message(result.mesh_status));
+    const std::string report = report_of(result);
+    CHECK(contains(report, "\"status\": \"refused\""));
+    CHECK_FALSE(contains(report, "\"kind\""));
+  }
+}
+
+TEST_CASE("Front door: parameters that make no sense, and visitors who stop, end at once")
+{
+  const BS::Polygon_soup soup = soup_of(sphere(2));
+  CHECK(CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(-1.)).mesh_status == BS::Shell_status::INVALID_PARAMETER);
+  struct Stop : BS::Default_shell_visitor
+  {
+    bool start_step(BS::Shell_step) { return false; }
+  };
+  const BS::Shell_of_soup_3 canceled = CGAL::certified_shell_of_soup_3(soup, parameters::visitor(Stop()));
+  CHECK(canceled.mesh_status == BS::Shell_status::CANCELED);
+  CHECK_FALSE(canceled);
+}

@@ -1,0 +1,106 @@
+// Polygons become a mesh where little is missing, and what was done is counted; where more is missing, the status says what.
+#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+// each triangle has its own points, as in STL files
+BS::Polygon_soup exploded(const Mesh& mesh)
+{
+  BS::Polygon_soup soup;
+  for(auto f : mesh.faces()) {
+    soup.polygons.emplace_back();
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      soup.polygons.back().push_back(soup.points.size());
+      soup.points.push_back(mesh.point(v));
+    }
+  }
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("Repair: a clean mesh needs none")
+{
+  const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1) },
+                               { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  CHECK(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  CHECK(repairs.is_none());
+  CHECK(mesh.number_of_faces() == 4);
+  CHECK(CGAL::is_closed(mesh));
+}
+
+TEST_CASE("Repair: triangles that share no points, some turned, some doubled, some without area, become the sphere that they were")
+{
+  const Mesh ball = sphere(2);
+  BS::Polygon_soup soup = exploded(ball);
+  const std::size_t facets = soup.polygons.size();
+  for(std::size_t n = 0; n < facets; n += 5) std::reverse(soup.polygons[n].begin(), soup.polygons[n].end());
+  for(std::size_t n = 0; n < 7; ++n) soup.polygons.push_back(soup.polygons[11 * n]);
+  std::reverse(soup.polygons.back().begin(), soup.polygons.back().end());
+  const std::size_t p = soup.polygons[3][0], q = soup.polygons[3][1];
+  soup.polygons.push_back({ p, q, p });
+  soup.polygons.push_back({ q, q });
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  REQUIRE(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  CHECK(mesh.number_of_faces() == facets);
+  CHECK(mesh.number_of_vertices() == ball.number_of_vertices());
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(repairs.merged_points == 3 * facets - ball.number_of_vertices());
+  CHECK(repairs.doubled_polygons == 7);
+  CHECK(repairs.removed_polygons == 2);
+  CHECK((std::min)(repairs.turned_polygons, facets - repairs.turned_polygons) == (facets + 4) / 5);
+  CHECK(repairs.degenerate_facets == 0);
+  CHECK_FALSE(repairs.is_none());
+}
+
+TEST_CASE("Repair: a facet without area between others goes, and the mesh stays closed")
+{
+  // the point 4 lies on the edge from 0 to 1
+  const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0.5, 0, 0) },
+                               { { 0, 2, 4 }, { 4, 2, 1 }, { 0, 4, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  REQUIRE(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  CHECK(repairs.degenerate_facets == 1);
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(PMP::volume(mesh) == Approx(1. / 6));
+}
+
+TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are named")
+{
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs) == BS::Shell_status::NON_MANIFOLD);
+  CHECK(BS::repair_soup({ points, {} }, mesh, repairs) == BS::Shell_status::EMPTY_MESH);
+  CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs) == BS::Shell_status::EMPTY_MESH);
+  CHECK(repairs.removed_polygons == 1);
+  // five triangles, of which the last is joined to the first the other way round
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs)
+        == BS::Shell_status::NOT_ORIENTABLE);
+}
+
+TEST_CASE("Repair: components are turned inside out until they bound a volume")
+{
+  Mesh mesh = sphere(2, 1), inner = sphere(2, 0.5);
+  mesh += inner;      // faces outwards, too
+  CHECK_FALSE(PMP::does_bound_a_volume(mesh));
+  CHECK(BS::orient_components(mesh));
+  CHECK(PMP::does_bound_a_volume(mesh));
+  CHECK_FALSE(BS::orient_components(mesh));
+  Mesh open = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  CHECK_FALSE(BS::orient_components(open));
+}

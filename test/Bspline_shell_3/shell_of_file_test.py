@@ -1,0 +1,86 @@
+"""shell_of_file writes what it says, for files of all kinds and formats; what it refuses gets a sentence, an exit code, and no files.
+
+Usage: shell_of_file_test.py SHELL_OF_FILE MESHES     (MESHES: the folder of CGAL's meshes)
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+program, meshes = sys.argv[1:]
+UNREADABLE, EMPTY, NOT_FINITE = 10 + 3, 10 + 5, 10 + 6
+WRONG_USAGE, CANNOT_WRITE = 2, 3
+
+
+def run(file, prefix, *options):
+    return subprocess.run([program, file, "--output", prefix, *options], capture_output=True, text=True)
+
+
+def write(name, text):
+    with open(name, "w") as file:
+        file.write(text)
+    return name
+
+
+CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+TRIANGLES = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (1, 3, 7), (1, 7, 5), (3, 2, 6), (3, 6, 7), (2, 0, 4), (2, 4, 6)]
+
+with tempfile.TemporaryDirectory() as folder:
+    def path(name):
+        return os.path.join(folder, name)
+
+    def files(stem):
+        return sorted(name for name in os.listdir(folder) if name == stem + ".json" or name == stem + ".shell" or name.startswith(stem + "_"))
+
+    def report(stem):
+        with open(path(stem + ".json")) as file:
+            return json.load(file)
+
+    # STL: no triangle shares a point with another
+    stl = "solid cube\n"
+    for t in TRIANGLES:
+        stl += "facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % CUBE[v] for v in t) + "endloop\nendfacet\n"
+    done = run(write(path("cube.stl"), stl + "endsolid cube\n"), path("stl"))
+    assert done.returncode == 0, done
+    assert report("stl")["kind"] == "closed" and report("stl")["repairs"]["merged_points"] in (0, 28), report("stl")
+    assert files("stl") == ["stl.json", "stl.shell", "stl_inner.ply", "stl_mesh.ply", "stl_outer.ply"], files("stl")
+
+    # OBJ: a tray, with one facet turned
+    facets = TRIANGLES[:2] + TRIANGLES[4:]
+    facets[3] = facets[3][::-1]
+    obj = "".join("v %g %g %g\n" % p for p in CUBE) + "".join("f %d %d %d\n" % tuple(v + 1 for v in t) for t in facets)
+    done = run(write(path("tray.obj"), obj), path("obj"), "--thickness", "0.02")
+    assert done.returncode == 0, done
+    assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["turned_polygons"] == 1, report("obj")
+    assert report("obj")["closing"]["holes"] == 1 and "turned round" in done.stdout, done
+
+    # OFF: it intersects itself
+    done = run(os.path.join(meshes, "bull.off"), path("off"))
+    assert done.returncode == 0, done
+    result = report("off")
+    assert result["status"] == "certified" and result["kind"] == "proxy", result
+    assert "intersects itself" in result["mesh_itself"]["message"] and result["mesh_itself"]["facets"], result
+    assert result["proxy"]["carried"] > 0.9 and abs(sum(result["proxy"][k] for k in ("carried", "continued", "hidden")) - 1) < 1e-6, result
+    assert all(verdict == "proved" for verdict in result["claims"].values()), result
+    assert "off_soup.ply" in files("off"), files("off")
+
+    # refused, each with a sentence, and without files of an older run
+    ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face %d\n" \
+          "property list uchar int vertex_indices\nend_header\n%s 0 0\n1 0 0\n0 1 0\n"
+    for name, text, code in (("missing.off", None, UNREADABLE), ("broken.off", "OFF\n3 1 0\n0 0 0\n", UNREADABLE), ("text.txt", "no mesh", UNREADABLE),
+                             ("empty.off", "OFF\n0 0 0\n", EMPTY), ("points.ply", ply % (0, "0"), EMPTY), ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", NOT_FINITE)):
+        write(path("old.json"), "{}")
+        done = run(path(name) if text is None else write(path(name), text), path("old"))
+        assert done.returncode in (code, UNREADABLE if name == "nan.ply" else code), (name, done)
+        assert done.stderr.strip().endswith(".") or "vertices:" in done.stderr, done
+        assert files("old") == [], (name, files("old"))
+    degenerate = write(path("line.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
+    done = run(degenerate, path("line"))
+    assert done.returncode > 10 and report("line")["status"] == "refused" and files("line") == ["line.json"], (done, files("line"))
+
+    # wrong usage
+    for options in (["--thickness", "0"], ["--thickness", "x"], ["--time-limit", "-1"], ["--nonsense"]):
+        assert run(path("cube.stl"), path("x"), *options).returncode == WRONG_USAGE
+    assert run(path("cube.stl"), path("no/such/folder/x")).returncode == CANNOT_WRITE
+    assert files("x") == []
