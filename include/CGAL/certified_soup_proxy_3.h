@@ -90,6 +90,10 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
 
   const Bbox_3 box = Polygon_mesh_processing::bbox(soup.mesh());
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+  constexpr double largest = 1e60, smallest = 1e-60;       // as for meshes
+  for(int a = 0; a < 3; ++a)
+    if((std::max)(std::abs((box.min)(a)), std::abs((box.max)(a))) > largest || unit < smallest)
+      return BS::Soup_proxy_3(BS::Shell_status::COORDINATES_OUT_OF_RANGE);
   const double alpha = choose_parameter(get_parameter(np, tags::alpha), unit / 50);
   const double offset = choose_parameter(get_parameter(np, tags::offset), alpha / 4);
   if(!(alpha > 0 && offset > 0 && std::isfinite(alpha) && std::isfinite(offset))) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);

@@ -50,12 +50,19 @@ with tempfile.TemporaryDirectory() as folder:
     assert refined["status"] == "certified" and refined["rounds"] > 0, refined
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
+    # what is no mesh gets a proxy, unless none is wanted
+    for options, status in ([], "certified"), (["--no-proxy"], "refused"):
+        bull, = run(os.path.join(meshes, "bull.off"), *options)
+        assert bull["status"] == status, bull
+        if not options:
+            assert bull["kind"] == "proxy" and bull["proxy"]["carried"] > 0.9 and "intersects itself" in bull["proxy"]["because"], bull
+
     # a plate that is much thinner than the cells that a limit of memory allows: the shell is around it, and thicker than asked, or there is none
     plate = os.path.join(folder, "plate.off")
     with open(plate, "w") as file:
         file.write("OFF\n8 6 0\n" + "".join("%g %g %g\n" % (x, y, z) for z in (0, 0.01) for y in (0, 1) for x in (0, 1))
                    + "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 1 3 7 5\n4 3 2 6 7\n4 2 0 4 6\n")
-    thin, = run(plate, "--thickness", "0.001", "--max-memory-mb", "20")
+    thin, = run(plate, "--thickness", "0.001", "--no-proxy", "--max-memory-mb", "20")
     assert thin["status"] in ("not_certified", "refused") and thin["reason"], thin
     if thin["status"] == "not_certified":
         assert "limit" in thin["reason"] and thin["certificate"]["containment"] == "proved", thin

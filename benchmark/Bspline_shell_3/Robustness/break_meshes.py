@@ -13,12 +13,12 @@ import sys
 from open_meshes import read, write
 
 
-def split(points, facets, scale=1.0):
+def split(points, facets, gap=0.0):
     new_points, new_facets = [], []
     for t in facets:
         center = [sum(points[v][a] for v in t) / 3 for a in range(3)]
         new_facets.append(tuple(range(len(new_points), len(new_points) + 3)))
-        new_points += [tuple(center[a] + scale * (points[v][a] - center[a]) for a in range(3)) for v in t]
+        new_points += [tuple(points[v][a] + gap * (center[a] - points[v][a]) for a in range(3)) for v in t]
     return new_points, new_facets
 
 
@@ -41,4 +41,4 @@ for file in sys.argv[2:]:
     write(name + "_doubled.off", points, [u for n, t in enumerate(facets) for u in ([t, t] if n % 10 == 3 else [t])])
     write(name + "_split.off", *split(points, facets))
     write(name + "_pushed.off", *pushed(points, facets))
-    write(name + "_gaps.off", *split(points, facets, 0.999))
+    write(name + "_gaps.off", *split(points, facets, 0.001))
