@@ -79,7 +79,7 @@ inline Broken_model two_balls()
   return model;
 }
 
-// a figure as games have them: parts pushed into each other, textures with seams
+// a figure as in games: parts pushed into each other, textures with seams
 inline Broken_model figure()
 {
   Broken_model model;

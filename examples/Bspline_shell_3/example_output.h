@@ -114,6 +114,7 @@ inline void print_repairs(const BS::Soup_repairs& repairs)
   };
   line(repairs.merged_points, "points merged with others at their positions");
   line(repairs.removed_polygons, "polygons without three points removed");
+  line(repairs.split_polygons, "polygons with a point twice taken apart");
   line(repairs.doubled_polygons, "doubled polygons removed");
   line(repairs.turned_polygons, "polygons turned round");
   line(repairs.degenerate_facets, "facets without area removed");

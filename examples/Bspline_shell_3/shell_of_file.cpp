@@ -3,6 +3,7 @@
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Soup/write_report.h>
 #include <CGAL/certified_shell_of_soup_3.h>
 
@@ -27,10 +28,9 @@ const char* const usage =
   "  10 + the status (Status.h) if there is no shell.\n";
 
 // the polygons as a mesh, and what becomes of their points
-bool write_soup(const std::string& file, const BS::Soup_proxy_3& proxy)
+bool write_soup(const std::string& file, const BS::Soup_proxy_3& proxy, const BS::Soup_shares& shares)
 {
   Mesh soup = proxy.soup().mesh();
-  const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
   auto color = soup.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   std::size_t n = 0;
   for(auto f : soup.faces()) {
@@ -79,8 +79,9 @@ int main(int argc, char** argv)
   const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
     soup, BS::parameters::relative_thickness(thickness).time_limit(limit).visitor(std::ref(printer)));
   printer.clear();
-  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, file); })) return cannot_write(report_file);
-  if(!found) return refuse(found.mesh_status, found.shell_of_mesh.report().offending_simplices);
+  const BS::Soup_shares shares = found.proxy ? BS::sample_soup_shares(found.proxy->map()) : BS::Soup_shares();
+  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, shares, file); })) return cannot_write(report_file);
+  if(!found) return refuse(found.status(), found.offending_simplices);
 
   print_repairs(found.repairs);
   if(found.proxy) std::cout << "no mesh       " << found.mesh_message() << "\n";
@@ -89,7 +90,7 @@ int main(int argc, char** argv)
             << "thickness     " << 100 * found.shell().relative_thickness() << " % of the box, less on " << 100 * report.narrowed_area
             << " % of the mesh\n" << found.message() << std::endl;
   if(!write_mesh(mesh_file, found.mesh())) return cannot_write(mesh_file);
-  if(found.proxy && !write_soup(soup_file, *found.proxy)) return cannot_write(soup_file);
+  if(found.proxy && !write_soup(soup_file, *found.proxy, shares)) return cannot_write(soup_file);
   if(BS::write_shell(shell_file, found.shell()) != BS::Shell_file_status::SUCCESS) return cannot_write(shell_file);
   if(!found.is_certified()) {
     list_witnesses(report.certificate);

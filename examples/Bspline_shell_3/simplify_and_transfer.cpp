@@ -6,6 +6,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Soup/write_report.h>
 #include <CGAL/certified_shell_of_soup_3.h>
 
@@ -132,8 +133,9 @@ int main(int argc, char** argv)
   const Shell& shell = found.shell();
   Mesh mesh = found.mesh();
   printer.clear();
-  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, file); })) return cannot_write(report_file);
-  if(!shell) return refuse(found.mesh_status, shell.report().offending_simplices);
+  const BS::Soup_shares shares = found.proxy ? BS::sample_soup_shares(found.proxy->map()) : BS::Soup_shares();
+  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, shares, file); })) return cannot_write(report_file);
+  if(!shell) return refuse(found.status(), found.offending_simplices);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
@@ -174,7 +176,7 @@ int main(int argc, char** argv)
   const auto row = [](const char* what) -> std::ostream& { return std::cout << std::left << std::setw(14) << what; };
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
-  if(found.proxy) row("proxy") << found.mesh_message() << "\n";
+  if(found.proxy) row("no mesh") << found.mesh_message() << "\n";
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
   row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells << " cells; "
                << shell_seconds << " s\n";

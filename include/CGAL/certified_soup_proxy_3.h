@@ -36,8 +36,8 @@ namespace CGAL {
  * proxy sees of the soup gives it its attributes (`Bspline_shells::Soup_map_3`). The proxy can be simplified, remeshed and computed on as any mesh in
  * its shell.
  *
- * What the proxy cannot see, as inner parts and gaps narrower than `alpha`, gets nothing. Both sides of a sheet without thickness are nearest to the
- * same points of it: they are too far from the proxy for its shell, and images are continued by the smallest distance, and marked.
+ * What the proxy cannot see, as inner parts and gaps narrower than `alpha`, gets nothing. The points of a sheet without thickness are as near to the proxy on
+ * one side as on the other, and so too far from it for the shell: images are continued by the smallest distance, and marked.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PointRange a range of points of a \cgal kernel; coordinates are rounded to `double`s
@@ -48,11 +48,12 @@ namespace CGAL {
  * \param np optional named parameters:
  *   - `alpha(double)`: the width of gaps and cavities that the proxy enters, user units; default 1/50 of the longest side of the box
  *   - `offset(double)`: how far the proxy is from the soup, user units; default a quarter of `alpha`
- *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`. The thickness is at least eight times the offset,
- *     unless there is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be certified in half of the
- *     `time_limit()`, one with twice the `alpha` and `offset` gets the rest.
- * \return the proxy, or the reason why there is none. `NOT_FINITE`: offending are polygons with such points. `INVALID_PARAMETER` is returned, too, if a
- *         polygon has the position of no point.
+ *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a `signed_distance_oracle()` is that of the proxy. The thickness
+ *     is at least eight times the offset, unless there is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If
+ *     the proxy cannot be certified in half of the `time_limit()`, one with twice the `alpha` and `offset` gets the rest.
+ * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`; `INVALID_PARAMETER`, also if a polygon refers to a
+ *         point that does not exist; `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too small for
+ *         the coordinates; `MEMORY_LIMIT_EXCEEDED`; and those of `certified_bspline_shell_3()` about the proxy
  * \cgalHeading{Cost} that of the wrap, and that of its certified shell
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -66,61 +67,70 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   using CGAL::parameters::is_default_parameter;
 
   BS::Polygon_soup copy;
-  std::vector<char> is_finite;
-  for(const auto& p : points) {
-    const double x = CGAL::to_double(p[0]), y = CGAL::to_double(p[1]), z = CGAL::to_double(p[2]);
-    is_finite.push_back(std::isfinite(x) && std::isfinite(y) && std::isfinite(z));
-    copy.points.emplace_back(x, y, z);
-  }
-  std::vector<std::size_t> offenders;
+  for(const auto& p : points) copy.points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
   for(const auto& polygon : polygons) {
     copy.polygons.emplace_back();
-    bool is_usable = true;
-    for(const auto& n : polygon) {
-      if(std::size_t(n) >= copy.points.size()) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER, { copy.polygons.size() - 1 });
-      is_usable = is_usable && is_finite[std::size_t(n)];
-      copy.polygons.back().push_back(std::size_t(n));
-    }
-    if(!is_usable) offenders.push_back(copy.polygons.size() - 1);
+    for(const auto& n : polygon) copy.polygons.back().push_back(std::size_t(n));
   }
-  if(!offenders.empty()) return BS::Soup_proxy_3(BS::Shell_status::NOT_FINITE, std::move(offenders));
+  BS::Offending_simplices offenders;
+  const BS::Shell_status checked = BS::internal::check_soup(copy, offenders);
+  if(checked != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(checked, std::move(offenders));
   const BS::Soup_mesh_3 soup(copy);
-  if(soup.mesh().number_of_faces() == 0)
-    return BS::Soup_proxy_3(copy.polygons.empty() ? BS::Shell_status::EMPTY_MESH : BS::Shell_status::DEGENERATE_FACET, soup.polygons_left_out());
+  if(soup.mesh().number_of_faces() == 0) {
+    offenders.facets = soup.polygons_left_out();
+    return BS::Soup_proxy_3(BS::Shell_status::DEGENERATE_FACET, std::move(offenders));
+  }
 
   const Bbox_3 box = Polygon_mesh_processing::bbox(soup.mesh());
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
-  constexpr double largest = 1e60, smallest = 1e-60;       // as for meshes
-  for(int a = 0; a < 3; ++a)
-    if((std::max)(std::abs((box.min)(a)), std::abs((box.max)(a))) > largest || unit < smallest)
-      return BS::Soup_proxy_3(BS::Shell_status::COORDINATES_OUT_OF_RANGE);
   const double alpha = choose_parameter(get_parameter(np, tags::alpha), unit / 50);
   const double offset = choose_parameter(get_parameter(np, tags::offset), alpha / 4);
-  if(!(alpha > 0 && offset > 0 && std::isfinite(alpha) && std::isfinite(offset))) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
-  // The thinner the proxy's parts, the more cells they need: where half of the time does not suffice, a coarser proxy gets the rest.
+  const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::Certified_shell_parameters().resolution);
+  const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 1.);
+  const double thickness = choose_parameter(get_parameter(np, tags::thickness), 1.);
   const double limit = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
+  for(double x : { alpha, offset, resolution, relative_thickness, thickness })
+    if(!(x > 0 && std::isfinite(x))) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
+  if(!(limit > 0 && max_bytes > 0)) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
+
+  // What the shell is asked to reach, unless the caller asks for more: 19 rings of cells, the most that there may be.
+  const double deepest = 19 * unit / resolution;
   Real_timer timer;
   timer.start();
-  const auto attempt = [&](double scale, double seconds) {
+  double scale = 1;
+  const auto attempt = [&](double end) {
     BS::Soup_proxy_3::Mesh wrap;
     BS::Proxy_report report;
-    const BS::Shell_status wrapped = BS::wrap_soup(soup, scale * alpha, scale * offset, wrap, report);
+    const BS::Shell_status wrapped
+      = BS::wrap_soup<ConcurrencyTag>(soup, scale * alpha, scale * offset, end - timer.time(), max_bytes, wrap, report);
+    if(report.alpha > 0) scale = report.alpha / alpha;
     if(wrapped != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(wrapped);
+    constexpr double least_seconds = 1e-3;       // when wraps took all the time: the shell is then not certified, and says why
     typedef BS::Named_parameters<double, tags::time_limit_t, CGAL_NP_CLASS> Limited;
-    const Limited limited(seconds, np);
-    if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
-      return BS::Soup_proxy_3(soup, wrap, certified_bspline_shell_3<ConcurrencyTag>(wrap, limited), report);
-    else {
-      double thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 0.) * unit;
-      thickness = (std::max)(choose_parameter(get_parameter(np, tags::thickness), thickness), 8 * report.offset);
-      const BS::Named_parameters<double, tags::thickness_t, typename Limited::Pack> thick(thickness, limited);
-      return BS::Soup_proxy_3(soup, wrap, certified_bspline_shell_3<ConcurrencyTag>(wrap, thick), report);
+    const Limited limited((std::max)(end - timer.time(), least_seconds), np);
+    if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value) {
+      auto shell = certified_bspline_shell_3<ConcurrencyTag>(wrap, limited);
+      return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
+    } else {
+      double reach = (std::min)(8 * report.offset, deepest);
+      if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value) reach = (std::max)(thickness, reach);
+      else if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::relative_thickness_t>::value) reach = (std::max)(relative_thickness * unit, reach);
+      auto shell = certified_bspline_shell_3<ConcurrencyTag>(
+        wrap, BS::Named_parameters<double, tags::thickness_t, typename Limited::Pack>(reach, limited));
+      return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
     }
   };
-  BS::Soup_proxy_3 proxy = attempt(1, limit / 2);
-  if(proxy.is_certified() || proxy.status() == BS::Shell_status::CANCELED || !(timer.time() < limit)) return proxy;
-  BS::Soup_proxy_3 coarser = attempt(2, limit - timer.time());
-  return coarser.is_certified() || !proxy ? std::move(coarser) : std::move(proxy);
+  const auto is_final = [](const BS::Soup_proxy_3& proxy) {
+    return proxy.is_certified() || proxy.status() == BS::Shell_status::CANCELED || proxy.status() == BS::Shell_status::INVALID_PARAMETER
+        || proxy.status() == BS::Shell_status::UNSOUND_ARITHMETIC;
+  };
+  // The thinner the proxy's parts, the more cells they need: where half of the time does not suffice, a coarser proxy gets the rest.
+  BS::Soup_proxy_3 proxy = attempt(limit / 2);
+  if(is_final(proxy) || !(timer.time() < limit)) return proxy;
+  scale *= 2;
+  BS::Soup_proxy_3 coarser = attempt(limit);
+  return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
 }
 
 } // namespace CGAL

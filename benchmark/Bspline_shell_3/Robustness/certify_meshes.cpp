@@ -216,7 +216,7 @@ void certify(const std::string& file, const Options& options)
     if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
     const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup, parameters);
     const double seconds = timer.time();
-    if(!result) return refuse(result.mesh_status, result.shell_of_mesh.report().offending_simplices);
+    if(!result) return refuse(result.status(), result.offending_simplices);
     BS::Shell_certificate_3 certificate(result.shell());
     if(!options.directory.empty()) certificate.verify(result.mesh());
     print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "", seconds,

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ BS::Polygon_soup soup_of(const Mesh& mesh)
 std::string report_of(const BS::Shell_of_soup_3& result)
 {
   std::ostringstream out;
-  CHECK(BS::write_report(out, result, "a \"file\""));
+  CHECK(BS::write_report(out, result, BS::Soup_shares(), "a \"file\""));
   return out.str();
 }
 
@@ -128,6 +129,18 @@ TEST_CASE("Front door: nothing, points only, and facets without area are refused
     CHECK(contains(report, "\"status\": \"refused\""));
     CHECK_FALSE(contains(report, "\"kind\""));
   }
+}
+
+TEST_CASE("Front door: points that are no numbers or do not exist are named")
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, nan, 0) };
+  const BS::Shell_of_soup_3 no_number = CGAL::certified_shell_of_soup_3({ points, { { 0, 1, 2 } } });
+  CHECK(no_number.status() == BS::Shell_status::NOT_FINITE);
+  CHECK(no_number.offending_simplices.vertices == std::vector<std::size_t>{ 2 });
+  const BS::Shell_of_soup_3 no_point = CGAL::certified_shell_of_soup_3({ points, { { 0, 1 }, { 0, 1, 3 } } });
+  CHECK(no_point.status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(no_point.offending_simplices.facets == std::vector<std::size_t>{ 1 });
 }
 
 TEST_CASE("Front door: parameters that make no sense, and visitors who stop, end at once")

@@ -2,11 +2,15 @@
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include "test_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -35,7 +39,8 @@ TEST_CASE("Repair: a clean mesh needs none")
                                { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
   Mesh mesh;
   BS::Soup_repairs repairs;
-  CHECK(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  BS::Offending_simplices offenders;
+  CHECK(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
   CHECK(repairs.is_none());
   CHECK(mesh.number_of_faces() == 4);
   CHECK(CGAL::is_closed(mesh));
@@ -54,7 +59,8 @@ TEST_CASE("Repair: triangles that share no points, some turned, some doubled, so
   soup.polygons.push_back({ q, q });
   Mesh mesh;
   BS::Soup_repairs repairs;
-  REQUIRE(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  BS::Offending_simplices offenders;
+  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
   CHECK(mesh.number_of_faces() == facets);
   CHECK(mesh.number_of_vertices() == ball.number_of_vertices());
   CHECK(CGAL::is_closed(mesh));
@@ -73,7 +79,8 @@ TEST_CASE("Repair: a facet without area between others goes, and the mesh stays 
                                { { 0, 2, 4 }, { 4, 2, 1 }, { 0, 4, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
   Mesh mesh;
   BS::Soup_repairs repairs;
-  REQUIRE(BS::repair_soup(soup, mesh, repairs) == BS::Shell_status::SUCCESS);
+  BS::Offending_simplices offenders;
+  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
   CHECK(repairs.degenerate_facets == 1);
   CHECK(CGAL::is_closed(mesh));
   CHECK(PMP::volume(mesh) == Approx(1. / 6));
@@ -83,14 +90,49 @@ TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are name
 {
   Mesh mesh;
   BS::Soup_repairs repairs;
+  BS::Offending_simplices offenders;
   const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs) == BS::Shell_status::NON_MANIFOLD);
-  CHECK(BS::repair_soup({ points, {} }, mesh, repairs) == BS::Shell_status::EMPTY_MESH);
-  CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs) == BS::Shell_status::EMPTY_MESH);
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs, offenders) == BS::Shell_status::NON_MANIFOLD);
+  CHECK(BS::repair_soup({ points, {} }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
+  CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
   CHECK(repairs.removed_polygons == 1);
   // five triangles, of which the last is joined to the first the other way round
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs)
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs, offenders)
         == BS::Shell_status::NOT_ORIENTABLE);
+}
+
+TEST_CASE("Repair: offenders are those of the soup, whatever was removed before")
+{
+  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  BS::Offending_simplices offenders;
+  CHECK(BS::repair_soup({ points, { { 0, 0, 2 }, { 0, 2, 3 }, { 3, 2, 1 }, { 1, 2, 4 }, { 3, 4, 5 }, { 0, 2, 5 } } }, mesh, repairs, offenders)
+        == BS::Shell_status::NON_MANIFOLD);
+  CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3, 5 });
+  CHECK(repairs.doubled_polygons == 1);
+  CHECK(mesh.is_empty());
+}
+
+TEST_CASE("Repair: a plate with a hole, whose facets have a bridge to it, becomes a closed mesh")
+{
+  BS::Polygon_soup soup;
+  for(double z : { 0., 1. })
+    for(const auto& [x, y] : std::vector<std::pair<double, double> >{ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 1, 3 }, { 3, 3 }, { 3, 1 } })
+      soup.points.emplace_back(x, y, z);
+  soup.polygons = { { 8, 9, 10, 11, 8, 12, 13, 14, 15, 12 }, { 0, 4, 7, 6, 5, 4, 0, 3, 2, 1 } };
+  for(std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    soup.polygons.push_back({ i, j, 8 + j, 8 + i });
+    soup.polygons.push_back({ 4 + i, 4 + j, 12 + j, 12 + i });
+  }
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  BS::Offending_simplices offenders;
+  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
+  CHECK(repairs.split_polygons == 2);
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(std::abs(PMP::volume(mesh)) == Approx(12));
 }
 
 TEST_CASE("Repair: components are turned inside out until they bound a volume")

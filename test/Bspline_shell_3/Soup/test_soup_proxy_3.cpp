@@ -1,4 +1,4 @@
-// Proxies of polygon soups: what no surface is gets a clean mesh that carries its attributes, and says what share of it.
+// Proxies of polygon soups: what is no surface gets a clean mesh that carries its attributes, and says what share of it.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
@@ -102,6 +102,21 @@ TEST_CASE("Soup mesh: three triangles at an edge, in any order, become a mesh wh
     CHECK(corners == polygons[soup.polygon_of(f)]);
   }
   CHECK(soup.polygons_left_out().empty());
+}
+
+TEST_CASE("Soup mesh: a polygon with a hole, whose bridge has two points twice, is triangulated")
+{
+  const Points points{ Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 4, 0), Point_3(0, 4, 0),
+                       Point_3(1, 1, 0), Point_3(1, 3, 0), Point_3(3, 3, 0), Point_3(3, 1, 0) };
+  const BS::Soup_mesh_3 soup(BS::Polygon_soup{ points, { { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 } } });
+  CHECK(soup.polygons_left_out().empty());
+  double area = 0;
+  for(auto f : soup.mesh().faces()) {
+    const auto h = soup.mesh().halfedge(f);
+    area += std::sqrt(CGAL::squared_area(soup.mesh().point(soup.mesh().source(h)), soup.mesh().point(soup.mesh().target(h)),
+                                         soup.mesh().point(soup.mesh().target(soup.mesh().next(h)))));
+  }
+  CHECK(area == Approx(12));
 }
 
 TEST_CASE("Soup mesh: polygons are triangulated, and those without an area are left out and named")
@@ -365,6 +380,11 @@ TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, 
   CHECK(status(points, { { 0, 1, 3 } }) == BS::Shell_status::DEGENERATE_FACET);
   CHECK(status(points, { { 0, 1, 4 } }) == BS::Shell_status::INVALID_PARAMETER);
   CHECK(status(points, { { 0, 1, 2 } }, -1) == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(status(points, { { 0, 1, 2 } }, 1e-12) == BS::Shell_status::GRID_TOO_FINE);
+  CHECK(status(points, { { 0, 1, 2 } }, 1e-6) == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
+  const Polygons one{ { 0, 1, 2 } };
+  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::thickness(-1)).status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::resolution(0.)).status() == BS::Shell_status::INVALID_PARAMETER);
   Points large = points;
   large[1] = Point_3(1e200, 0, 0);
   CHECK(status(large, { { 0, 1, 2 } }) == BS::Shell_status::COORDINATES_OUT_OF_RANGE);
@@ -372,7 +392,7 @@ TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, 
   wrong[2] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
   CHECK(status(wrong, { { 0, 1, 2 } }) == BS::Shell_status::NOT_FINITE);
   const BS::Soup_proxy_3 none = CGAL::certified_soup_proxy_3(wrong, Polygons{ { 0, 1, 3 }, { 0, 1, 2 } });
-  CHECK(none.offending_polygons() == std::vector<std::size_t>{ 1 });
+  CHECK(none.offending_simplices().vertices == std::vector<std::size_t>{ 2 });
   CHECK_FALSE(none);
   CHECK_FALSE(none.is_certified());
 }

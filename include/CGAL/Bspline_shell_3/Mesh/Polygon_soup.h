@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -32,8 +33,12 @@ struct Polygon_soup
 
 namespace internal {
 
+// `EMPTY_MESH`; `INVALID_PARAMETER` if a polygon refers to a point that does not exist; `NOT_FINITE`; `COORDINATES_OUT_OF_RANGE`; or `SUCCESS`
+Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders);
 // Identifies points at equal positions. Returns where the first of each was, ascending.
 std::vector<std::size_t> merge_points(Polygon_soup& soup);
+// Triangles of a polygon, as positions of its corners: those with an area.
+std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon);
 // Turns polygons round where they do not agree with their neighbors, and counts them. Without success, offenders are what keeps the soup from being a mesh.
 Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned);
 // false if triangles would share edges that polygons do not

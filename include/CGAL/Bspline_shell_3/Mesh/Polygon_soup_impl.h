@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -27,6 +28,40 @@ inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
 {
   std::sort(positions.begin(), positions.end());
   positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders)
+{
+  offenders = Offending_simplices();
+  if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
+  for(std::size_t n = 0; n < soup.polygons.size(); ++n)
+    for(std::size_t v : soup.polygons[n])
+      if(v >= soup.points.size() && (offenders.facets.empty() || offenders.facets.back() != n)) offenders.facets.push_back(n);
+  if(!offenders.facets.empty()) return Shell_status::INVALID_PARAMETER;
+  constexpr double largest = 1e60;       // as for meshes
+  bool is_in_range = true;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for(int a = 0; a < 3; ++a) {
+      const double x = soup.points[v][a];
+      is_in_range = is_in_range && std::abs(x) <= largest;
+      if(!std::isfinite(x)) { offenders.vertices.push_back(v); break; }
+    }
+  return !offenders.vertices.empty() ? Shell_status::NOT_FINITE : is_in_range ? Shell_status::SUCCESS : Shell_status::COORDINATES_OUT_OF_RANGE;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon)
+{
+  const std::vector<std::size_t>& corners = soup.polygons[polygon];
+  std::vector<std::array<std::size_t, 3> > triangles;
+  if(corners.size() < 3) return triangles;
+  Polygon_soup::Points points;
+  for(std::size_t v : corners) points.push_back(soup.points[v]);
+  if(corners.size() == 3) triangles.push_back({ 0, 1, 2 });
+  else triangles = triangulate_polygon(points);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const std::array<std::size_t, 3>& t) {
+    return CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]);
+  }), triangles.end());
+  return triangles;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> merge_points(Polygon_soup& soup)

@@ -26,7 +26,7 @@ namespace Bspline_shells {
  *
  * \brief maps points of a polygon soup to its proxy, a mesh in the shell: along the integral curves, as `Shell_projection_3` does.
  *
- * Points that have no image so, as they are not in the shell, are mapped to the nearest point of the proxy. These images are marked
+ * Points that are not in the shell, or whose curves leave it without meeting the proxy, are mapped to the nearest point of the proxy. These images are marked
  * (`Projected_point::is_continued`), and two points may have one.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
@@ -49,8 +49,8 @@ public:
   Image operator()(const Point& p) const
   {
     Image image = Base::operator()(p);
-    if(image || image.status == Flow_status::INVALID_MESH || image.status == Flow_status::NOT_FINITE || this->target().number_of_facets() == 0)
-      return image;
+    const bool is_beyond = image.status == Flow_status::STARTS_OUTSIDE || image.status == Flow_status::LEAVES_SHELL;
+    if(!is_beyond || this->target().number_of_facets() == 0) return image;
     const auto closest = this->target().closest({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
     const Coordinates x = this->target().point(closest.first, closest.second);
     image.status = Flow_status::SUCCESS;

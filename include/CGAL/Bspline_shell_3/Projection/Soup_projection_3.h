@@ -31,9 +31,8 @@ namespace Bspline_shells {
  *
  * \brief maps points of a shell to what is seen from there of a mesh that may intersect itself, overlap, and face either way.
  *
- * The image of a point is the first point of the mesh on its integral curve, from the outer surface of the shell inwards, up to 100 times the
- * tolerance. Where the curve leaves the
- * shell by the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to where it does; it is marked
+ * The image of a point is the first point of the mesh on its integral curve, from the outer surface of the shell inwards; facets that the curve misses
+ * by less than 100 times the tolerance count. Where the curve leaves the shell by the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to where it does; it is marked
  * (`Projected_point::is_continued`), and two such points may have one image. Images jump at silhouettes, where one part of the mesh hides another; a
  * curve that only touches the mesh may miss it there.
  *

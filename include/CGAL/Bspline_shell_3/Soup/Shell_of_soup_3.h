@@ -47,13 +47,18 @@ struct Shell_of_soup_3
   typedef Soup_proxy_3::Shell Shell;
 
   Soup_repairs repairs;                                  ///< of the mesh that was tried first
-  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, which is certified unless there is a proxy.
+  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, certified or not.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
+  /// what became of a proxy, if one was tried: that is, unless the mesh got a certified shell
+  Shell_status proxy_status = Shell_status::NOT_BUILT;
+  /// those to blame for `mesh_status`: positions in the soup, if there is no repaired mesh, and otherwise in that
+  Offending_simplices offending_simplices;
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
-  std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if the proxy is the result
+  std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
   double seconds = 0;                                    ///< that all of it took
 
+  /// \pre there is a shell
   Shell_kind kind() const
   {
     return proxy ? Shell_kind::PROXY : shell_of_mesh.closing() ? Shell_kind::VIRTUALLY_CLOSED : Shell_kind::CLOSED;
@@ -61,6 +66,11 @@ struct Shell_of_soup_3
   const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; }        ///< what the shell is of
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
   explicit operator bool() const { return bool(shell()); }                          ///< whether there is a shell
+  /// `SUCCESS`, or why there is no shell
+  Shell_status status() const
+  {
+    return shell() ? Shell_status::SUCCESS : proxy_status == Shell_status::CANCELED ? proxy_status : mesh_status;
+  }
   bool is_certified() const { return shell().is_certified(); }
   /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
   const char* mesh_message() const
@@ -70,7 +80,7 @@ struct Shell_of_soup_3
   /// the outcome in one sentence
   const char* message() const
   {
-    return proxy ? proxy->message() : mesh_message();
+    return proxy ? proxy->message() : shell() ? mesh_message() : Bspline_shells::message(status());
   }
 };
 

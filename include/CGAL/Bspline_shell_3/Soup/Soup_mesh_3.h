@@ -40,7 +40,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   std::size_t polygon_of(Mesh::Face_index f) const { return m_polygon[f]; }        ///< the polygon that a triangle is part of
   std::size_t point_of(Mesh::Vertex_index v) const { return m_point[v]; }          ///< the point that a vertex is, or a copy of
-  /// polygons that are not in the mesh, ascending: they have no area, or a point twice
+  /// polygons that are not in the mesh, ascending: they have no area
   const std::vector<std::size_t>& polygons_left_out() const { return m_left_out; }
 
 private:

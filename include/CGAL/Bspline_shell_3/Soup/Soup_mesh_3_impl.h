@@ -6,13 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SOUP_SOUP_MESH_3_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_SOUP_SOUP_MESH_3_IMPL_H
 
-#include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -43,22 +41,11 @@ CGAL_BSPLINE_SHELL_3_INLINE Soup_mesh_3::Soup_mesh_3(const Polygon_soup& soup)
   const Polygon_soup::Points& points = soup.points;
   Polygon_soup::Points used;
   Polygon_soup::Polygons triangles;
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> number(points.size(), none);
   for(std::size_t n = 0; n < soup.polygons.size(); ++n) {
     const std::vector<std::size_t>& polygon = soup.polygons[n];
-    std::vector<std::size_t> sorted = polygon;
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<std::array<std::size_t, 3> > parts;
-    if(polygon.size() >= 3 && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
-      Polygon_soup::Points corners;
-      for(std::size_t v : polygon) corners.push_back(points[v]);
-      if(polygon.size() == 3) parts.push_back({ 0, 1, 2 });
-      else parts = triangulate_polygon(corners);
-      parts.erase(std::remove_if(parts.begin(), parts.end(), [&](const std::array<std::size_t, 3>& t) {
-        return CGAL::collinear(corners[t[0]], corners[t[1]], corners[t[2]]);
-      }), parts.end());
-    }
+    const std::vector<std::array<std::size_t, 3> > parts = internal::triangles_of_polygon(soup, n);
     if(parts.empty()) m_left_out.push_back(n);
     for(const std::array<std::size_t, 3>& t : parts) {
       triangles.emplace_back();

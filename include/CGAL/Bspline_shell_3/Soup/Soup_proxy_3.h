@@ -12,9 +12,7 @@
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -34,8 +32,8 @@ public:
   typedef Soup_map_3<Shell, Mesh> Map;
 
   /// no proxy, for a reason
-  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT, std::vector<std::size_t> offending_polygons = {})
-    : m_status(status), m_offenders(std::move(offending_polygons))
+  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT, Offending_simplices offenders = Offending_simplices())
+    : m_status(status), m_offenders(std::move(offenders))
   {}
   Soup_proxy_3(Soup_mesh_3 soup, Mesh mesh, Shell shell, const Proxy_report& report)
     : m_status(shell.status()), m_soup(std::move(soup)), m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
@@ -44,7 +42,8 @@ public:
   /// whether there is a shell; if not, `status()` says why
   explicit operator bool() const { return m_status == Shell_status::SUCCESS; }
   Shell_status status() const { return m_status; }
-  const std::vector<std::size_t>& offending_polygons() const { return m_offenders; }      ///< if there is no proxy
+  /// if there is no proxy: positions of polygons and points of the soup
+  const Offending_simplices& offending_simplices() const { return m_offenders; }
   bool is_certified() const { return m_shell.is_certified(); }
   const char* message() const { return *this ? m_shell.message() : Bspline_shells::message(m_status); }
 
@@ -53,14 +52,15 @@ public:
   const Shell& shell() const { return m_shell; }          ///< of the proxy
   const Proxy_report& report() const { return m_report; }
 
-  /// the map from the soup's mesh to the proxy; `Map::inverse()` leads back
+  /// The map from the soup's mesh to the proxy; `Map::inverse()` leads back. It prepares a tree of boxes for both: keep it. \pre there is a proxy, and no other
+  /// thread prepares a map of it
   Map map() const { return map(m_mesh); }
   /// the map from the soup's mesh to another mesh in the shell, as edits of the proxy return it
   Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
 
 private:
   Shell_status m_status;
-  std::vector<std::size_t> m_offenders;
+  Offending_simplices m_offenders;
   Soup_mesh_3 m_soup;
   Mesh m_mesh;
   Shell m_shell;

@@ -27,6 +27,7 @@ struct Soup_repairs
 {
   std::size_t merged_points = 0;           ///< were at positions where other points are
   std::size_t removed_polygons = 0;        ///< had fewer than three different points
+  std::size_t split_polygons = 0;          ///< had a point twice, as polygons with holes have: they were triangulated, or lost the repetition
   std::size_t doubled_polygons = 0;        ///< had the points of another polygon
   std::size_t turned_polygons = 0;         ///< were turned round to agree with their neighbors
   std::size_t degenerate_facets = 0;       ///< had no area: their edges were collapsed or flipped
@@ -35,7 +36,7 @@ struct Soup_repairs
   /// whether there was nothing to do
   bool is_none() const
   {
-    return merged_points + removed_polygons + doubled_polygons + turned_polygons + degenerate_facets == 0 && !turned_components;
+    return merged_points + removed_polygons + split_polygons + doubled_polygons + turned_polygons + degenerate_facets == 0 && !turned_components;
   }
 };
 
@@ -49,11 +50,14 @@ struct Soup_repairs
  * Nothing is filled, cut or moved.
  *
  * \param soup the soup
- * \param[out] mesh the mesh, if the status is `SUCCESS`
+ * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is empty
  * \param[out] repairs what was done
- * \return whether there is a mesh, or why there is none: `EMPTY_MESH`, `NON_MANIFOLD`, `NOT_ORIENTABLE`, `DEGENERATE_FACET`
+ * \param[out] offenders positions of polygons and points of the soup that are to blame; of points at equal positions, the first
+ * \return whether there is a mesh, or why there is none: `EMPTY_MESH`, `NON_MANIFOLD`, `NOT_ORIENTABLE`, `DEGENERATE_FACET`, or `NOT_FINITE`,
+ *         `COORDINATES_OUT_OF_RANGE`, and `INVALID_PARAMETER` if a polygon refers to a point that does not exist
  */
-Shell_status repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs);
+Shell_status repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs,
+                         Offending_simplices& offenders);
 /// \ingroup PkgBsplineShell3Soup
 /// turns components of a closed mesh without self-intersections inside out where they do not bound one volume together.
 /// \return whether that was necessary, and possible

@@ -16,41 +16,81 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <iterator>
+#include <set>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+// Takes a polygon apart that has a point twice; leaves nothing of one with fewer than three.
+inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup& soup, std::size_t n)
+{
+  typedef std::vector<std::size_t> Polygon;
+  Polygon polygon = soup.polygons[n];
+  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+  while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+  Polygon different = polygon;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  if(different.size() < 3) return {};
+  if(different.size() == polygon.size()) return { polygon };
+  std::vector<Polygon> parts;
+  for(const std::array<std::size_t, 3>& t : triangles_of_polygon(soup, n))
+    parts.push_back({ soup.polygons[n][t[0]], soup.polygons[n][t[1]], soup.polygons[n][t[2]] });
+  return parts;
+}
+
+// the same for all polygons with the same cycle of points, in either direction
+inline std::vector<std::size_t> canonical_cycle(std::vector<std::size_t> polygon)
+{
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  if(polygon[1] > polygon.back()) std::reverse(polygon.begin() + 1, polygon.end());
+  return polygon;
+}
+
+} // namespace internal
+
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status
-repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs)
+repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs,
+            Offending_simplices& offenders)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  typedef std::vector<std::size_t> Polygon;
   repairs = Soup_repairs();
   mesh.clear();
+  const Shell_status checked = internal::check_soup(soup, offenders);
+  if(checked != Shell_status::SUCCESS) return checked;
   const std::size_t points = soup.points.size();
-  internal::merge_points(soup);
+  const std::vector<std::size_t> first = internal::merge_points(soup);
   repairs.merged_points = points - soup.points.size();
 
-  const auto is_no_polygon = [](Polygon& polygon) {
-    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-    while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
-    return polygon.size() < 3;
-  };
-  const auto end = std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_no_polygon);
-  repairs.removed_polygons = std::size_t(std::distance(end, soup.polygons.end()));
-  soup.polygons.erase(end, soup.polygons.end());
-  const std::size_t polygons = soup.polygons.size();
-  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons,
-                                                CGAL::parameters::erase_all_duplicates(false).require_same_orientation(false));
-  repairs.doubled_polygons = polygons - soup.polygons.size();
+  Polygon_soup::Polygons polygons;
+  std::vector<std::size_t> origin;
+  std::set<std::vector<std::size_t> > known;
+  for(std::size_t n = 0; n < soup.polygons.size(); ++n) {
+    const std::vector<std::vector<std::size_t> > parts = internal::simple_polygons(soup, n);
+    if(parts.empty()) ++repairs.removed_polygons;
+    else if(parts.size() > 1 || parts.front().size() < soup.polygons[n].size()) ++repairs.split_polygons;
+    for(const std::vector<std::size_t>& part : parts)
+      if(known.insert(internal::canonical_cycle(part)).second) {
+        polygons.push_back(part);
+        origin.push_back(n);
+      }
+      else ++repairs.doubled_polygons;
+  }
+  soup.polygons.swap(polygons);
   if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
 
-  Offending_simplices offenders;
   const Shell_status status = internal::orient_soup(soup, offenders, repairs.turned_polygons);
-  if(status != Shell_status::SUCCESS) return status;
+  if(status != Shell_status::SUCCESS) {
+    for(std::size_t& f : offenders.facets) f = origin[f];
+    for(std::size_t& v : offenders.vertices) v = first[v];
+    offenders.facets.erase(std::unique(offenders.facets.begin(), offenders.facets.end()), offenders.facets.end());
+    return status;
+  }
   if(!internal::triangulate(soup)) return Shell_status::DEGENERATE_FACET;
   PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
@@ -60,7 +100,10 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
     PMP::remove_degenerate_faces(mesh);
     mesh.collect_garbage();
     if(mesh.number_of_faces() == 0) return Shell_status::EMPTY_MESH;
-    if(std::any_of(mesh.faces().begin(), mesh.faces().end(), has_no_area)) return Shell_status::DEGENERATE_FACET;
+    if(std::any_of(mesh.faces().begin(), mesh.faces().end(), has_no_area)) {
+      mesh.clear();
+      return Shell_status::DEGENERATE_FACET;
+    }
   }
   return Shell_status::SUCCESS;
 }

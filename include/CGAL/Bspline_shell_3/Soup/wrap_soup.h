@@ -20,16 +20,23 @@ namespace Bspline_shells {
  * \brief makes a closed mesh around a polygon soup that a certified shell can be built for: `CGAL::alpha_wrap_3()`, without singular vertices.
  *
  * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. Then the wrap is made again, with `alpha` and
- * `offset` larger by a quarter, up to eight times.
+ * `offset` larger by a quarter, until eight were made or the time is over.
  *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \param soup the soup
  * \param alpha the size of the cavities and gaps that the wrap enters, user units
  * \param offset how far the wrap's vertices are from the soup, user units
+ * \param max_seconds after which no other wrap is begun
+ * \param max_bytes that a wrap may take, about
  * \param[out] wrap the mesh
  * \param[out] report what was needed
- * \return `EMPTY_MESH` if the soup has no triangle; otherwise what is wrong with the last wrap that was tried, or `SUCCESS`
+ * \return `EMPTY_MESH` if the soup has no triangle, `GRID_TOO_FINE` if the offset is too small for its coordinates, `MEMORY_LIMIT_EXCEEDED`; otherwise what
+ *         is wrong with the last wrap that was tried, or `SUCCESS`
+ * \cgalHeading{Cost} grows with the number of balls of radius `alpha` that cover the soup
  */
-Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, Soup_mesh_3::Mesh& wrap, Proxy_report& report);
+template <typename ConcurrencyTag>
+Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_seconds, double max_bytes, Soup_mesh_3::Mesh& wrap,
+                       Proxy_report& report);
 
 } // namespace Bspline_shells
 } // namespace CGAL

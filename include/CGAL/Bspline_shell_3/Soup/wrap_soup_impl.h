@@ -10,22 +10,39 @@
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/alpha_wrap_3.h>
-#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status
-wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, Soup_mesh_3::Mesh& wrap, Proxy_report& report)
+template <typename ConcurrencyTag>
+Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_seconds, double max_bytes, Soup_mesh_3::Mesh& wrap,
+                       Proxy_report& report)
 {
   typedef Soup_mesh_3::Mesh Mesh;
   if(soup.mesh().number_of_faces() == 0) return Shell_status::EMPTY_MESH;
+  const Bbox_3 box = Polygon_mesh_processing::bbox(soup.mesh());
+  double largest = 0, unit = 0;
+  for(int a = 0; a < 3; ++a) {
+    largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
+    unit = (std::max)(unit, (box.max)(a) - (box.min)(a));
+  }
+  // points at the offset are found to a hundredth of it, by constructions with some rounding errors
+  constexpr double precision = 1e-10, bytes_per_facet = 2000, facets_per_ball = 8;
+  if(!(offset > precision * largest)) return Shell_status::GRID_TOO_FINE;
+  // the area of the wrap is not more than that of both sides of the soup, nor than that of a foam with bubbles of that size
+  const double area = (std::min)(2 * Polygon_mesh_processing::area(soup.mesh()), unit * unit * (6 + unit / alpha));
+  if(area / (alpha * alpha) * facets_per_ball * bytes_per_facet > max_bytes) return Shell_status::MEMORY_LIMIT_EXCEEDED;
   Real_timer timer;
   timer.start();
   Polygon_soup::Points points;
@@ -39,11 +56,15 @@ wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, Soup_mesh_3::Mes
   constexpr double coarser = 1.25;
   Shell_status status = Shell_status::SINGULAR_VERTEX;
   for(report.wraps = 0; report.wraps < most && status == Shell_status::SINGULAR_VERTEX; ++report.wraps) {
-    if(report.wraps > 0) { alpha *= coarser; offset *= coarser; }
+    if(report.wraps > 0) {
+      if(timer.time() > max_seconds) break;
+      alpha *= coarser;
+      offset *= coarser;
+    }
     wrap.clear();
     CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap);
     wrap.collect_garbage();
-    status = Input_mesh_3().build<Parallel_if_available_tag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)), Input_mesh_3::Tolerated_defects());
+    status = Input_mesh_3().template build<ConcurrencyTag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)), Input_mesh_3::Tolerated_defects());
   }
   report.alpha = alpha;
   report.offset = offset;

@@ -8,7 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
-#include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+#include <CGAL/Bspline_shell_3/Soup/Soup_shares.h>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +40,7 @@ public:
     for(char c : text) {
       if(c == '"' || c == '\\') m_out << '\\';
       if(static_cast<unsigned char>(c) >= 0x20) m_out << c;
+      else m_out << "\\u00" << (c >> 4) << "0123456789abcdef"[c & 15];
     }
     m_out << '"';
     return *this;
@@ -90,14 +91,15 @@ private:
  * share of the area the proxy carries and why the mesh itself has no shell; size, claims, time; and what stands in the way, if it is not
  * certified.
  *
- * Lengths are in user units, times in seconds. Facets and vertices that offend are those of the mesh that repairs made, by position.
+ * Lengths are in user units, times in seconds. Facets and vertices that offend are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; formats and locale are kept
  * \param result the shell
- * \param file the name of the file that it comes from
+ * \param shares what the proxy carries, if there is one (`sample_soup_shares()`)
+ * \param file the name of the file that it comes from, in UTF-8
  * \return whether it could be written
  */
-inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const std::string& file)
+inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const Soup_shares& shares, const std::string& file)
 {
   const std::locale locale = out.imbue(std::locale::classic());
   const std::ios_base::fmtflags flags = out.flags(std::ios_base::dec);
@@ -109,20 +111,21 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
     json("file", file)("status", !result ? "refused" : result.is_certified() ? "certified" : "not certified")("message", result.message());
     if(result) json("kind", name(result.kind()));
     const Soup_repairs& repairs = result.repairs;
-    object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)
+    object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)("split_polygons", repairs.split_polygons)
       ("doubled_polygons", repairs.doubled_polygons)("turned_polygons", repairs.turned_polygons)
       ("degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
-      const Offending_simplices& offenders = result.shell_of_mesh.report().offending_simplices;
+      const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)("vertices", offenders.vertices);
+      if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
+        object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS ? "Its shell is not certified." : message(result.proxy_status));
     }
     if(result.proxy) {
       const Proxy_report& proxy = result.proxy->report();
-      const Soup_shares shares = sample_soup_shares(result.proxy->map());
       object("proxy")("alpha", proxy.alpha)("offset", proxy.offset)("wraps", proxy.wraps)("carried", shares.carried)
         ("continued", shares.continued)("hidden", shares.hidden)("polygons_left_out", result.proxy->soup().polygons_left_out());
     }
-    if(result.kind() == Shell_kind::VIRTUALLY_CLOSED)
+    if(result && result.kind() == Shell_kind::VIRTUALLY_CLOSED)
       object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)
         ("triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset", r.closing.largest_offset);
     if(result) {

@@ -224,9 +224,10 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     if(t == 1) return;
     // linear beyond: the inverse map's differential on this side
     result.across = true;
-    const Flow_differential d = map.to_source().differential(here, image);
-    if(!d) { result.status = d.status; return; }
     const auto& normal = source.normal(facet);
+    const Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal) : map.to_source().differential(here, image);
+    if(!d) { result.status = d.status; return; }
+    if(internal::is_along(normal, d)) { result.status = Flow_status::FACES_WRONG_WAY; return; }
     const Eigen::Vector3d step_on_source = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2]))
                                          * Eigen::Vector3d(end[0] - here[0], end[1] - here[1], end[2] - here[2]);
     const Coordinates beyond = { q[0] + step_on_source[0], q[1] + step_on_source[1], q[2] + step_on_source[2] };

@@ -131,8 +131,13 @@ private:
   {
     for(std::size_t n = 0; n < m_holes.size(); ++n)
       if(is_bad[n] && m_holes[n].method != Method::NONE) {
-        m_holes[n].method = Method(int(m_holes[n].method) + 1);
-        while(!triangulate(m_holes[n])) {}
+        // as long as that changes anything
+        Hole& hole = m_holes[n];
+        const auto last = hole.triangles;
+        do {
+          hole.method = hole.halfedges.size() == 3 ? Method::NONE : Method(int(hole.method) + 1);
+          while(!triangulate(hole)) {}
+        } while(hole.method != Method::NONE && !is_fan(hole) && hole.triangles == last);
       }
     if(std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end()) return false;
     rebuild();

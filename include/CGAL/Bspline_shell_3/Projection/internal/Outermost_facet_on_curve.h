@@ -65,7 +65,7 @@ private:
     return curve.at(inside);
   }
 
-  // Facets at a common edge or vertex are met at the same place but for rounding: the one with the smaller number counts.
+  // of facets that are met at the same value, the one with the smaller number
   bool is_before(const Curve_hit& hit, const Curve_hit& best) const
   {
     if(best.facet == Projection_facets_3::npos) return true;

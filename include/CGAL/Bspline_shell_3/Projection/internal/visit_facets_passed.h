@@ -27,8 +27,8 @@ struct Curve_hit
   double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
 };
 
-constexpr double crossing_precision = 1e-3;     // of the tolerance: where planes are passed
-constexpr double search_tolerance = 100;        // of it, for what is less exact within steps
+inline constexpr double crossing_precision = 1e-3;     // of the tolerance: where planes are passed
+inline constexpr double search_tolerance = 100;        // of it, for what is less exact within steps
 
 // Calls `visit(hit)` for the facets that the curve passes during its last step, between the thresholds, whichever way they face; at their edges up to
 // `search_tolerance`. A facet whose plane is passed twice in one step may be missed.

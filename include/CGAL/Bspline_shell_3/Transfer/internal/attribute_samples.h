@@ -15,7 +15,10 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
+#include <Eigen/Core>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -82,6 +85,15 @@ std::vector<std::size_t> positions_of_corners(const Target& target)
   for(auto f : faces(mesh))
     for(auto v : corners(mesh, f)) result.push_back(get(position, v));
   return result;
+}
+
+// Whether a plane with this normal is along the curve, as far as `double`s can tell: nothing is to be moved to it then.
+template <typename Normal>
+bool is_along(const Normal& normal, const Flow_differential& d)
+{
+  constexpr double least_sine = 1e-8;
+  const Eigen::Vector3d n(normal[0], normal[1], normal[2]);
+  return !(std::abs(n.dot(d.velocity)) > least_sine * n.norm() * d.velocity.norm());
 }
 
 // the differential of the map from the source at the image of a point of the target
