@@ -255,7 +255,7 @@ def textured(name):
 
 def draw_soup(prefix, picture):
     size, direction, up = (430, 560), (0.35, -1, 0.25), (0, 0, 1)
-    fig, (axes,) = figure(1, 3, 545)
+    fig, (axes,) = figure(1, 3, 390)
     for ax, what, title in zip(axes, ("before", "after"), ("polygons", "proxy, simplified")):
         data, actor = textured(f"{prefix}_{what}.txt")
         view = fit(data, size, direction, up)
@@ -264,8 +264,9 @@ def draw_soup(prefix, picture):
     plane.SetOrigin(0, 0.05, 0)
     plane.SetNormal(0, 1, 0)
     shares, proxy = read(f"{prefix}_shares.ply"), read(f"{prefix}_proxy.ply")
+    shares.GetCellData().SetActiveScalars("RGBA")
     behind = half(shares, plane)
-    show(axes[2], render([surface(behind), edges(behind, MESH, 0.3), outline(proxy, plane, rgb(OUTER), 2.5)], size, *view), "cut: carried, hidden; proxy")
+    show(axes[2], render([surface(behind), edges(behind, MESH, 0.3), outline(proxy, plane, rgb(OUTER), 2.5)], size, *view), "cut: carried and hidden; proxy")
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.94, 0.02)
     save(fig, picture)
 
