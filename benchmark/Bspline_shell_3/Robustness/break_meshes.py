@@ -4,8 +4,9 @@
    break_meshes.py FOLDER MESH...       (OFF, triangles)
 
 For each mesh, FOLDER gets NAME_dropped.off, without every 200th facet; NAME_turned.off, in which every tenth faces the other way;
-NAME_doubled.off, with every tenth twice; NAME_split.off, in which no facets share a vertex; NAME_pushed.off, the mesh and a copy that is
-pushed into it; and NAME_gaps.off, in which every facet is smaller by a thousandth.
+NAME_doubled.off, with every tenth twice; NAME_split.off, in which no facets share a vertex; NAME_rounded.off, the same with other rounding
+errors at each vertex; NAME_pushed.off, the mesh and a copy that is pushed into it; and NAME_gaps.off, in which every facet is smaller by a
+thousandth.
 """
 import os
 import sys
@@ -40,5 +41,6 @@ for file in sys.argv[2:]:
     write(name + "_turned.off", points, [t[::-1] if n % 10 == 3 else t for n, t in enumerate(facets)])
     write(name + "_doubled.off", points, [u for n, t in enumerate(facets) for u in ([t, t] if n % 10 == 3 else [t])])
     write(name + "_split.off", *split(points, facets))
+    write(name + "_rounded.off", *split(points, facets, 1e-15))
     write(name + "_pushed.off", *pushed(points, facets))
     write(name + "_gaps.off", *split(points, facets, 0.001))
