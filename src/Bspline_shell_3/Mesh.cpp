@@ -6,6 +6,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/closable_fan_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
 
 #include <CGAL/tags.h>

@@ -22,6 +22,8 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -14,6 +14,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -10,6 +10,8 @@
 #include <CGAL/Bspline_shell_3/Closing/internal/Back_sheet.h>
 #include <CGAL/Bspline_shell_3/Closing/internal/Hole_caps.h>
 #include <CGAL/Bspline_shell_3/Closing/internal/assemble_closing.h>
+#include <CGAL/Bspline_shell_3/Mesh/closable_fan.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -23,6 +25,28 @@ namespace CGAL {
 namespace Bspline_shells {
 
 namespace internal {
+
+// the facets at border vertices that nothing can be added to so that all facets there face one way, and wind once
+inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mesh& mesh)
+{
+  std::vector<Closing_mesh::Face_index> facets;
+  for(Closing_mesh::Halfedge_index border : mesh.halfedges()) {
+    if(!mesh.is_border(border)) continue;
+    const Closing_mesh::Vertex_index v = mesh.target(border);
+    std::vector<Closing_kernel::Point_3> link{ mesh.point(mesh.source(border)) };
+    std::vector<Closing_mesh::Face_index> around;
+    Vertex_fan fan;
+    fan.apex = mesh.point(v);
+    for(auto h = mesh.opposite(border); !mesh.is_border(h); h = mesh.opposite(mesh.prev(h))) {
+      around.push_back(mesh.face(h));
+      link.push_back(mesh.point(mesh.target(mesh.next(h))));
+      fan.wings.emplace_back(link[link.size() - 2], link.back());
+    }
+    // a vertex whose facets face no common direction is singular, whatever is added
+    if(!is_fan_closable(mesh.point(v), link) && cone_direction(fan)) facets.insert(facets.end(), around.begin(), around.end());
+  }
+  return facets;
+}
 
 // The closing by caps and back sheets that begin where caps do not have what they must.
 template <typename ConcurrencyTag>
@@ -141,6 +165,8 @@ Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, do
     closed.status = Shell_status::SELF_INTERSECTION;
     return closed;
   }
+  closed.offending_facets = internal::facets_at_spirals(mesh);
+  if(!closed.offending_facets.empty()) return closed;
   // First with caps that leave room. If not all holes get one, it may still be better to have caps that do not.
   const internal::Hole_caps::Requirements good = { 0.1, 2 * offset }, fair = { 0.02, 0 };
   Closer strict(mesh, offset);

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -45,6 +46,8 @@ Vertex_fan vertex_fan(const TriangleMesh& mesh, typename boost::graph_traits<Tri
 }
 
 std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan);
+// the same, not rounded; its largest component is 1 or -1
+std::optional<std::array<Exact_rational, 3> > exact_cone_direction(const Vertex_fan& fan);
 double cone_margin(const Vertex_fan& fan);
 
 } // namespace internal

@@ -25,6 +25,34 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
+CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_cone_direction(const Vertex_fan& fan)
+{
+  typedef Exact_rational ET;
+  const auto& wings = fan.wings;
+  CGAL::Quadratic_program<ET> program(CGAL::LARGER, false, 0, false, 0);     // n_i . g >= 1, g free
+  for(std::size_t i = 0; i < wings.size(); ++i) {
+    ET a[3], b[3];
+    for(int c = 0; c < 3; ++c) {
+      a[c] = ET(wings[i].first[c]) - ET(fan.apex[c]);
+      b[c] = ET(wings[i].second[c]) - ET(fan.apex[c]);
+    }
+    for(int c = 0; c < 3; ++c)
+      program.set_a(c, int(i), a[(c+1) % 3] * b[(c+2) % 3] - a[(c+2) % 3] * b[(c+1) % 3]);
+    program.set_b(int(i), ET(1));
+  }
+  const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(program, ET());
+  if(solution.is_infeasible()) return std::nullopt;
+  std::array<ET, 3> g;
+  ET largest = 0;
+  int c = 0;
+  for(auto it = solution.variable_values_begin(); it != solution.variable_values_end() && c < 3; ++it, ++c) {
+    g[c] = it->numerator() / it->denominator();
+    largest = (std::max)(largest, ET(CGAL::abs(g[c])));
+  }
+  for(ET& x : g) x /= largest;     // to_double of the components neither overflows nor vanishes
+  return g;
+}
+
 CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
@@ -50,28 +78,9 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions
     if(faced) return Result(unit(s - p));
   }
 
-  typedef Exact_rational ET;
-  CGAL::Quadratic_program<ET> program(CGAL::LARGER, false, 0, false, 0);     // n_i . g >= 1, g free
-  for(std::size_t i = 0; i < wings.size(); ++i) {
-    ET a[3], b[3];
-    for(int c = 0; c < 3; ++c) {
-      a[c] = ET(wings[i].first[c]) - ET(p[c]);
-      b[c] = ET(wings[i].second[c]) - ET(p[c]);
-    }
-    for(int c = 0; c < 3; ++c)
-      program.set_a(c, int(i), a[(c+1) % 3] * b[(c+2) % 3] - a[(c+2) % 3] * b[(c+1) % 3]);
-    program.set_b(int(i), ET(1));
-  }
-  const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(program, ET());
-  if(solution.is_infeasible()) return Result();
-  ET g[3], largest = 0;
-  int c = 0;
-  for(auto it = solution.variable_values_begin(); it != solution.variable_values_end() && c < 3; ++it, ++c) {
-    g[c] = it->numerator() / it->denominator();
-    largest = (std::max)(largest, ET(CGAL::abs(g[c])));
-  }
-  for(ET& x : g) x /= largest;     // to_double of the components neither overflows nor vanishes
-  return Result(unit(Vector_3(CGAL::to_double(g[0]), CGAL::to_double(g[1]), CGAL::to_double(g[2]))));
+  const auto g = exact_cone_direction(fan);
+  if(!g) return Result();
+  return Result(unit(Vector_3(CGAL::to_double((*g)[0]), CGAL::to_double((*g)[1]), CGAL::to_double((*g)[2]))));
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan)

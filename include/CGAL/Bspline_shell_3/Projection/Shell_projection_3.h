@@ -48,6 +48,8 @@ struct Projected_point
   /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between a polygon soup and its proxy
   /// do so (`Soup_projection_3`, `Proxy_projection_3`).
   bool is_continued = false;
+  /// The curve misses an open mesh, by less than the tolerance: the image was moved to the border.
+  bool is_snapped = false;
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
 };
@@ -131,6 +133,7 @@ public:
     image.location.first = m_target->face_of(hit.facet);
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
+    image.is_snapped = hit.is_beyond_border;
     return image;
   }
 

@@ -30,7 +30,7 @@ enum class Shell_status
   NON_MANIFOLD,                ///< an edge has more than two facets, or the facets at a vertex do not form one fan
   NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbors agree
   OPEN_MESH,                   ///< an edge has only one facet
-  NOT_CLOSABLE,                ///< the mesh is open, and what would close it intersects the mesh or itself
+  NOT_CLOSABLE,                ///< the mesh is open, and what would close it intersects the mesh or itself, or winds twice around a vertex
   DEGENERATE_FACET,            ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,           ///< two facets meet elsewhere than in common vertices and edges
   INCONSISTENT_ORIENTATION,    ///< the components of the mesh do not bound one volume, or the mesh bounds none
@@ -77,7 +77,7 @@ inline const char* message(Shell_status status)
     case Shell_status::OPEN_MESH:
       return "The mesh is open at the listed facets: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Shell_status::NOT_CLOSABLE:
-      return "The mesh is open, and caps of its holes, or a sheet behind it, would intersect it at the listed facets: close its holes "
+      return "The mesh is open, and cannot be closed, by caps of its holes or a sheet behind it, at the listed facets: close its holes "
              "(CGAL::Polygon_mesh_processing::triangulate_hole), or take a proxy (CGAL::certified_soup_proxy_3).";
     case Shell_status::DEGENERATE_FACET:
       return "The listed facets have no area: remove them (CGAL::Polygon_mesh_processing::remove_degenerate_faces).";

@@ -26,6 +26,8 @@ struct Transfer_report
   /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in `faces(mesh)`, in that order.
   /// They have the `default_value()` of the call, or, without one, what they had before.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
+  /// open meshes: simplices among those whose curves, or some of them, miss the source by less than the tolerance, and got values from its border
+  std::size_t snapped = 0;
   /// soups and proxies: simplices of the target, by position, whose values come, in part at least, from images that are continued
   /// (`Projected_point::is_continued`)
   std::vector<std::size_t> continued;

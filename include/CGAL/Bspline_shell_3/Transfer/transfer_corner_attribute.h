@@ -183,7 +183,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
 
   // where the values of a corner come from: weights of the corners of a facet of the source
   struct Corner { Index facet; Coordinates weights; };
-  struct Facet { Flow_status status = Flow_status::CANCELED; bool across = false, is_continued = false; std::array<Corner, 3> corners; };
+  struct Facet { Flow_status status = Flow_status::CANCELED; bool across = false, is_continued = false, is_snapped = false; std::array<Corner, 3> corners; };
   std::vector<Facet> facets(target.number_of_facets());
 
   // along a facet from its centroid to a corner
@@ -206,6 +206,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
       const auto there = map.to_source()(p);
       if(!there) { result.status = there.status; return; }
       result.is_continued = result.is_continued || there.is_continued;
+      result.is_snapped = result.is_snapped || there.is_snapped;
       Index g = source.facet_of(there.location.first);
       if(seams.go_on(facet, g, there.location.second, step <= shortest)) {
         facet = g;
@@ -241,12 +242,13 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     const auto center = map.to_source()(p);
     result.status = center.status;
     result.is_continued = center.is_continued;
+    result.is_snapped = center.is_snapped;
     for(int corner = 0; corner < 3 && result.status == Flow_status::SUCCESS; ++corner)
       follow(Index(n), corner, source.facet_of(center.location.first), result);
   });
 
   for(std::size_t n = 0; n < facets.size(); ++n) {
-    if(!internal::record(report, n, facets[n].status, facets[n].is_continued)) {
+    if(!internal::record(report, n, facets[n].status, facets[n].is_continued, facets[n].is_snapped)) {
       put_default_values(target.face_of(typename Target::Index(n)));
       continue;
     }

@@ -77,7 +77,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
     internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_labels, f); });
     return report;
   }
-  struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; bool is_continued = false; };
+  struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; bool is_continued = false, is_snapped = false; };
   std::vector<Sample> found(target.number_of_facets() * samples.size());
   internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
     return target.point(Index(n / samples.size()), samples[n % samples.size()]);
@@ -86,23 +86,25 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
     found[n].facet = image.location.first;
     found[n].status = image.status;
     found[n].is_continued = image.is_continued;
+    found[n].is_snapped = image.is_snapped;
   });
 
   std::vector<std::pair<Label, std::size_t> > votes;
   for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
     votes.clear();
-    bool is_continued = false;
+    bool is_continued = false, is_snapped = false;
     for(std::size_t i = 0; i < samples.size(); ++i) {
       const Sample& sample = found[n * samples.size() + i];
       if(sample.status != Flow_status::SUCCESS) continue;
       is_continued = is_continued || sample.is_continued;
+      is_snapped = is_snapped || sample.is_snapped;
       const Label label = get(source_labels, sample.facet);
       auto vote = std::find_if(votes.begin(), votes.end(), [&](const auto& v) { return v.first == label; });
       if(vote == votes.end()) vote = votes.insert(vote, { label, 0 });
       if(i > 0 || has_centroid || samples.size() == 1) ++vote->second;
     }
     const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& v, const auto& w) { return v.second < w.second; });
-    if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status, is_continued))
+    if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status, is_continued, is_snapped))
       put(target_labels, target.face_of(Index(n)), most->first);
     else internal::put_default_value(np, target_labels, target.face_of(Index(n)));
   }

@@ -130,7 +130,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
     const auto g = target.face_of(typename Map::Projection_to_target::Target::Index(n));
     const Eigen::Vector3d normal = eigen(target.normal(typename Map::Projection_to_target::Target::Index(n)));
     if(images[n] && internal::is_along(normal, differentials[n])) images[n].status = Flow_status::FACES_WRONG_WAY;
-    if(!internal::record(report, n, images[n].status, images[n].is_continued)) {
+    if(!internal::record(report, n, images[n].status, images[n].is_continued, images[n].is_snapped)) {
       internal::put_default_value(np, target_vectors, g);
       continue;
     }

@@ -84,7 +84,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   Transfer_report report;
   std::size_t n = 0;
   for(auto v : vertices(map.target())) {
-    if(internal::record(report, n, images[n].status, images[n].is_continued)) {
+    if(internal::record(report, n, images[n].status, images[n].is_continued, images[n].is_snapped)) {
       const Value value = interpolate(internal::corner_values(map.source(), images[n].location.first, source_values), images[n].location.second);
       if constexpr(has_mapping) put(target_values, v, get_parameter_reference(np, parameter_tags::mapping)(value, differentials[n]));
       else put(target_values, v, value);
@@ -155,7 +155,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
   std::vector<std::optional<Sum> > sum(target.vertices_of_mesh().size());
   std::vector<double> weight(sum.size(), 0);
-  std::vector<char> is_continued(sum.size(), 0);
+  std::vector<char> is_continued(sum.size(), 0), is_snapped(sum.size(), 0);
   std::size_t n = 0;
   for(auto v : vertices(map.source())) {
     const auto& image = images[n];
@@ -168,6 +168,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
         sum[t] = sum[t] ? Sum(*sum[t] + share) : share;
         weight[t] += w;
         if(image.is_continued) is_continued[t] = 1;
+        if(image.is_snapped) is_snapped[t] = 1;
       }
     }
     else report.left_out.emplace_back(n, image.status);
@@ -183,10 +184,12 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
       [&](std::size_t i, const auto& p) {
         pulled[missed[i]] = map.to_source()(p);
         is_continued[missed[i]] = pulled[missed[i]].is_continued;
+        is_snapped[missed[i]] = pulled[missed[i]].is_snapped;
       });
   n = 0;
   for(auto v : vertices(map.target())) {
-    if(internal::record(report, n, !complete ? Flow_status::CANCELED : sum[n] ? Flow_status::SUCCESS : pulled[n].status, is_continued[n] != 0)) {
+    if(internal::record(report, n, !complete ? Flow_status::CANCELED : sum[n] ? Flow_status::SUCCESS : pulled[n].status, is_continued[n] != 0,
+                        is_snapped[n] != 0)) {
       if(sum[n]) {
         if constexpr(std::is_integral<Value>::value) put(target_values, v, Value(std::lround(*sum[n] / weight[n])));
         else put(target_values, v, Value(1 / weight[n] * *sum[n]));

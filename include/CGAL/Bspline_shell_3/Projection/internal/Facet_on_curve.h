@@ -120,6 +120,7 @@ private:
       const auto position = m_facets->position(hit.facet, x);
       hit.value = goal;
       hit.barycentric = position.nearest;
+      hit.is_beyond_border = position.outside > 0 && m_facets->neighbor(hit.facet, position.edge) == Projection_facets_3::npos;
       const Coordinates image = m_facets->point(hit.facet, position.nearest);
       const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
       return dot(off, off) <= m_tolerance * m_tolerance && curve.is_within_thresholds(x, goal)

@@ -25,6 +25,7 @@ struct Curve_hit
   double value = 0;                   // of the field
   Projection_facets_3::Coordinates barycentric = {};
   double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
+  bool is_beyond_border = false;      // by less than the tolerance
 };
 
 inline constexpr double crossing_precision = 1e-3;     // of the tolerance: where planes are passed

@@ -27,11 +27,12 @@ namespace Bspline_shells {
 namespace internal {
 
 // notes a status; tells whether there is a value to put
-inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false)
+inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false, bool is_snapped = false)
 {
   if(status == Flow_status::SUCCESS) {
     ++report.transferred;
     if(is_continued) report.continued.push_back(position);
+    if(is_snapped) ++report.snapped;
   }
   else report.failures.emplace_back(position, status);
   return status == Flow_status::SUCCESS;
