@@ -343,6 +343,32 @@ TEST_CASE("Open meshes: attributes, with those of the border as they were")
   }
 }
 
+TEST_CASE("Open meshes: images of points that are beyond the border by less than the tolerance are moved to it, and marked")
+{
+  const Map map(hill_shell(), hill(), hill());
+  std::size_t snapped = 0;
+  for(auto h : hill().halfedges()) {
+    if(!hill().is_border(h)) continue;
+    const Point_3 p = CGAL::midpoint(hill().point(hill().source(h)), hill().point(hill().target(h)));
+    if(p.x() != 0) continue;
+    // in the plane of the facet, across its edge
+    const Kernel::Vector_3 edge = hill().point(hill().target(h)) - hill().point(hill().source(h));
+    Kernel::Vector_3 out = p - hill().point(hill().target(hill().next(hill().opposite(h))));
+    out = out - (out * edge) / edge.squared_length() * edge;
+    out = map.to_target().tolerance() / std::sqrt(out.squared_length()) * out;
+    const auto inside = map.to_target()(p - 0.4 * out);
+    REQUIRE(inside);
+    CHECK_FALSE(inside.is_snapped);
+    const auto beyond = map.to_target()(p + 0.4 * out);
+    REQUIRE(beyond);
+    CHECK(beyond.is_snapped);
+    CHECK(std::abs(beyond.point.x()) < 1e-15);
+    CHECK_FALSE(map.to_target()(p + 4 * out));
+    ++snapped;
+  }
+  CHECK(snapped == 16);
+}
+
 TEST_CASE("Open meshes: shells in files keep what closes them")
 {
   for(BS::Shell_format format : { BS::Shell_format::BINARY, BS::Shell_format::ASCII }) {
