@@ -39,10 +39,10 @@ std::vector<double> steps(int number)
   return x;
 }
 
-// a hill over the unit square, which gets a back sheet
+// hills and hollows over the unit square, which any cap would cut through: it gets a back sheet
 const Mesh& hill()
 {
-  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) { return 0.3 * std::sin(3 * x) * std::sin(3 * y); });
+  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) { return 0.1 * std::sin(2 * CGAL_PI * x) * std::sin(2 * CGAL_PI * y); });
   return mesh;
 }
 const Shell& hill_shell()
