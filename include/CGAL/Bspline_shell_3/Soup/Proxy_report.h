@@ -20,7 +20,7 @@ struct Proxy_report
 {
   double alpha = 0;                      ///< of the wrap, user units
   double offset = 0;                     ///< of its vertices from the soup, user units
-  std::size_t wraps = 0;                 ///< how many were made until one had no singular vertex, of that `alpha`, or a little less
+  std::size_t wraps = 0;                 ///< how many were made, each coarser than the one before, until one had no singular vertex
   double wrap_seconds = 0;               ///< that they took
 };
 
