@@ -11,11 +11,13 @@
 #include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -55,6 +57,9 @@ namespace CGAL {
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
  *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only that
+ *   - `truncate(bool)`: whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face no common direction, or hardly one; default
+ *     `true`, unless self-intersections are allowed
+ *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1; default 0.05
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
@@ -83,6 +88,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);       // a copy, unless it was passed by reference
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
     parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
+  parameters.least_cone_margin = choose_parameter(get_parameter(np, tags::least_cone_margin), parameters.least_cone_margin);
   BS::Refinement_parameters& refinement = parameters.refinement;
   refinement.weights = choose_parameter(get_parameter(np, tags::energy_weights), refinement.weights);
   refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), refinement.constant_thresholds);
@@ -101,7 +107,16 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
       const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
       return BS::close_virtually<ConcurrencyTag>(open, parameters.closing_offset(unit), construction.report().closing);
     };
-  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer);
+  BS::Input_mesh_3::Truncator truncator;
+  if(choose_parameter(get_parameter(np, tags::truncate), true) && !choose_parameter(get_parameter(np, tags::allow_self_intersections), false))
+    truncator = [&](const BS::Input_mesh_3& input) {
+      const double thickness = parameters.largest_thickness(input.unit());
+      return BS::truncate_mesh<ConcurrencyTag>(input, [&](const std::array<double, 3>& p) {
+        const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2])) : thickness;
+        return parameters.largest_tip(here > 0 ? here : thickness);
+      }, parameters.least_cone_margin, construction.report().truncation);
+    };
+  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
   if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
   // a copy, unless it was passed by reference

@@ -6,6 +6,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/closable_fan_impl.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
 
@@ -16,9 +17,9 @@ namespace Bspline_shells {
 
 template Shell_status Input_mesh_3::copy(const Input_mesh_3::Triangle_mesh&,
                                          boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
-template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&, const Closer&);
+template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&, const Closer&, const Truncator&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&, const Closer&);
+template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&, const Closer&, const Truncator&);
 #endif
 
 } // namespace Bspline_shells

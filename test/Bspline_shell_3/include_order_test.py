@@ -10,7 +10,7 @@ import os
 import re
 import sys
 
-STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
+STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Truncation", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
            "IO", "Construction", "Soup"]
 PACKAGE = "CGAL/Bspline_shell_3/"
 

@@ -96,6 +96,7 @@ public:
     m_is_of_shell = true;
     m_bounds = std::move(bounds);
     m_closing = shell.closing();
+    m_truncation = shell.truncation();
     m_proved_cover = shell.proved_cover();
     m_proved_gradient = shell.report().certificate.least_gradient;
     m_shell_paths = shell.component_paths();
@@ -106,7 +107,7 @@ public:
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PolygonMesh a model of `FaceListGraph`
   /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its triangles count
-  ///        as facets after those of the mesh. Polygons are triangulated as for the construction of a shell.
+  ///        as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the triangles of discs count as the facets that follow. Polygons are triangulated as for the construction of a shell.
   /// \param np `vertex_point_map` as in all of \cgal
   /// \return whether all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -120,7 +121,7 @@ public:
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing));
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing), Input_mesh_3::truncator(m_truncation));
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
@@ -222,6 +223,7 @@ private:
     empty.m_is_of_shell = m_is_of_shell;
     if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
     empty.m_closing = m_closing;
+    empty.m_truncation = m_truncation;
     empty.m_proved_cover = std::move(m_proved_cover);
     empty.m_proved_gradient = m_proved_gradient;
     empty.m_shell_paths = std::move(m_shell_paths);
@@ -673,6 +675,7 @@ private:
   bool m_is_of_shell = false;
   std::shared_ptr<const Bounds> m_bounds;
   std::shared_ptr<const Shell_closing_3> m_closing;
+  std::shared_ptr<const Shell_truncation_3> m_truncation;
   std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
   double m_proved_gradient = 0;
   std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell

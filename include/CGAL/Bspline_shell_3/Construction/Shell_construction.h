@@ -63,8 +63,10 @@ public:
   /// tests the arithmetic, and copies and checks the mesh.
   /// \param np `vertex_point_map`, `allow_self_intersections` and `allow_singular_vertices` as for `bspline_shell_3()`
   /// \param closer of open meshes, which are refused without it
+  /// \param truncator of vertices whose facets face no common direction
   template <typename ConcurrencyTag, typename PolygonMesh, typename NP>
-  Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer())
+  Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer(),
+                     const Input_mesh_3::Truncator& truncator = Input_mesh_3::Truncator())
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
@@ -75,7 +77,8 @@ public:
     tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
     const auto mesh_copy = std::make_shared<Input_mesh_3>();
     const Shell_status status = mesh_copy->template build<ConcurrencyTag>(
-      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated, closer);
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated, closer,
+      truncator);
     m_input = mesh_copy;
     m_report.offending_simplices = m_input->offending_simplices();
     if(status != Shell_status::SUCCESS) return status;

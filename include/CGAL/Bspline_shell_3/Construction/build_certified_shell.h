@@ -47,6 +47,7 @@ struct Certified_shell_parameters
 {
   double resolution = 30;               ///< root cells per longest side of the mesh's box
   double relative_thickness = 0.01;     ///< of the longest side of the mesh's box
+  double least_cone_margin = 0.05;      ///< of vertices that are not truncated
   std::optional<double> thickness;      ///< instead, in user units
   /// instead, near a point; user units
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
@@ -59,10 +60,17 @@ struct Certified_shell_parameters
     constexpr double thicknesses = 3;
     return thicknesses * largest_thickness(unit);
   }
+  /// how far from a vertex a mesh is truncated at most: far less than images may be from their points
+  static double largest_tip(double thickness)
+  {
+    constexpr double part = 1. / 8;
+    return part * thickness;
+  }
   bool are_valid() const
   {
     const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
     return is_positive(resolution) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
+        && least_cone_margin >= 0 && least_cone_margin < 1
         && refinement.max_seconds > 0 && refinement.max_bytes > 0 && refinement.weights.are_valid();
   }
 };
@@ -138,6 +146,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
               construction.end(Status::SUCCESS));
   shell.set_closing(input->closing());
+  shell.set_truncation(input->truncation());
   if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
   return shell;
 }

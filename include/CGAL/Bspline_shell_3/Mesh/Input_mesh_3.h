@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -78,6 +79,17 @@ public:
     };
   }
 
+  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no self-intersections; null if there are none. Components
+  /// and orientation are not known yet.
+  typedef std::function<std::shared_ptr<const Shell_truncation_3>(const Input_mesh_3&)> Truncator;
+
+  /// a truncator that has one answer; none, if that is null
+  static Truncator truncator(std::shared_ptr<const Shell_truncation_3> truncation)
+  {
+    if(!truncation) return Truncator();
+    return [truncation](const Input_mesh_3&) { return truncation; };
+  }
+
   Input_mesh_3() = default;
 
   /// copies, triangulates and checks the mesh.
@@ -87,18 +99,22 @@ public:
   /// \param vpm its points
   /// \param tolerated what is not checked
   /// \param closer asked if the mesh is open; without it, open meshes are refused
+  /// \param truncator asked for vertices that are to be truncated; without it, there are none
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
-  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated, const Closer& closer = Closer())
+  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated, const Closer& closer = Closer(),
+                     const Truncator& truncator = Truncator())
   {
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
     Shell_status status = copy(mesh, vpm);
     m_closing.reset();
-    if(status == Shell_status::SUCCESS) status = check<ConcurrencyTag>(tolerated, closer);
+    m_truncation.reset();
+    if(status == Shell_status::SUCCESS) status = check<ConcurrencyTag>(tolerated, closer, truncator);
     if(status != Shell_status::SUCCESS) {
       m_mesh.clear();
       m_closing.reset();
+      m_truncation.reset();
       m_components = 0;
     }
     return m_status = status;
@@ -109,9 +125,12 @@ public:
   const Triangle_mesh& mesh() const { return m_mesh; }
   /// what closes the user's mesh: its triangles come after those of the mesh, and count as its facets; null if the mesh itself is closed
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
-  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have the numbers that follow.
+  /// what replaces tips of the user's mesh, and is part of this one; null if there is nothing
+  const std::shared_ptr<const Shell_truncation_3>& truncation() const { return m_truncation; }
+  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have the numbers that follow, and
+  /// then those of the discs that replace tips.
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
-  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< with those of the closing
+  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< with those of the closing, and of discs
   /// smallest box around the facets
   Bbox_3 bbox() const { return m_bbox; }
   /// length of the longest side of the box: the paper's unit
@@ -126,7 +145,8 @@ public:
   /// volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the numbers that follow.
+  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the numbers that follow, and then
+  /// those that replace truncated ones.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
 
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
@@ -145,10 +165,11 @@ private:
   template <typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
-  Shell_status check(const Tolerated_defects& tolerated, const Closer& closer);
+  Shell_status check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator);
   Shell_status check_border();
   Shell_status check_fans();
   Shell_status close(const Closer& closer);
+  void truncate(const Truncator& truncator);
   Shell_status triangulate();
   bool triangulate(Face_index f);
   template <typename ConcurrencyTag>
@@ -169,6 +190,7 @@ private:
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
   std::shared_ptr<const Shell_closing_3> m_closing;
+  std::shared_ptr<const Shell_truncation_3> m_truncation;
   bool m_outwards = true;
   Offending_simplices m_offenders;
 };

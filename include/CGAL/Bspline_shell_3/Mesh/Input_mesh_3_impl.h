@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template <typename ConcurrencyTag>
-Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Closer& closer)
+Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator)
 {
   const bool is_closed = CGAL::is_closed(m_mesh);
   Shell_status status = is_closed || closer ? Shell_status::SUCCESS : check_border();
@@ -40,6 +40,7 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   if(status == Shell_status::SUCCESS) status = triangulate();
   if(status == Shell_status::SUCCESS && !is_closed) status = close(closer);
   if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
+  if(status == Shell_status::SUCCESS && truncator) truncate(truncator);
   if(status == Shell_status::SUCCESS) find_components();
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
     status = tolerated.self_intersections ? check_volume() : check_orientation();
@@ -87,6 +88,42 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& close
   }
   const Shell_status status = check_fans();
   return status == Shell_status::SUCCESS ? triangulate() : status;      // degenerate triangles
+}
+
+// Pre: all facets are triangles.
+CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::truncate(const Truncator& truncator)
+{
+  std::shared_ptr<const Shell_truncation_3> truncation = truncator(*this);
+  if(!truncation || !truncation->is_valid()) return;
+  const auto in_mesh = truncation->match(m_mesh, m_mesh.points());
+  if(std::all_of(in_mesh.begin(), in_mesh.end(), [](auto h) { return h == Triangle_mesh::null_halfedge(); })) return;
+  // the facets of origin of the facets that are cut
+  std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0);
+  for(std::size_t n = 0; n < in_mesh.size(); ++n)
+    if(in_mesh[n] != Triangle_mesh::null_halfedge()) origin_of_cut[n] = m_origin[m_mesh.face(in_mesh[n])];
+  // which elements go where is kept in the mesh
+  auto origin = m_mesh.add_property_map<Face_index, std::size_t>("f:origin").first;
+  auto vertex_origin = m_mesh.add_property_map<Triangle_mesh::Vertex_index, std::size_t>("v:origin").first;
+  for(Face_index f : m_mesh.faces()) origin[f] = m_origin[f];
+  for(auto v : m_mesh.vertices()) vertex_origin[v] = m_vertex_origin[v];
+  const auto truncated = truncation->apply(m_mesh, m_mesh.points());
+  for(std::size_t n = 0; n < truncated.facets.size(); ++n) {
+    if(truncated.facets[n] == Triangle_mesh::null_face()) continue;
+    origin[truncated.facets[n]] = truncation->disc_of_new_facet(n) == Shell_truncation_3::npos ? origin_of_cut[truncation->cores()[n].facet] : m_number_of_facets++;
+  }
+  for(std::size_t n = truncation->number_of_corners(); n < truncated.vertices.size(); ++n)
+    if(truncated.vertices[n] != Triangle_mesh::null_vertex()) {
+      vertex_origin[truncated.vertices[n]] = m_number_of_vertices++;
+      m_bbox += m_mesh.point(truncated.vertices[n]).bbox();
+    }
+  m_mesh.collect_garbage();
+  m_origin.resize(m_mesh.number_of_faces());
+  m_vertex_origin.resize(m_mesh.number_of_vertices());
+  for(Face_index f : m_mesh.faces()) m_origin[f] = origin[f];
+  for(auto v : m_mesh.vertices()) m_vertex_origin[v] = vertex_origin[v];
+  m_mesh.remove_property_map(origin);
+  m_mesh.remove_property_map(vertex_origin);
+  m_truncation = std::move(truncation);
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::triangulate()

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
@@ -110,7 +111,12 @@ public:
   /// closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
   void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
-  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it
+  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing. It is the truncated mesh that lies in the
+  /// shell; maps, edits and certificates take the other, and truncate it.
+  const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
+  void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation) { m_truncation = std::move(truncation); }
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it, and on those of discs that
+  /// replace tips
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
   /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in
@@ -156,6 +162,7 @@ private:
   Shell_report m_report;
   std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;       // shared by copies
   std::shared_ptr<const Bspline_shells::Shell_closing_3> m_closing;
+  std::shared_ptr<const Bspline_shells::Shell_truncation_3> m_truncation;
 };
 
 } // namespace CGAL

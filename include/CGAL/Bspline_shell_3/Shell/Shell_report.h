@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
+#include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
@@ -31,7 +32,8 @@ struct Shell_report
   Shell_status status = Shell_status::NOT_BUILT;
   Offending_simplices offending_simplices;    ///< where it failed
   Closing_report closing;                     ///< how the mesh was closed, if it is open
-  std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles; with those that close it
+  Truncation_report truncation;               ///< where the mesh was truncated
+  std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles; with those that close it; truncated
   std::size_t components = 0;                 ///< of the mesh
   double unit = 0;                            ///< longest side of the mesh's box: the paper's unit of length
   double gamma = 0;                           ///< cells, or root cells, per unit

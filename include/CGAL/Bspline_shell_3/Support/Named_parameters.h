@@ -31,6 +31,8 @@ enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum virtual_closing_t { virtual_closing };
 enum closing_t { closing };
+enum truncate_t { truncate };
+enum least_cone_margin_t { least_cone_margin };
 enum alpha_t { alpha };
 enum offset_t { offset };
 enum allow_open_shell_t { allow_open_shell };
@@ -80,6 +82,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::virtual_closing_t, virtual_closing)                                         \
   ADD(parameter_tags::closing_t, closing)                                                         \
+  ADD(parameter_tags::truncate_t, truncate)                                                       \
+  ADD(parameter_tags::least_cone_margin_t, least_cone_margin)                                     \
   ADD(parameter_tags::alpha_t, alpha)                                                             \
   ADD(parameter_tags::offset_t, offset)                                                           \
   ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
