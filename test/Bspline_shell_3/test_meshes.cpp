@@ -5,7 +5,9 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -17,27 +19,30 @@ Mesh demo_mesh(const std::string& name)
   return mesh;
 }
 
+Mesh subdivided(const Mesh& mesh)
+{
+  Mesh fine;
+  std::vector<Mesh::Vertex_index> at_vertex, at_edge;
+  for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
+  for(auto e : mesh.edges())
+    at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  for(auto f : mesh.faces()) {
+    Mesh::Vertex_index v[3], m[3];
+    auto h = mesh.halfedge(f);
+    for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
+    fine.add_face(v[0], m[0], m[2]);
+    fine.add_face(m[0], v[1], m[1]);
+    fine.add_face(m[2], m[1], v[2]);
+    fine.add_face(m[0], m[1], m[2]);
+  }
+  return fine;
+}
+
 Mesh sphere(int subdivisions, double radius, const Point_3& center)
 {
   Mesh mesh;
   CGAL::make_icosahedron(mesh, Point_3(0, 0, 0), 1.);
-  for(int s = 0; s < subdivisions; ++s) {
-    Mesh fine;
-    std::vector<Mesh::Vertex_index> at_vertex, at_edge;
-    for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
-    for(auto e : mesh.edges())
-      at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
-    for(auto f : mesh.faces()) {
-      Mesh::Vertex_index v[3], m[3];
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
-      fine.add_face(v[0], m[0], m[2]);
-      fine.add_face(m[0], v[1], m[1]);
-      fine.add_face(m[2], m[1], v[2]);
-      fine.add_face(m[0], m[1], m[2]);
-    }
-    mesh = fine;
-  }
+  for(int s = 0; s < subdivisions; ++s) mesh = subdivided(mesh);
   for(auto v : mesh.vertices()) {
     const Vector_3 d = mesh.point(v) - CGAL::ORIGIN;
     mesh.point(v) = center + radius / std::sqrt(d.squared_length()) * d;
@@ -85,6 +90,41 @@ Mesh pyramid(int sides, double height)
     mesh.add_face(v[(i + 1) % sides], v[i], middle);
   }
   return mesh;
+}
+
+Mesh cubes(const std::vector<std::array<int, 3> >& corners)
+{
+  Mesh mesh;
+  std::map<std::array<int, 3>, Mesh::Vertex_index> vertex;
+  const auto at = [&](const std::array<int, 3>& p) {
+    const auto found = vertex.find(p);
+    return found != vertex.end() ? found->second : vertex.emplace(p, mesh.add_vertex(Point_3(p[0], p[1], p[2]))).first->second;
+  };
+  for(const std::array<int, 3>& c : corners)
+    for(int a = 0; a < 3; ++a)
+      for(int side : { 0, 1 }) {
+        std::array<int, 3> beyond = c;
+        beyond[a] += 2 * side - 1;
+        if(std::find(corners.begin(), corners.end(), beyond) != corners.end()) continue;
+        std::array<std::array<int, 3>, 4> square;      // counterclockwise as seen from the side of larger coordinates
+        for(int i = 0; i < 4; ++i) {
+          square[i] = c;
+          square[i][a] += side;
+          square[i][(a + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
+          square[i][(a + 2) % 3] += i >= 2 ? 1 : 0;
+        }
+        if(side == 0) std::swap(square[1], square[3]);
+        mesh.add_face(at(square[0]), at(square[1]), at(square[2]));
+        mesh.add_face(at(square[0]), at(square[2]), at(square[3]));
+      }
+  return mesh;
+}
+
+Mesh screw(int number_of_cubes)
+{
+  std::vector<std::array<int, 3> > corners = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, 2 } };
+  corners.resize(std::size_t(number_of_cubes));
+  return cubes(corners);
 }
 
 Mesh dumbbell(double neck_radius, int around)

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 
 // one of libcgal-demo
 Mesh demo_mesh(const std::string& name);
+
+// each triangle cut into four, by the middles of its edges
+Mesh subdivided(const Mesh& mesh);
 
 // a regular icosahedron, subdivided and pushed to the sphere
 Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN);
@@ -29,6 +33,12 @@ Mesh torus(double major, double minor, int around, int across);
 
 // a pyramid over a regular polygon in the unit circle; its apex is the first vertex
 Mesh pyramid(int sides, double height);
+
+// the boundary of a union of unit cubes, by their least corners: no two of them may meet in an edge or a vertex only
+Mesh cubes(const std::vector<std::array<int, 3> >& corners);
+
+// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With five of them, so do those at (1, 1, 2).
+Mesh screw(int number_of_cubes = 4);
 
 // two unit balls around the x-axis, their centers at -1.5 and 1.5, joined by a neck
 Mesh dumbbell(double neck_radius, int around = 16);

@@ -6,6 +6,8 @@
 //   components                      three components: a sphere in another one, and a third one beside them
 //   simplified                      a mesh that was simplified in its shell, by the shell's own cover
 //   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
+//   truncated                       a mesh with two neighboring vertices whose facets face no common direction; also the mesh before it was
+//                                   truncated: truncated.user.off
 //
 // The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way round.
 #include "random_hierarchies.h"
@@ -16,6 +18,7 @@
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -69,6 +72,11 @@ Field spline(Field field, const Function& f)
   return field;
 }
 
+bool write(const std::string& file, const Mesh& mesh)
+{
+  return BS::write_file(file, [&](std::ostream& out) { return CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17)); });
+}
+
 template <typename Shell, typename Certificate>
 bool write(const std::string& prefix, const Shell& shell, const Certificate& certificate, const std::set<BS::Claim>& not_proved = {})
 {
@@ -77,9 +85,7 @@ bool write(const std::string& prefix, const Shell& shell, const Certificate& cer
     good = good && (certificate.verdict(BS::Claim(c)) != BS::Verdict::PROVED) == (not_proved.count(BS::Claim(c)) != 0);
   good = good && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
       && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
-      && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
-           return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
-         });
+      && write(prefix + ".mesh.off", certificate.examined_mesh());
   if(!good) {
     std::cerr << prefix << " is not as expected:";
     for(int c = 0; c < 5; ++c) std::cerr << ' ' << name(certificate.verdict(BS::Claim(c)));
@@ -111,6 +117,18 @@ bool write_varying(const std::string& prefix, const Field& cells, const Mesh& me
   const Field f = spline(cells, [](const Point_3& p) { return distance(p) - 1; });
   return write(prefix, f, Threshold(spline(cells, [&](const Point_3& p) { return -0.2 + 0.1 * p.z() + inner_bump(p); })),
                Threshold(spline(cells, [&](const Point_3& p) { return 0.25 - 0.1 * p.x() * p.y() + outer_bump(p); })), mesh, not_proved);
+}
+
+// as it is built, its mesh being truncated where that must be
+bool write_truncated(const std::string& prefix, const Mesh& mesh, std::size_t singular_vertices)
+{
+  std::size_t singular = 0;
+  for(auto v : mesh.vertices()) singular += BS::vertex_cone(mesh, v) ? 0 : 1;
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh, BS::parameters::relative_thickness(0.1).resolution(6));
+  BS::Shell_certificate_3 certificate(shell);
+  certificate.verify<CGAL::Sequential_tag>(mesh);
+  return singular == singular_vertices && shell.truncation() && shell.truncation()->discs().size() == singular && write(prefix, shell, certificate)
+      && write(prefix + ".user.off", mesh);
 }
 
 int main(int argc, char** argv)
@@ -157,5 +175,7 @@ int main(int argc, char** argv)
   BS::Shell_certificate_3 certificate(shell);
   certificate.verify<CGAL::Sequential_tag>(simplified);
   good = result && shell.proved_cover() && write(directory + "simplified", shell, certificate) && good;
+
+  good = write_truncated(directory + "truncated", screw(5), 2) && good;
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,13 +1,15 @@
 // Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
 // dies: every mesh has a process of its own.
 //
-//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]
+//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M] [--max-seconds S]
+//     [--max-memory-mb M] [--write-shells DIR]
 //
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
+// --no-truncation: singular vertices are accepted, and left as they are; meshes only.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
-// The kind is "closed", or "virtually closed" of an open mesh: facets are those of the closed one; or "proxy", with shares of the area, sampled, and
+// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one; or "proxy", with shares of the area, sampled, and
 // the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only, also with singular vertices.
 // The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even
 // that is proved), or "refused".
@@ -46,8 +48,8 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 struct Options
 {
-  double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0;
-  bool paper = false, constant = false, proxy = true;
+  double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0, cone_margin = BS::Certified_shell_parameters().least_cone_margin;
+  bool paper = false, constant = false, proxy = true, truncation = true;
   std::string directory;
 };
 
@@ -137,6 +139,24 @@ BS::Level_range threshold_range(const Shell& shell)
   return range;
 }
 
+// what became of vertices whose facets leave little room for a common direction
+std::string truncation(const BS::Shell_report& r)
+{
+  typedef BS::Truncation_report::Outcome Outcome;
+  if(r.truncation.vertices.empty()) return "";
+  double before = 1, after = 1;
+  for(const BS::Truncation_report::Vertex& v : r.truncation.vertices) {
+    before = (std::min)(before, v.margin_before);
+    if(v.outcome == Outcome::TRUNCATED) after = (std::min)(after, v.margin_after);
+  }
+  std::ostringstream out;
+  out << ",\"truncation\":{";
+  for(Outcome o : { Outcome::TRUNCATED, Outcome::ON_BORDER, Outcome::FOLDED_EDGE, Outcome::NO_DISC, Outcome::NO_SPACE })
+    out << "\"" << name(o) << "\":" << r.truncation.number(o) << ",";
+  out << "\"least_margin_before\":" << before << ",\"least_margin_after\":" << after << "}";
+  return out.str();
+}
+
 // what belongs to a proxy
 std::string proxy_properties(const BS::Shell_of_soup_3& result)
 {
@@ -170,7 +190,7 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
   const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
   std::cout << "{\"mesh\":" << quoted(file) << ",\"kind\":\"" << kind << "\"" << more
             << ",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets << ",\"triangles\":" << r.closing.triangles
-            << ",\"least_offset\":" << r.closing.least_offset / r.unit << "},\"facets\":" << r.triangles << ",\"components\":" << r.components
+            << ",\"least_offset\":" << r.closing.least_offset / r.unit << "}" << truncation(r) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
             << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
             << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
@@ -208,9 +228,10 @@ void certify(const std::string& file, const Options& options)
   const auto parameters = BS::parameters::relative_thickness(options.thickness)
                                          .time_limit(limit_of_rounds)
                                          .constant_thresholds(options.constant)
-                                         .memory_limit(limit);
+                                         .memory_limit(limit)
+                                         .least_cone_margin(options.cone_margin);
   BS::Offending_simplices offenders;
-  if(options.gamma == 0 && options.proxy) {
+  if(options.gamma == 0 && options.proxy && options.truncation) {
     BS::Polygon_soup soup;
     const BS::Shell_status read = BS::read_polygon_soup(file, soup, offenders);
     if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
@@ -228,12 +249,12 @@ void certify(const std::string& file, const Options& options)
   const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
   if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
   if(options.gamma == 0) {
-    const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters.allow_singular_vertices(true));
+    const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters.allow_singular_vertices(true).truncate(options.truncation));
     if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
     const double seconds = timer.time();
     BS::Shell_certificate_3 certificate(shell);
     if(!options.directory.empty()) certificate.verify(mesh);
-    print(file, shell.closing() ? "virtually closed" : "closed", shell, shell.report().certificate, shell.is_certified(), "", seconds,
+    print(file, shell.closing() ? "virtually closed" : shell.truncation() ? "truncated" : "closed", shell, shell.report().certificate, shell.is_certified(), "", seconds,
           write_files(file, options, shell, certificate));
     return;
   }
@@ -300,6 +321,8 @@ int main(int argc, char** argv)
     if(arg == "--paper") options.paper = true;
     else if(arg == "--constant") options.constant = true;
     else if(arg == "--no-proxy") options.proxy = false;
+    else if(arg == "--no-truncation") options.truncation = false;
+    else if(arg == "--cone-margin" && has_value) options.cone_margin = positive(argv[++i]);
     else if(arg == "--thickness" && has_value) options.thickness = positive(argv[++i]);
     else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
     else if(arg == "--max-seconds" && has_value) options.max_seconds = positive(argv[++i]);
@@ -310,8 +333,8 @@ int main(int argc, char** argv)
   }
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
-    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--max-seconds S] [--max-memory-mb M]"
-                 " [--write-shells DIR]\n";
+    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M]"
+                 " [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]\n";
     return 2;
   }
   for(const std::string& file : files) certify_apart(file, options);

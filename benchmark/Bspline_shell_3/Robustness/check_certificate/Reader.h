@@ -20,7 +20,9 @@
 typedef std::array<double, 3> Point;
 typedef long long Integer;
 
+// what is wrong with a file, and with a claim
 struct Malformed : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Unconfirmed : std::runtime_error { using std::runtime_error::runtime_error; };
 
 // Numbers in files are not larger than this, and edges of cells not smaller than its inverse, so that nothing can overflow.
 const double largest = 1e60;

@@ -1,8 +1,9 @@
-// The shell: its leaves, and the splines on them.
+// The shell: its leaves, and the splines on them; what closes the user's mesh, and what replaces its tips.
 #ifndef CHECK_CERTIFICATE_SHELL_H
 #define CHECK_CERTIFICATE_SHELL_H
 
 #include "Reader.h"
+#include "Truncation.h"
 #include "interval.h"
 #include "polynomials.h"
 
@@ -12,14 +13,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
-
-struct Unconfirmed : std::runtime_error { using std::runtime_error::runtime_error; };
 
 typedef std::array<Integer, 3> Position;
 
@@ -104,7 +103,7 @@ public:
     const std::string text = read_file(name);
     Reader in(name, text, true);
     in.expect("cubic_bspline_shell");
-    const bool has_closing = in.integer(2, 3) == 3;
+    const Integer version = in.integer(2, 4);
     in.expect("ascii").end_line();
     in.expect("unit");
     if(!(in.number() > 0)) in.fail("the unit is not positive");
@@ -160,7 +159,11 @@ public:
       if(!(least <= in.number())) in.fail("a facet range is empty");
       in.end_line();
     }
-    if(has_closing) read_closing(in);
+    if(version >= 3) read_closing(in);
+    if(version >= 4) {
+      in.expect("truncation").end_line();
+      truncation.emplace(in);
+    }
     in.end_file();
     checksum = in.checksum;
     check_leaves();
@@ -248,22 +251,27 @@ public:
   }
 
   std::vector<Leaf> leaf;
+  // Triangles that close an open mesh. The mesh of the certificate has them, too: none of its claims rests on them being here.
+  std::vector<Located_facet> closing;
+  std::optional<Truncation> truncation;
   std::string checksum;
 
 private:
-  // What closes an open mesh. The mesh of the certificate has these triangles, so that no claim rests on them being here.
-  static void read_closing(Reader& in)
+  void read_closing(Reader& in)
   {
     const Integer points = in.expect("closing").integer(0, (std::numeric_limits<Integer>::max)());
     in.integer(0, points);
     const Integer triangles = in.integer(0, (std::numeric_limits<Integer>::max)());
     in.end_line();
+    std::vector<Point> point;
     for(Integer n = 0; n < points; ++n) {
-      in.point();
+      point.push_back(in.point());
       in.end_line();
     }
     for(Integer n = 0; n < triangles; ++n) {
-      for(int i = 0; i < 3; ++i) in.integer(0, points - 1);
+      std::array<Point, 3> t;
+      for(Point& p : t) p = point[std::size_t(in.integer(0, points - 1))];
+      closing.push_back(located(t[0], t[1], t[2]));
       in.integer(0, 1);
       in.end_line();
     }

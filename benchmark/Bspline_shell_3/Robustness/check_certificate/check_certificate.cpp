@@ -1,17 +1,27 @@
 // Checks the certificate of a shell: whether what it says about the shell and a mesh is true.
 //
-//   check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt
+//   check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt [USER_MESH.off]
 //
 // Exit code 0 and the line "certified: P1 ..." on stdout if everything that the certificate claims as proved holds;
 // 1 and a sentence on stderr if a claim is wrong or cannot be confirmed; 2 if a file cannot be read or is malformed.
 //
-// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants), A the mesh, n_T the
-// normal of a facet T, Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims are
+// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants), A the mesh MESH.off, n_T
+// the normal of a facet T, Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims are
 //   P1  EPS1 <= f <= EPS2 on A;
 //   P2  n_T . grad f > 0 on every closed facet T;
 //   P3  Omega* lies in the interior of the leaves, grad f is not zero on it, and grad f . grad(f - EPSi) > 0 where f = EPSi;
 //   P4  every component of Omega* contains exactly one component of A;
 //   P5  every component of Omega* contains a path from {f < EPS1} to {f > EPS2} that crosses A with count one.
+//
+// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says, before it was examined. Then the
+// line ends with " T" and, if U is given, with " A":
+//   T   the truncation is that of some mesh, and A what it makes of that; the map h from that mesh to A is a homeomorphism;
+//   A   that mesh is U, closed if it is open. This is said of shells without a truncation, too, where h is the identity: then A is U, closed.
+// Facets are compared by the coordinates of their corners, and by the side that they face, whatever their order and that of vertices.
+//
+// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads from A one-to-one to any other
+// mesh of which the same is certified. With T and A, the flow after h leads so from U, and by the inverse of the other mesh's h to what that was.
+// h has no part in the certificate of the flow, and is proved alone: in exact arithmetic on the numbers of the truncation, see Truncation.h.
 //
 // Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation; what has
 // to be exact is an integer or a rational. On a facet, f and its derivatives are bounded by the Bernstein coefficients (of
@@ -23,21 +33,44 @@
 // This program shares no code with the package that writes the files. What has to be trusted: this folder; the compiler, the
 // standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in IEEE 754, rounded
 // to nearest, which is tested at the start; and the theorem that P1 to P5 imply what one wants to know. The user has to
-// see to it that the mesh and the shell are those that are meant. Not checked, as no claim depends on them: the shell's
-// unit, thickness, numbers of triangles and components, marks of leaves, and facet ranges.
+// see to it that the shell and U, or A where U is not given, are those that are meant. Not checked, as no claim depends on them: the
+// shell's unit, thickness, numbers of triangles and components, marks of leaves, facet ranges, and kinds of triangles that close a mesh; and where
+// the truncation's points are in space: h leads to A, wherever that is.
 #include "Certificate.h"
 #include "Checker.h"
 #include "Mesh.h"
 #include "Shell.h"
+#include "Truncation.h"
 #include "interval.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <iterator>
+#include <vector>
+
+// Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and truncated.
+void check_user_mesh(const Shell& shell, const Mesh& mesh, const Mesh& user_mesh)
+{
+  std::vector<Located_facet> facets = located_facets(user_mesh);
+  if(!user_mesh.is_closed_and_oriented()) {
+    facets.insert(facets.end(), shell.closing.begin(), shell.closing.end());
+    std::sort(facets.begin(), facets.end());
+  }
+  if(shell.truncation) {
+    const std::vector<Located_facet> cut = shell.truncation->cut_facets(), added = shell.truncation->new_facets();
+    if(!std::includes(facets.begin(), facets.end(), cut.begin(), cut.end())) throw Unconfirmed("A: the user's mesh does not have all facets that are cut");
+    const std::vector<Located_facet> rest = without(facets, cut);
+    facets.clear();
+    std::merge(rest.begin(), rest.end(), added.begin(), added.end(), std::back_inserter(facets));
+  }
+  if(facets != located_facets(mesh)) throw Unconfirmed("A: the mesh is not what becomes of the user's mesh");
+}
 
 int main(int argc, char** argv)
 {
-  if(argc != 4) {
-    std::cerr << "Usage: check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt" << std::endl;
+  if(argc != 4 && argc != 5) {
+    std::cerr << "Usage: check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt [USER_MESH.off]" << std::endl;
     return 2;
   }
   if(!usable_arithmetic()) {
@@ -49,10 +82,15 @@ int main(int argc, char** argv)
     const Mesh mesh(argv[2]);
     const Certificate certificate(argv[3], shell, mesh);
     Checker(shell, mesh, certificate).check();
+    if(shell.truncation) {
+      shell.truncation->check();
+      shell.truncation->check_truncated(mesh);
+    }
+    if(argc == 5) check_user_mesh(shell, mesh, Mesh(argv[4]));
     std::cout << "certified:";
     for(int i = 0; i < 5; ++i)
       if(certificate.claimed[i]) std::cout << " P" << i + 1;
-    std::cout << std::endl;
+    std::cout << (shell.truncation ? " T" : "") << (argc == 5 ? " A" : "") << std::endl;
     return 0;
   }
   catch(const Unconfirmed& error) {

@@ -65,7 +65,9 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
  *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
  *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
- *        of them are invalid. With all other statuses it was not touched.
+ *        of them are invalid. With all other statuses it was not touched,
+ *        unless it has tips that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges
+ *        that lead to a tip end where it is cut.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
  *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.
@@ -154,9 +156,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  const std::vector<vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result,
-                                                          [&](const auto& oracle, const auto& frozen) {
+                                                          [&](const auto& oracle, const auto& frozen, const auto& all) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     typedef Shell_projection_3<Shell, TriangleMesh> Projection;
     const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));

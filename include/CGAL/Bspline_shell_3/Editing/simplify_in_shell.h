@@ -286,7 +286,9 @@ struct Accepted_filter
  * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not edited, it is as before: if the
  *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and
  *        so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that
- *        the caller has of them are invalid. With all other statuses it was not touched.
+ *        the caller has of them are invalid. With all other statuses it was not touched,
+ *        unless it has tips that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges
+ *        that lead to a tip end where it is cut.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
@@ -354,10 +356,9 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result,
-                                                          [&](const auto& oracle, auto& frozen) {
+                                                          [&](const auto& oracle, auto& frozen, const auto& all) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;
     const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);

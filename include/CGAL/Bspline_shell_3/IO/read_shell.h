@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
 #include <CGAL/Bspline_shell_3/IO/internal/File_input.h>
 #include <CGAL/Bspline_shell_3/IO/internal/shell_file.h>
+#include <CGAL/Bspline_shell_3/IO/internal/truncation_file.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 
 #include <Eigen/Core>
@@ -49,6 +50,7 @@ struct Shell_file_content
   std::vector<char> marks;
   std::vector<Level_range> facet_ranges;
   bool has_closing = false;
+  std::shared_ptr<const Shell_truncation_3> truncation;
   std::vector<Shell_closing_3::Point> closing_points;
   std::uint64_t border_points = 0;
   std::vector<Shell_closing_3::Triangle> closing_triangles;
@@ -119,6 +121,11 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
       for(std::uint64_t& i : corners) i = in.binary<std::uint32_t>();
       if(!content.add_closing_triangle(corners, in.binary<std::uint8_t>())) return Shell_file_status::DAMAGED;
     }
+    content.has_closing = version == version_without_truncation || triangles > 0;
+  }
+  if(version > version_without_truncation) {
+    content.truncation = read_truncation(Row_input(in, true));
+    if(!content.truncation) return Shell_file_status::DAMAGED;
   }
   const std::uint64_t checksum = in.checksum();
   const bool intact = in.binary<std::uint64_t>() == checksum && !in.is_bad() && in.is_at_end();
@@ -193,12 +200,18 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
       if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
       content.closing_points.push_back(p);
     }
+    content.has_closing = version == version_without_truncation || triangles > 0;
     for(; triangles > 0; --triangles) {
       std::array<std::uint64_t, 3> corners = {};
       int kind = 0;
       if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete()) return damaged;
       if(!content.add_closing_triangle(corners, kind)) return damaged;
     }
+  }
+  if(version > version_without_truncation) {
+    if(!Words(in.line()).word("truncation").are_complete()) return damaged;
+    content.truncation = read_truncation(Row_input(in, false));
+    if(!content.truncation) return damaged;
   }
   const std::string checksum = Checksum::text(in.checksum());
   const bool intact = Words(in.line()).word("checksum").word(checksum).are_complete() && in.is_at_end();
@@ -283,6 +296,7 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     if(!closing->is_valid()) return false;
     made.set_closing(closing);
   }
+  made.set_truncation(std::move(content.truncation));
   if(!is_shell(made)) return false;
   shell = std::move(made);
   return true;
@@ -295,7 +309,7 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  *
  * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, thresholds, facet ranges and closing are those that were written, bit by bit. Nothing that was cut off or altered is
+ * The field, cells, thresholds, facet ranges, closing and truncation are those that were written, bit by bit. Nothing that was cut off or altered is
  * taken for a shell: every file has a checksum, and what it says must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
  *

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
 #include <CGAL/Bspline_shell_3/IO/internal/File_output.h>
 #include <CGAL/Bspline_shell_3/IO/internal/shell_file.h>
+#include <CGAL/Bspline_shell_3/IO/internal/truncation_file.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 
@@ -90,8 +91,9 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     out.text("\n");
   }
 
-  if(!shell.closing()) return;
-  const Shell_closing_3& closing = *shell.closing();
+  if(file_version(shell) == version_without_closing) return;
+  const Shell_closing_3 no_closing;
+  const Shell_closing_3& closing = shell.closing() ? *shell.closing() : no_closing;
   out.text("closing");
   word(closing.points().size());
   word(closing.number_of_border_points());
@@ -110,6 +112,9 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     word(int(closing.kinds()[t]));
     out.text("\n");
   }
+  if(!shell.truncation()) return;
+  out.text("truncation\n");
+  write_truncation(Row_output(out, false), *shell.truncation());
 }
 
 // all but the checksum
@@ -144,8 +149,9 @@ void write_binary_shell(File_output& out, const Shell& shell)
     out.binary(range.min);
     out.binary(range.max);
   }
-  if(!shell.closing()) return;
-  const Shell_closing_3& closing = *shell.closing();
+  if(file_version(shell) == version_without_closing) return;
+  const Shell_closing_3 no_closing;
+  const Shell_closing_3& closing = shell.closing() ? *shell.closing() : no_closing;
   count(closing.points().size());
   count(closing.number_of_border_points());
   count(closing.triangles().size());
@@ -155,6 +161,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
     for(Shell_closing_3::Index i : closing.triangles()[t]) out.binary(std::uint32_t(i));
     out.binary(std::uint8_t(closing.kinds()[t]));
   }
+  if(shell.truncation()) write_truncation(Row_output(out, true), *shell.truncation());
 }
 
 } // namespace internal
@@ -162,7 +169,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges and closing,
+ * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges, closing and truncation,
  * bit by bit. See \ref BsplineShell3FileFormats.
  *
  * Of the report, the unit, the numbers of triangles and components, the thickness and what follows from the shell are written.

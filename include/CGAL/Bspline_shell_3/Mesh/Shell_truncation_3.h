@@ -126,6 +126,9 @@ public:
   Place image(const Place& place) const;
   /// where a place of a new facet was on the mesh that was truncated. \pre `is_valid()`
   Place preimage(const Place& place) const;
+  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its columns being given, times the change of those of the
+  /// place. \pre `is_valid()`
+  std::array<std::array<double, 3>, 3> derivative(const Place& place) const;
   /// @}
 
   /// what truncating a mesh did
@@ -162,6 +165,12 @@ private:
     std::array<std::array<double, 3>, 3> corners;         // barycentric coordinates in the cut facet
   };
 
+  // The piece of the map that a place is in: the part of the facet, and, of a tip, the triangle of the disc.
+  struct Piece { const Cell* part; std::size_t new_facet; };
+
+  Piece piece(const Place& place) const;
+  Planar_point planar_point(const Cell& part, const std::array<double, 3>& barycentric) const;
+  std::array<double, 3> mapped(const Piece& piece, const std::array<double, 3>& barycentric) const;
   const Triangle& triangle_of(const Disc_triangle& t) const { return m_discs[t.first].triangles[t.second]; }
   bool is_cut(Index point) const { return point >= number_of_corners() && point < number_of_corners() + m_cuts.size(); }
   bool are_indices_valid() const;

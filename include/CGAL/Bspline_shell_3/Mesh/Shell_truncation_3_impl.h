@@ -42,6 +42,12 @@ inline std::array<double, 3> barycentric_in_plane(const std::array<std::array<do
   return { 1 - u - v, u, v };
 }
 
+// where barycentric coordinates are, by two of them
+inline std::array<std::array<double, 2>, 3> in_plane(const std::array<std::array<double, 3>, 3>& corners)
+{
+  return { { { corners[0][1], corners[0][2] }, { corners[1][1], corners[1][2] }, { corners[2][1], corners[2][2] } } };
+}
+
 // of a point that is in the triangle but for rounding
 inline std::array<double, 3> clamped(std::array<double, 3> barycentric)
 {
@@ -267,36 +273,63 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<Shell_truncation_3::Index> Shell_truncat
   return patch_of;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(const Place& place) const
+CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(const Place& place) const
 {
   typedef std::array<double, 3> Barycentric;
   const auto least = [](const Barycentric& b) { return (std::min)({ b[0], b[1], b[2] }); };
-  // the part of the facet that the place is in, or comes nearest to
-  const Cell* part = nullptr;
+  // the part that the place is in, or comes nearest to
+  Piece result = { nullptr, 0 };
   Barycentric in_part = {};
   for(const Cell& cell : m_cells[place.facet]) {
-    const auto& c = cell.corners;
-    const Barycentric b = internal::barycentric_in_plane({ { { c[0][1], c[0][2] }, { c[1][1], c[1][2] }, { c[2][1], c[2][2] } } },
-                                                         { place.barycentric[1], place.barycentric[2] });
-    if(part != nullptr && !(least(b) > least(in_part))) continue;
-    part = &cell;
+    const Barycentric b = internal::barycentric_in_plane(internal::in_plane(cell.corners), { place.barycentric[1], place.barycentric[2] });
+    if(result.part != nullptr && !(least(b) > least(in_part))) continue;
+    result.part = &cell;
     in_part = b;
   }
-  in_part = internal::clamped(in_part);
-  if(part->new_facet != npos) return { part->new_facet, in_part };
+  result.new_facet = result.part->new_facet;
+  if(result.part->new_facet != npos) return result;
 
-  const Disc& d = m_discs[part->disc];
-  const Planar_point &p = planar(d.rim[part->edge]), &q = planar(d.rim[(part->edge + 1) % d.rim.size()]);
-  const Planar_point x = { in_part[1] * p[0] + in_part[2] * q[0], in_part[1] * p[1] + in_part[2] * q[1] };
-  Place result;
-  const std::size_t first = m_cores.size() + std::size_t(std::lower_bound(m_disc_triangles.begin(), m_disc_triangles.end(), Disc_triangle(part->disc, 0)) - m_disc_triangles.begin());
+  const Disc& d = m_discs[result.part->disc];
+  const Planar_point x = planar_point(*result.part, internal::clamped(in_part));
+  const auto first = std::lower_bound(m_disc_triangles.begin(), m_disc_triangles.end(), Disc_triangle(result.part->disc, 0));
+  Barycentric in_triangle = {};
   for(std::size_t i = 0; i < d.triangles.size(); ++i) {
     const Triangle& t = d.triangles[i];
     const Barycentric b = internal::barycentric_in_plane({ { planar(t[0]), planar(t[1]), planar(t[2]) } }, x);
-    if(i == 0 || least(b) > least(result.barycentric)) result = { Index(first + i), b };
+    if(i > 0 && !(least(b) > least(in_triangle))) continue;
+    result.new_facet = m_cores.size() + std::size_t(first - m_disc_triangles.begin()) + i;
+    in_triangle = b;
   }
-  result.barycentric = internal::clamped(result.barycentric);
   return result;
+}
+
+// of a point of a tip's triangle
+CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3::planar_point(const Cell& part, const std::array<double, 3>& barycentric) const
+{
+  const Disc& d = m_discs[part.disc];
+  const Planar_point &p = planar(d.rim[part.edge]), &q = planar(d.rim[(part.edge + 1) % d.rim.size()]);
+  return { barycentric[1] * p[0] + barycentric[2] * q[0], barycentric[1] * p[1] + barycentric[2] * q[1] };
+}
+
+// the affine map of a piece
+CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::mapped(const Piece& piece, const std::array<double, 3>& barycentric) const
+{
+  const std::array<double, 3> in_part = internal::barycentric_in_plane(internal::in_plane(piece.part->corners), { barycentric[1], barycentric[2] });
+  if(piece.part->new_facet != npos) return in_part;
+  const Triangle t = new_facet(piece.new_facet);
+  return internal::barycentric_in_plane({ { planar(t[0]), planar(t[1]), planar(t[2]) } }, planar_point(*piece.part, in_part));
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(const Place& place) const
+{
+  const Piece p = piece(place);
+  return { Index(p.new_facet), internal::clamped(mapped(p, place.barycentric)) };
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE std::array<std::array<double, 3>, 3> Shell_truncation_3::derivative(const Place& place) const
+{
+  const Piece p = piece(place);
+  return { { mapped(p, { 1, 0, 0 }), mapped(p, { 0, 1, 0 }), mapped(p, { 0, 0, 1 }) } };
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::preimage(const Place& place) const

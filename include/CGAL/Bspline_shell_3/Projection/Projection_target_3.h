@@ -6,15 +6,20 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Truncated_facets.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -43,18 +48,19 @@ public:
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
   /// copies coordinates and neighbors; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of a
-  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid.
+  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips that `truncation` replaces, curves are traced to the
+  /// truncated mesh.
   /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh` does, must not be prepared by
   /// two threads at once.
   template <typename VertexPointMap>
-  Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm)
+  Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm, const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr)
     : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh))
   {
     for(face_descriptor f : faces(mesh)) {
       put(m_index, f, Index(m_faces.size()));
       m_faces.push_back(f);
     }
-    for(auto v : vertices(mesh)) m_vertices.push_back(coordinates(get(vpm, v)));
+    for(auto v : vertices(mesh)) m_traced_vertices.push_back(coordinates(get(vpm, v)));
     std::vector<Facet> facets;
     for(face_descriptor f : m_faces) {
       m_valid = m_valid && is_triangle(halfedge(f, mesh), mesh);
@@ -70,7 +76,9 @@ public:
       }
       facets.push_back(facet);
     }
-    if(m_valid) static_cast<Projection_facets_3&>(*this) = Projection_facets_3(std::move(facets));
+    if(!m_valid) return;
+    if(truncation && truncation->is_valid()) truncate(truncation, vpm, facets);
+    static_cast<Projection_facets_3&>(*this) = Projection_facets_3(std::move(facets));
   }
 
   Projection_target_3(const Projection_target_3&) = delete;
@@ -86,20 +94,74 @@ public:
     const auto found = m_border.find(p);
     return found == m_border.end() ? nullptr : &found->second;
   }
-  /// of vertices, in the order of `vertices(mesh)`
-  const std::vector<Coordinates>& vertices_of_mesh() const { return m_vertices; }
+  /// \name Truncation
+  /// Curves are traced from and to the truncated mesh, which is in the shell. It is the mesh itself where that has no tips that are replaced.
+  /// @{
+  /// the facets that curves are traced to, with numbers of their own
+  const Projection_facets_3& traced_facets() const { return m_truncated ? m_truncated->facets() : *this; }
+  /// where a place, a facet and barycentric coordinates, is on them
+  std::pair<Index, Coordinates> traced(const std::pair<Index, Coordinates>& place) const { return m_truncated ? m_truncated->traced(place) : place; }
+  /// where a place on them is on the mesh
+  std::pair<Index, Coordinates> untraced(const std::pair<Index, Coordinates>& place) const { return m_truncated ? m_truncated->untraced(place) : place; }
+  /// the point from which the curve through a place of the mesh is traced
+  Coordinates traced_point(Index facet, const Coordinates& barycentric) const
+  {
+    const auto place = traced({ facet, barycentric });
+    return traced_facets().point(place.first, place.second);
+  }
+  /// the same for vertices, in the order of `vertices(mesh)`
+  const std::vector<Coordinates>& traced_vertices() const { return m_traced_vertices; }
+  /// the derivative of the map from the mesh to the truncated one, between the planes of their facets, and from normal to normal
+  Eigen::Matrix3d traced_derivative(Index facet, const Coordinates& barycentric) const
+  {
+    return m_truncated ? m_truncated->derivative({ facet, barycentric }, { vertex(facet, 0), vertex(facet, 1), vertex(facet, 2) })
+                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  }
+  /// @}
   std::size_t number_of_facets() const { return m_faces.size(); }       ///< also if the target is not valid
   face_descriptor face_of(Index facet) const { return m_faces[facet]; }
   Index facet_of(face_descriptor f) const { return get(m_index, f); }
 
 private:
+  template <typename VertexPointMap>
+  void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm, const std::vector<Facet>& facets)
+  {
+    const auto in_mesh = truncation->match(*m_mesh, vpm);
+    std::vector<internal::Truncated_facets::Cut_facet> cut;
+    bool is_any = false;
+    for(auto first : in_mesh) {
+      cut.push_back({ npos, 0 });
+      if(first == Graph_traits::null_halfedge()) continue;
+      is_any = true;
+      cut.back().facet = facet_of(face(first, *m_mesh));
+      for(auto h = halfedge(face(first, *m_mesh), *m_mesh); h != first; h = next(h, *m_mesh)) ++cut.back().corner;
+    }
+    if(!is_any) return;
+    m_truncated = std::make_unique<const internal::Truncated_facets>(truncation, facets, std::move(cut));
+    std::size_t n = 0;
+    for(auto v : vertices(*m_mesh)) {
+      const auto h = halfedge(v, *m_mesh);
+      const auto f = h == Graph_traits::null_halfedge() ? Graph_traits::null_face() : face(h, *m_mesh);
+      if(f != Graph_traits::null_face() && m_truncated->is_cut(facet_of(f))) {
+        Coordinates corner = {};
+        auto to = prev(halfedge(f, *m_mesh), *m_mesh);       // to the first corner
+        for(int i = 0; i < 3; ++i, to = next(to, *m_mesh))
+          if(target(to, *m_mesh) == v) corner[i] = 1;
+        const auto place = m_truncated->traced({ facet_of(f), corner });
+        m_traced_vertices[n] = m_truncated->facets().point(place.first, place.second);
+      }
+      ++n;
+    }
+  }
+
   template <typename Point>
   static Coordinates coordinates(const Point& p) { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
 
   const TriangleMesh* m_mesh;
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<Index> >::const_type m_index;
   std::vector<face_descriptor> m_faces;
-  std::vector<Coordinates> m_vertices;
+  std::vector<Coordinates> m_traced_vertices;
+  std::unique_ptr<const internal::Truncated_facets> m_truncated;      // null if nothing is replaced
   std::unordered_map<Coordinates, Corner, internal::Hash_coordinates> m_border;
   bool m_valid = true;
 };

@@ -116,11 +116,17 @@ public:
     return m_to_source.target().point(m_to_source.target().facet_of(location.first), location.second);
   }
 
+  /// the same, but of the truncated source, where the shell replaces tips of it: the point from which the curve is traced
+  Coordinates traced_point(const Source_location& location) const
+  {
+    return m_to_source.target().traced_point(m_to_source.target().facet_of(location.first), location.second);
+  }
+
   /// the image on the target of a location on the source
   Target_image operator()(const Source_location& location) const
   {
     if(m_status != Flow_status::SUCCESS) return refused();
-    return m_to_target(point(location));
+    return m_to_target(traced_point(location));
   }
 
   /// the image on the target of a vertex of the source
@@ -132,7 +138,9 @@ public:
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
-    return m_to_target.differential(point(location), image);
+    Flow_differential d = m_to_target.differential(traced_point(location), image);
+    d.append_to_start(m_to_source.target().traced_derivative(m_to_source.target().facet_of(location.first), location.second));
+    return d;
   }
 
   /// the images of many locations, as `Shell_projection_3::project()`.
@@ -146,7 +154,7 @@ public:
       return images;
     }
     internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
-      return point(*(std::begin(locations) + std::ptrdiff_t(n)));
+      return traced_point(*(std::begin(locations) + std::ptrdiff_t(n)));
     }, visitor, [&](std::size_t n, const auto& p) { images[n] = m_to_target(p); });
     return images;
   }
@@ -166,16 +174,17 @@ private:
   {
     typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
     const std::vector<Crossing_path> paths = shell().component_paths();
+    const auto& traced = target.traced_facets();
     const bool is_closed = target.is_closed();
     if(paths.empty() || !(is_closed || has_border_of_closing(target))) return false;
     std::size_t number;
-    const std::vector<typename Target::Index> component = target.components(number);
-    const std::size_t facets = target.number_of_facets(), all = facets + (is_closed ? 0 : shell().closing()->triangles().size());
+    const std::vector<typename Target::Index> component = traced.components(number);
+    const std::size_t facets = traced.number_of_facets(), all = facets + (is_closed ? 0 : shell().closing()->triangles().size());
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
     const Component_match match = match_components(paths, number + (all > facets ? 1 : 0), all, [&](std::size_t n) {
       std::array<Point, 3> t;
       for(int i = 0; i < 3; ++i)
-        t[i] = n < facets ? point(target.vertex(typename Target::Index(n), i)) : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
+        t[i] = n < facets ? point(traced.vertex(typename Target::Index(n), i)) : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
       return t;
     }, [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
     std::vector<char> is_missed(match.crossings.size(), 0);
@@ -192,7 +201,7 @@ private:
     if(std::find(has_boxes.begin(), has_boxes.end(), 0) != has_boxes.end()) return true;
     Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
     cover.adopt(*shell().proved_cover());
-    for(const Coordinates& v : target.vertices_of_mesh()) {
+    for(const Coordinates& v : target.traced_vertices()) {
       const std::uint32_t k = cover.component(typename Shell::Point_3(v[0], v[1], v[2]));
       if(k < is_missed.size()) is_missed[k] = 0;
     }
@@ -220,7 +229,7 @@ private:
   {
     auto vpm = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
                                                   get_const_property_map(CGAL::vertex_point, mesh));
-    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm), tolerance);
+    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm, shell.truncation()), tolerance);
   }
 
   Projection_to_source m_to_source;

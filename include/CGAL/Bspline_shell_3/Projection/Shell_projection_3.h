@@ -121,16 +121,16 @@ public:
         }
       }
     typename internal::Facet_on_curve<Shell>::Hit hit;
-    image.status = internal::Facet_on_curve<Shell>(*m_shell, *m_target, m_tolerance)(start, hit);
+    image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, hit);
     if(image.status != Flow_status::SUCCESS) return image;
 
-    Coordinates& weights = image.location.second;
-    weights = hit.barycentric;
+    Coordinates weights = hit.barycentric;
     double sum = 0;
     for(double& w : weights) sum += w = (std::max)(w, 0.);
     for(double& w : weights) w /= sum;
-    const Coordinates x = m_target->point(hit.facet, weights);
-    image.location.first = m_target->face_of(hit.facet);
+    const auto place = m_target->untraced({ hit.facet, weights });
+    const Coordinates x = m_target->point(place.first, place.second);
+    image.location = { m_target->face_of(place.first), place.second };
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
     image.is_snapped = hit.is_beyond_border;
@@ -148,13 +148,15 @@ public:
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image: `Flow_differential::onto_plane()` with the facet's normal, or
+  /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are replaced: `Flow_differential::onto_plane()` with the facet's normal, or
   /// `Flow_differential::onto_level_set()`, which does not jump between facets. \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
     CGAL_precondition(bool(image));
-    return Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
+    Flow_differential d = Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
+    d.prepend_to_end(m_target->traced_derivative(m_target->facet_of(image.location.first), image.location.second));
+    return d;
   }
 
 private:

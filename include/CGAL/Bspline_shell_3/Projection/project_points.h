@@ -53,7 +53,7 @@ project_points(const Shell& shell, const PointRange& points, const TriangleMesh&
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, target));
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const Shell_projection_3<Shell, TriangleMesh> projection(
-    shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm),
+    shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm, shell.truncation()),
     choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.));
   return projection.template project<ConcurrencyTag>(points, visitor);
 }

@@ -20,7 +20,8 @@ namespace Bspline_shells {
 enum class Shell_kind
 {
   CLOSED,                 ///< the mesh itself
-  VIRTUALLY_CLOSED,       ///< the mesh itself, which is open, and the triangles that close it
+  TRUNCATED,              ///< the mesh itself, with tips replaced (`Bspline_shell_3::truncation()`)
+  VIRTUALLY_CLOSED,       ///< the mesh itself, which is open, and the triangles that close it; tips may be replaced, too
   PROXY                   ///< a closed mesh around it
 };
 
@@ -30,6 +31,7 @@ inline const char* name(Shell_kind kind)
 {
   switch(kind) {
     case Shell_kind::CLOSED: return "closed";
+    case Shell_kind::TRUNCATED: return "truncated";
     case Shell_kind::VIRTUALLY_CLOSED: return "virtually closed";
     case Shell_kind::PROXY: return "proxy";
   }
@@ -61,7 +63,8 @@ struct Shell_of_soup_3
   /// \pre there is a shell
   Shell_kind kind() const
   {
-    return proxy ? Shell_kind::PROXY : shell_of_mesh.closing() ? Shell_kind::VIRTUALLY_CLOSED : Shell_kind::CLOSED;
+    return proxy ? Shell_kind::PROXY : shell_of_mesh.closing() ? Shell_kind::VIRTUALLY_CLOSED
+         : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED : Shell_kind::CLOSED;
   }
   const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; }        ///< what the shell is of
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }

@@ -128,6 +128,12 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
     if(result && result.kind() == Shell_kind::VIRTUALLY_CLOSED)
       object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)
         ("triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset", r.closing.largest_offset);
+    if(result && !r.truncation.vertices.empty()) {
+      std::vector<std::size_t> truncated, others;
+      for(const Truncation_report::Vertex& v : r.truncation.vertices)
+        (v.outcome == Truncation_report::Outcome::TRUNCATED ? truncated : others).push_back(v.vertex);
+      object("truncation")("vertices", truncated)("not_truncated", others);
+    }
     if(result) {
       object("shell")("facets", r.triangles)("components", r.components)("thickness", result.shell().thickness())
         ("narrowed_area", r.narrowed_area)("cells", r.cells)("unknowns", r.unknowns)("rounds", r.rounds.size())("unit", r.unit);

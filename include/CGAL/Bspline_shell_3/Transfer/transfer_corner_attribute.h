@@ -188,22 +188,19 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
 
   // along a facet from its centroid to a corner
   const auto follow = [&](Index n, int corner, Index from, Facet& result) {
-    const Coordinates& end = target.vertex(typename Target::Index(n), corner);
-    const Coordinates start = target.point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
     const auto at = [&](double t) {
-      Coordinates p;
-      for(int a = 0; a < 3; ++a) p[a] = (1 - t) * start[a] + t * end[a];
-      return p;
+      Coordinates barycentric;
+      for(int i = 0; i < 3; ++i) barycentric[i] = (1 - t) / 3 + (i == corner ? t : 0);
+      return barycentric;
     };
+    const auto traced = [&](double t) { return target.traced_point(typename Target::Index(n), at(t)); };
     constexpr double shortest = 1. / 1024;
     double t = 0, step = 1;
-    Coordinates here = start;
-    auto image = map.to_source()(here);
+    auto image = map.to_source()(traced(t));
     Index facet = from;
     while(t < 1) {
       const double next = (std::min)(t + step, 1.);
-      const Coordinates p = next < 1 ? at(next) : end;
-      const auto there = map.to_source()(p);
+      const auto there = map.to_source()(traced(next));
       if(!there) { result.status = there.status; return; }
       result.is_continued = result.is_continued || there.is_continued;
       result.is_snapped = result.is_snapped || there.is_snapped;
@@ -211,7 +208,6 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
       if(seams.go_on(facet, g, there.location.second, step <= shortest)) {
         facet = g;
         t = next;
-        here = p;
         image = there;
         step *= 2;
       } else if(step > shortest) {
@@ -226,9 +222,11 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     // linear beyond: the inverse map's differential on this side
     result.across = true;
     const auto& normal = source.normal(facet);
-    const Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal) : map.to_source().differential(here, image);
+    Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal) : map.to_source().differential(traced(t), image);
+    d.append_to_start(target.traced_derivative(typename Target::Index(n), at(t)));
     if(!d) { result.status = d.status; return; }
     if(internal::is_along(normal, d)) { result.status = Flow_status::FACES_WRONG_WAY; return; }
+    const Coordinates here = target.point(typename Target::Index(n), at(t)), &end = target.vertex(typename Target::Index(n), corner);
     const Eigen::Vector3d step_on_source = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2]))
                                          * Eigen::Vector3d(end[0] - here[0], end[1] - here[1], end[2] - here[2]);
     const Coordinates beyond = { q[0] + step_on_source[0], q[1] + step_on_source[1], q[2] + step_on_source[2] };
@@ -236,7 +234,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   };
 
   internal::for_each_point<ConcurrencyTag>(facets.size(), [&](std::size_t n) {
-    return target.point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
+    return target.traced_point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
   }, visitor, [&](std::size_t n, const auto& p) {
     Facet& result = facets[n];
     const auto center = map.to_source()(p);

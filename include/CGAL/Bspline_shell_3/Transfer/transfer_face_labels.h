@@ -80,7 +80,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; bool is_continued = false, is_snapped = false; };
   std::vector<Sample> found(target.number_of_facets() * samples.size());
   internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
-    return target.point(Index(n / samples.size()), samples[n % samples.size()]);
+    return target.traced_point(Index(n / samples.size()), samples[n % samples.size()]);
   }, visitor, [&](std::size_t n, const auto& p) {
     const auto image = map.to_source()(p);
     found[n].facet = image.location.first;

@@ -117,11 +117,12 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   std::vector<typename Map::Source_image> images(target.number_of_facets());
   std::vector<Flow_differential> differentials(images.size());
   internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
-    return target.point(typename Map::Projection_to_target::Target::Index(n), { 1/3., 1/3., 1/3. });
+    return target.traced_point(typename Map::Projection_to_target::Target::Index(n), { 1/3., 1/3., 1/3. });
   }, visitor, [&](std::size_t n, const auto& p) {
     images[n] = map.to_source()(p);
     if(images[n]) {
       differentials[n] = internal::differential_from_image(map, images[n], p);
+      differentials[n].prepend_to_end(target.traced_derivative(typename Map::Projection_to_target::Target::Index(n), { 1/3., 1/3., 1/3. }));
       images[n].status = differentials[n].status;
     }
   });

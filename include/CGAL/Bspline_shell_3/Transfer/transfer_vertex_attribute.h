@@ -67,7 +67,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
   constexpr bool has_mapping = !CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, parameter_tags::mapping_t>::value;
 
-  const auto& points = map.to_target().target().vertices_of_mesh();
+  const auto& points = map.to_target().target().traced_vertices();
   std::vector<Flow_differential> differentials(has_mapping ? points.size() : 0);
   std::vector<typename Map::Source_image> images(points.size());
   internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
@@ -137,7 +137,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     }
     return report;
   }
-  const auto& points = source.vertices_of_mesh();
+  const auto& points = source.traced_vertices();
   std::vector<typename Map::Target_image> images(points.size());
   const bool complete = internal::for_each_point<ConcurrencyTag>(
     points.size(), [&](std::size_t n) { return points[n]; }, visitor,
@@ -153,7 +153,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
   // numbers are summed up as doubles: integers would lose what is behind the point each time
   typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
-  std::vector<std::optional<Sum> > sum(target.vertices_of_mesh().size());
+  std::vector<std::optional<Sum> > sum(target.traced_vertices().size());
   std::vector<double> weight(sum.size(), 0);
   std::vector<char> is_continued(sum.size(), 0), is_snapped(sum.size(), 0);
   std::size_t n = 0;
@@ -180,7 +180,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     if(!sum[t]) missed.push_back(t);
   if(complete)
     internal::for_each_point<ConcurrencyTag>(
-      missed.size(), [&](std::size_t i) { return target.vertices_of_mesh()[missed[i]]; }, visitor,
+      missed.size(), [&](std::size_t i) { return target.traced_vertices()[missed[i]]; }, visitor,
       [&](std::size_t i, const auto& p) {
         pulled[missed[i]] = map.to_source()(p);
         is_continued[missed[i]] = pulled[missed[i]].is_continued;

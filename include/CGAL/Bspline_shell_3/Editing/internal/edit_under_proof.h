@@ -11,6 +11,8 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -244,6 +246,47 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
     result.locations.push_back(image.location);
 }
 
+// Replaces the tips of a mesh that a shell replaces. \return whether it has any
+// \param vertices in the order of `vertices(mesh)`; those that vanish are replaced by vertices nearby
+template <typename TriangleMesh, typename VertexPointMap>
+bool truncate(const Shell_truncation_3& truncation, TriangleMesh& mesh, VertexPointMap vpm,
+              std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const auto in_mesh = truncation.match(mesh, vpm);
+  std::unordered_map<vertex_descriptor, std::size_t> disc_of;
+  for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
+    const auto& disc = truncation.discs()[d];
+    const std::size_t f = disc.facets.front();
+    if(in_mesh[f] == boost::graph_traits<TriangleMesh>::null_halfedge()) continue;
+    auto h = prev(in_mesh[f], mesh);      // to the first corner
+    for(int i = 0; i < 3; ++i, h = next(h, mesh))
+      if(truncation.cut_facets()[f][i] == disc.center) disc_of.emplace(target(h, mesh), d);
+  }
+  if(disc_of.empty()) return false;
+  const auto truncated = truncation.apply(mesh, vpm);
+  for(vertex_descriptor& v : vertices) {
+    const auto found = disc_of.find(v);
+    if(found != disc_of.end()) v = truncated.vertices[truncation.discs()[found->second].rim.front()];
+  }
+  return true;
+}
+
+// Numbers of elements of a range, replaced by those that they had in another; elements that it did not have are left out.
+template <typename Range, typename Descriptor>
+void renumber(const Range& now, const std::vector<Descriptor>& before, std::vector<std::size_t>& numbers)
+{
+  std::unordered_map<Descriptor, std::size_t> number;
+  for(std::size_t n = 0; n < before.size(); ++n) number.emplace(before[n], n);
+  const std::vector<Descriptor> elements(now.begin(), now.end());
+  std::vector<std::size_t> renumbered;
+  for(std::size_t n : numbers) {
+    const auto found = number.find(elements[n]);
+    if(found != number.end()) renumbered.push_back(found->second);
+  }
+  numbers.swap(renumbered);
+}
+
 // Opens a mesh again that was closed for an edit, also when an exception ends that.
 template <typename TriangleMesh>
 class Closed_for_edit
@@ -276,8 +319,9 @@ private:
 };
 
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
-// `edit(oracle, frozen)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
-// mesh must be gone when it returns. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
+// `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
+// mesh must be gone when it returns. `all` has a vertex for each that the mesh had: itself, or, where the mesh was truncated first, as the shell does it, one nearby.
+// While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
 // \pre `check_before_edits()` accepts the mesh
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>
@@ -295,13 +339,6 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     timer.reset();
   };
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
-  Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
-  if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
-  lap(result.check_seconds);
-  const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
-  if(!frozen.empty() && (!freezes || frozen.size() == result.facets_before)) return Edit_status::NOT_IN_SHELL;
-  const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
 
   const TriangleMesh before(mesh);
   std::vector<Point> points;
@@ -319,12 +356,36 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     result.frozen_facets.clear();
     return status;
   };
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  std::vector<std::array<double, 3> > traced;       // points of the shell from which vertices are located
+  bool is_truncated = false;
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> facets_before;
+  if(shell.truncation()) {
+    facets_before.assign(faces(mesh).begin(), faces(mesh).end());
+    if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
+      traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
+    is_truncated = truncate(*shell.truncation(), mesh, vpm, all);
+  }
+
+  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
+  Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
+  if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
+  lap(result.check_seconds);
+  const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+  if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size())) {
+    if(!is_truncated) return Edit_status::NOT_IN_SHELL;
+    renumber(faces(mesh), facets_before, result.offending_simplices.facets);
+    renumber(vertices(mesh), all, result.offending_simplices.vertices);
+    return undone(Edit_status::NOT_IN_SHELL);
+  }
+  const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
+
   if(!CGAL::is_closed(mesh)) {
     if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
     for(auto f : closed.faces()) frozen.close(f);
   }
   result.frozen_facets_before = frozen_before.positions();
-  const Edit_status edited = edit(oracle, frozen);
+  const Edit_status edited = edit(oracle, frozen, all);
   lap(result.edit_seconds);
   if(edited != Edit_status::SUCCESS) return undone(edited);
 
@@ -344,7 +405,8 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   // not compiled for those who do not ask
   if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
     if(get_parameter(np, parameter_tags::locate_vertices)) {
-      locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
+      if(is_truncated) locate<ConcurrencyTag>(shell, traced, mesh, vpm, result);
+      else locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
       lap(result.location_seconds);
     }
   return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;

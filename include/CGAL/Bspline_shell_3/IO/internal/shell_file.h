@@ -27,7 +27,7 @@ namespace Bspline_shells {
 namespace internal {
 
 constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "cubic_bspline_shell";
-constexpr int shell_file_version = 3, version_without_closing = 2;      // files that need no closing are as old readers know them
+constexpr int shell_file_version = 4, version_without_truncation = 3, version_without_closing = 2;    // files are as old readers know them where they can be
 constexpr int largest_file_level = 30;      // of cells; no hierarchy has so many
 
 // Which type of shell a file holds.
@@ -69,7 +69,10 @@ Level_range levels(const Shell& shell)
 }
 
 template <typename Shell>
-int file_version(const Shell& shell) { return shell.closing() ? shell_file_version : version_without_closing; }
+int file_version(const Shell& shell)
+{
+  return shell.truncation() ? shell_file_version : shell.closing() ? version_without_truncation : version_without_closing;
+}
 
 // calls visit(level, p) for the lattice points of all free coefficients of a field, in their order
 template <typename Field, typename Visitor>
@@ -102,6 +105,7 @@ bool is_shell(const Shell& shell)
   if(shell.closing())
     for(const Shell_closing_3::Point& p : shell.closing()->points())
       if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
+  if(shell.truncation() && !shell.truncation()->is_valid()) return false;
   const double unit = shell.report().unit;
   return is_range(levels(shell)) && std::isfinite(unit) && unit >= 0
       && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);

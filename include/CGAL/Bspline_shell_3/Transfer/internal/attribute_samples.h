@@ -97,7 +97,7 @@ bool is_along(const Normal& normal, const Flow_differential& d)
   return !(std::abs(n.dot(d.velocity)) > least_sine * n.norm() * d.velocity.norm());
 }
 
-// the differential of the map from the source at the image of a point of the target
+// the differential of the map from the source at the image of a point of the target, where it is not truncated
 template <typename Map, typename Point>
 Flow_differential differential_from_image(const Map& map, const typename Map::Source_image& image, const Point& p)
 {
@@ -106,7 +106,11 @@ Flow_differential differential_from_image(const Map& map, const typename Map::So
   if(image.is_continued) return orthogonal_differential(source.normal(source.facet_of(image.location.first)));
   const typename Map::Shell::Point_3 q(p[0], p[1], p[2]);
   const auto level = shell.field().value(q);
-  return Gradient_flow_3<typename Map::Shell>(shell, map.to_source().tolerance()).differential(image.point, *level);
+  const auto facet = source.facet_of(image.location.first);
+  Flow_differential d = Gradient_flow_3<typename Map::Shell>(shell, map.to_source().tolerance())
+                          .differential(source.traced_point(facet, image.location.second), *level);
+  d.append_to_start(source.traced_derivative(facet, image.location.second));
+  return d;
 }
 
 } // namespace internal

@@ -1,0 +1,382 @@
+// What replaces the tips of the user's mesh A, and the map h from A to the mesh A' of the certificate.
+#ifndef CHECK_CERTIFICATE_TRUNCATION_H
+#define CHECK_CERTIFICATE_TRUNCATION_H
+
+#include "Mesh.h"
+#include "Reader.h"
+#include "interval.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A facet by the coordinates of its corners, the cycle begun where it is least: so equal facets that face the same way are equal.
+typedef std::array<Point, 3> Located_facet;
+
+inline Located_facet located(const Point& a, const Point& b, const Point& c)
+{
+  return (std::min)({ Located_facet{ a, b, c }, Located_facet{ b, c, a }, Located_facet{ c, a, b } });
+}
+
+inline std::vector<Located_facet> located_facets(const Mesh& mesh)
+{
+  std::vector<Located_facet> facets;
+  for(std::size_t f = 0; f < mesh.facet.size(); ++f) {
+    const std::array<Point, 3> t = mesh.triangle(f);
+    facets.push_back(located(t[0], t[1], t[2]));
+  }
+  std::sort(facets.begin(), facets.end());
+  return facets;
+}
+
+// sorted ranges, whose elements are counted as often as they occur
+inline std::vector<Located_facet> without(const std::vector<Located_facet>& facets, const std::vector<Located_facet>& removed)
+{
+  std::vector<Located_facet> rest;
+  std::set_difference(facets.begin(), facets.end(), removed.begin(), removed.end(), std::back_inserter(rest));
+  return rest;
+}
+
+// Facets of A at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center, and it is made of
+// triangles between these and further points. What is left of the cut facets, beyond the rims, is the cores. On cores, h is affine
+// in barycentric coordinates. Tips, the triangles between centers and rims, and discs have the same image in the plane, where centers are at
+// the origin; h leads from one to the other by way of the plane. Elsewhere h is the identity.
+class Truncation
+{
+  typedef std::size_t Index;
+  typedef std::array<Index, 3> Triple;
+  typedef std::pair<Index, Index> Edge;
+  typedef std::array<Rational, 3> Barycentric;
+  typedef std::array<double, 2> Planar_point;
+
+  struct Cut
+  {
+    Index center, first, second; // the last is `none` on an edge
+    double s, t;                 // parts of the way from the center to the two others
+  };
+  struct Core
+  {
+    Triple triangle;
+    Index facet;
+  };
+  struct Disc
+  {
+    Index center;
+    std::vector<Index> rim, facet; // of each edge of the rim, the cut facet that it is in
+    std::vector<Triple> triangle;
+    Index next(std::size_t i) const { return rim[(i + 1) % rim.size()]; }
+  };
+  static constexpr Index none = 4294967295u;
+
+public:
+  explicit Truncation(Reader& in)
+  {
+    const Integer most = 1 << 30;
+    const Integer all_corners = in.integer(0, most), cuts = in.integer(0, most), inner = in.integer(0, most), facets = in.integer(0, most),
+                  cores = in.integer(0, most), discs = in.integer(0, most), points = all_corners + cuts + inner;
+    in.end_line();
+    corners = Index(all_corners);
+    const auto index = [&](Integer size) { return Index(in.integer(0, size - 1)); };
+    const auto triple = [&](Integer size) {
+      Triple t;
+      for(Index& p : t) p = index(size);
+      return t;
+    };
+    for(Integer n = 0; n < points; ++n) {
+      point.push_back(in.point());
+      in.end_line();
+    }
+    for(Integer n = 0; n < cuts + inner; ++n) {
+      planar.emplace_back();
+      for(double& x : planar.back()) x = in.number();
+      in.end_line();
+    }
+    for(Integer n = 0; n < cuts; ++n) {
+      Cut c;
+      c.center = index(all_corners);
+      c.first = index(all_corners);
+      c.second = Index(in.integer(0, Integer(none)));
+      if(c.second >= corners && c.second != none) in.fail("an integer is out of range");
+      c.s = in.number();
+      c.t = in.number();
+      cut.push_back(c);
+      in.end_line();
+    }
+    for(Integer n = 0; n < facets; ++n) {
+      cut_facet.push_back(triple(all_corners));
+      in.end_line();
+    }
+    for(Integer n = 0; n < cores; ++n) {
+      Core c;
+      c.triangle = triple(points);
+      c.facet = index(facets);
+      core.push_back(c);
+      in.end_line();
+    }
+    for(Integer n = 0; n < discs; ++n) {
+      Disc d;
+      d.center = index(all_corners);
+      centers.insert(d.center);
+      const Integer rim = in.integer(0, most), triangles = in.integer(0, most);
+      in.end_line();
+      for(Integer i = 0; i < rim; ++i) {
+        d.rim.push_back(index(points));
+        d.facet.push_back(index(facets));
+        in.end_line();
+      }
+      for(Integer i = 0; i < triangles; ++i) {
+        d.triangle.push_back(triple(points));
+        in.end_line();
+      }
+      disc.push_back(std::move(d));
+    }
+  }
+
+  // whether h is a homeomorphism from the cut facets to the cores and discs that leaves the other facets at the cut ones where they are
+  void check() const
+  {
+    check_cuts();
+    check_discs();
+    check_points();
+    check_cores();
+    check_cut_facets();
+    std::vector<std::vector<Triple>> parts(cut_facet.size());
+    for(const Core& c : core) parts[c.facet].push_back(c.triangle);
+    for(const Disc& d : disc)
+      for(std::size_t i = 0; i < d.rim.size(); ++i) parts[d.facet[i]].push_back({ d.center, d.rim[i], d.next(i) });
+    std::set<Edge> sides;
+    for(Index f = 0; f < cut_facet.size(); ++f) check_parts(f, parts[f], sides);
+    for(const Edge& e : sides)
+      if((is_cut(e.first) || is_cut(e.second)) && sides.count(Edge(e.second, e.first)) == 0)
+        throw Unconfirmed("T: points " + text(e) + " are on an edge that no other facet cuts there");
+    for(Index d = 0; d < disc.size(); ++d) {
+      check_tip(d);
+      check_disc(d);
+    }
+  }
+
+  // Whether the mesh is A', for some A. Facets beyond the truncation must not meet what h changes, which is known by its coordinates.
+  void check_truncated(const Mesh& mesh) const
+  {
+    std::map<Point, Index> vertex;
+    for(const auto& f : mesh.facet)
+      for(Index v : f)
+        if(vertex.emplace(mesh.point[v], v).first->second != v) throw Unconfirmed("T: two vertices of the mesh are in the same place");
+    const std::vector<Located_facet> facets = located_facets(mesh), added = new_facets();
+    if(!std::includes(facets.begin(), facets.end(), added.begin(), added.end()))
+      throw Unconfirmed("T: the mesh does not have all cores and triangles of discs");
+    std::set<Point> changed(point.begin() + std::ptrdiff_t(corners), point.end());
+    for(Index p : centers) changed.insert(point[p]);
+    for(const Located_facet& f : without(facets, added))
+      for(const Point& p : f)
+        if(changed.count(p) != 0) throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that only the truncation has");
+  }
+
+  // sorted
+  std::vector<Located_facet> cut_facets() const
+  {
+    std::vector<Located_facet> facets;
+    for(const Triple& t : cut_facet) facets.push_back(located(point[t[0]], point[t[1]], point[t[2]]));
+    std::sort(facets.begin(), facets.end());
+    return facets;
+  }
+  std::vector<Located_facet> new_facets() const
+  {
+    std::vector<Located_facet> facets;
+    const auto add = [&](const Triple& t) { facets.push_back(located(point[t[0]], point[t[1]], point[t[2]])); };
+    for(const Core& c : core) add(c.triangle);
+    for(const Disc& d : disc)
+      for(const Triple& t : d.triangle) add(t);
+    std::sort(facets.begin(), facets.end());
+    return facets;
+  }
+
+private:
+  bool is_cut(Index p) const { return p >= corners && p < corners + cut.size(); }
+  bool is_center(Index p) const { return centers.count(p) != 0; }
+  static std::string name(const char* what, Index n) { return std::string("T, ") + what + " " + std::to_string(n) + ": "; }
+  static std::string text(const Edge& e) { return std::to_string(e.first) + " and " + std::to_string(e.second); }
+
+  void check_cuts() const
+  {
+    for(Index n = 0; n < cut.size(); ++n) {
+      const Cut& c = cut[n];
+      if(!(c.s > 0 && c.t >= 0 && Rational(c.s) + Rational(c.t) < 1)) throw Unconfirmed(name("cut", n) + "it is not between its corners");
+      if((c.second == none) != (c.t == 0)) throw Unconfirmed(name("cut", n) + "whether it is on an edge is not clear");
+    }
+  }
+
+  // which points discs have
+  void check_discs() const
+  {
+    std::set<Index> seen;
+    std::vector<Index> disc_of(planar.size(), none);
+    for(Index n = 0; n < disc.size(); ++n) {
+      const Disc& d = disc[n];
+      const std::string name = Truncation::name("disc", n);
+      if(!seen.insert(d.center).second) throw Unconfirmed(name + "its center has another one");
+      if(d.rim.size() < 3) throw Unconfirmed(name + "its rim is no polygon");
+      for(Index p : d.rim) {
+        if(!is_cut(p) || cut[p - corners].center != d.center) throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is no cut around its center");
+        if(disc_of[p - corners] != none) throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is in a rim before");
+        disc_of[p - corners] = n;
+      }
+      for(const Triple& t : d.triangle)
+        for(Index p : t) {
+          if(p >= corners && !is_cut(p) && disc_of[p - corners] == none) disc_of[p - corners] = n;
+          if(p < corners || disc_of[p - corners] != n) throw Unconfirmed(name + "point " + std::to_string(p) + " of a triangle is not one of its own");
+        }
+    }
+    for(Index i = 0; i < planar.size(); ++i)
+      if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is in no disc");
+  }
+
+  // Points that facets have in common are known by their coordinates: so no two vertices of A may be in the same place, and no two of A'.
+  void check_points() const
+  {
+    std::map<Point, Index> before, after;
+    for(Index p = 0; p < point.size(); ++p)
+      if((p < corners && !before.emplace(point[p], p).second) || (!(p < corners && is_center(p)) && !after.emplace(point[p], p).second))
+        throw Unconfirmed("T: point " + std::to_string(p) + " is where another one is");
+  }
+
+  void check_cores() const
+  {
+    for(Index n = 0; n < core.size(); ++n)
+      for(Index p : core[n].triangle) {
+        if(p >= corners && !is_cut(p)) throw Unconfirmed(name("core", n) + "a corner of it is within a disc");
+        if(p < corners && is_center(p)) throw Unconfirmed(name("core", n) + "a corner of it is cut off");
+      }
+  }
+
+  // A is a surface where it is cut: two facets at an edge, facing the same side. Where it is not, A' shows that.
+  void check_cut_facets() const
+  {
+    std::set<Edge> edges;
+    for(Index f = 0; f < cut_facet.size(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Edge e(cut_facet[f][i], cut_facet[f][(i + 1) % 3]);
+        if(e.first == e.second) throw Unconfirmed(name("facet", f) + "it is degenerate");
+        if(!edges.insert(e).second) throw Unconfirmed(name("facet", f) + "another one is on the same side of an edge");
+      }
+  }
+
+  // where a corner or a cut is in a facet
+  Barycentric place(Index facet, Index p) const
+  {
+    const Triple& t = cut_facet[facet];
+    const auto corner = [&](Index q) {
+      const std::size_t i = std::size_t(std::find(t.begin(), t.end(), q) - t.begin());
+      if(i == 3) throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " of a part is not in it");
+      return i;
+    };
+    Barycentric b = { 0, 0, 0 };
+    if(p < corners) {
+      b[corner(p)] = 1;
+      return b;
+    }
+    const Cut& c = cut[p - corners];
+    const std::size_t center = corner(c.center), first = corner(c.first);
+    const bool in_order = c.second == none ? first != center : first == (center + 1) % 3 && corner(c.second) == (center + 2) % 3;
+    if(!in_order) throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " is between corners in another order");
+    b[center] = 1 - Rational(c.s) - Rational(c.t);
+    b[first] = c.s;
+    if(c.second != none) b[corner(c.second)] = c.t;
+    return b;
+  }
+
+  template <class P>
+  static int orientation(const P& a, const P& b, const P& c, int first)
+  {
+    const auto x = [&](const P& p) { return Rational(Rational(p[first]) - Rational(a[first])); };
+    const auto y = [&](const P& p) { return Rational(Rational(p[first + 1]) - Rational(a[first + 1])); };
+    return Rational(x(b) * y(c) - y(b) * x(c)).sign();
+  }
+
+  // the edges of triangles that no other triangle passes the other way
+  static std::set<Edge> border(const std::vector<Triple>& triangles, const std::string& name)
+  {
+    std::set<Edge> edges, border;
+    for(const Triple& t : triangles)
+      for(int i = 0; i < 3; ++i)
+        if(!edges.emplace(t[i], t[(i + 1) % 3]).second) throw Unconfirmed(name + "two triangles are on the same side of an edge");
+    for(const Edge& e : edges)
+      if(edges.count(Edge(e.second, e.first)) == 0) border.insert(e);
+    return border;
+  }
+
+  // The parts of a facet are tips and cores. As these are turned the right way, and their border leads around the facet once, they cover it once:
+  // that is what the border's winding number says.
+  void check_parts(Index f, const std::vector<Triple>& parts, std::set<Edge>& sides) const
+  {
+    const std::string name = Truncation::name("facet", f);
+    const Triple& t = cut_facet[f];
+    std::map<Index, Barycentric> at;
+    for(const Triple& p : parts) {
+      for(Index q : p)
+        if(at.count(q) == 0) at.emplace(q, place(f, q));
+      if(!(orientation(at[p[0]], at[p[1]], at[p[2]], 1) > 0)) throw Unconfirmed(name + "a part of it is turned, or degenerate");
+    }
+    const std::set<Edge> edges = border(parts, name);
+    std::size_t steps = 0;
+    Index p = t[0];
+    for(int side = 0; side < 3; ++side) {
+      const int last = (side + 1) % 3, off = (side + 2) % 3;
+      while(p != t[last]) {
+        // the edge along the border that begins here: there must be one only
+        const auto e = edges.lower_bound(Edge(p, 0));
+        if(e == edges.end() || e->first != p || (std::next(e) != edges.end() && std::next(e)->first == p))
+          throw Unconfirmed(name + "its parts do not end at its sides");
+        const Index q = e->second;
+        if(at[p][off] != 0 || at[q][off] != 0 || !(at[p][last] < at[q][last])) throw Unconfirmed(name + "its parts do not end at its sides");
+        if(!sides.insert(*e).second) throw Unconfirmed(name + "another one is on the same side of an edge");
+        p = q;
+        ++steps;
+      }
+    }
+    if(steps != edges.size()) throw Unconfirmed(name + "its parts leave gaps");
+  }
+
+  // The triangles between the origin and the rim fill a polygon once that can be seen from there: angles are less than half a turn each, and only one
+  // edge comes back to the positive x-axis.
+  void check_tip(Index n) const
+  {
+    const Disc& d = disc[n];
+    int turns = 0;
+    for(std::size_t i = 0; i < d.rim.size(); ++i) {
+      const Planar_point &p = planar[d.rim[i] - corners], &q = planar[d.next(i) - corners];
+      if(!(orientation(Planar_point{ 0, 0 }, p, q, 0) > 0)) throw Unconfirmed(name("disc", n) + "in the plane, its rim does not turn around the center");
+      turns += p[1] < 0 && q[1] >= 0 ? 1 : 0;
+    }
+    if(turns != 1) throw Unconfirmed(name("disc", n) + "in the plane, its rim leads around the center " + std::to_string(turns) + " times");
+  }
+
+  // The triangles of the disc fill the same polygon once, by the same argument as parts do facets.
+  void check_disc(Index n) const
+  {
+    const Disc& d = disc[n];
+    for(const Triple& t : d.triangle)
+      if(!(orientation(planar[t[0] - corners], planar[t[1] - corners], planar[t[2] - corners], 0) > 0))
+        throw Unconfirmed(name("disc", n) + "in the plane, a triangle is turned, or degenerate");
+    std::set<Edge> rim;
+    for(std::size_t i = 0; i < d.rim.size(); ++i) rim.emplace(d.rim[i], d.next(i));
+    if(border(d.triangle, name("disc", n)) != rim) throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
+  }
+
+  Index corners = 0; // how many points are vertices of A
+  std::vector<Point> point; // corners of cut facets, cuts, points within discs
+  std::vector<Planar_point> planar; // of all but the first
+  std::vector<Cut> cut;
+  std::vector<Triple> cut_facet;
+  std::vector<Core> core;
+  std::vector<Disc> disc;
+  std::set<Index> centers;
+};
+
+#endif // CHECK_CERTIFICATE_TRUNCATION_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_TRUNCATED_FACETS_H
+#define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_TRUNCATED_FACETS_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// The facets of a mesh that a shell truncates, truncated, and the map between both.
+class Truncated_facets
+{
+public:
+  typedef Projection_facets_3::Coordinates Coordinates;
+  typedef Projection_facets_3::Index Index;
+  typedef Projection_facets_3::Facet Facet;
+  // a facet and barycentric coordinates in it
+  typedef std::pair<Index, Coordinates> Place;
+
+  // Facet `n` of those to be cut is `cut[n].facet`, its first corner being that number `cut[n].corner`; or `npos`, if the mesh does not have it.
+  struct Cut_facet { Index facet; int corner; };
+
+  Truncated_facets(std::shared_ptr<const Shell_truncation_3> truncation, const std::vector<Facet>& facets, std::vector<Cut_facet> cut)
+    : m_truncation(std::move(truncation)), m_cut(std::move(cut)), m_cut_of(facets.size(), npos), m_traced_of(facets.size(), npos)
+    , m_traced_of_new(m_truncation->number_of_new_facets(), npos)
+  {
+    for(std::size_t n = 0; n < m_cut.size(); ++n)
+      if(m_cut[n].facet != npos) m_cut_of[m_cut[n].facet] = Index(n);
+    std::vector<Facet> traced;
+    for(std::size_t f = 0; f < facets.size(); ++f) {
+      if(m_cut_of[f] != npos) continue;
+      m_traced_of[f] = Index(traced.size());
+      m_origins.push_back({ Index(f), npos });
+      traced.push_back(facets[f]);
+    }
+    for(std::size_t n = 0; n < m_traced_of_new.size(); ++n) {
+      const Index disc = m_truncation->disc_of_new_facet(n);
+      const Index in_cut = disc == npos ? m_truncation->cores()[n].facet : m_truncation->discs()[disc].facets.front();
+      if(m_cut[in_cut].facet == npos) continue;
+      m_traced_of_new[n] = Index(traced.size());
+      m_origins.push_back({ npos, Index(n) });
+      Facet facet;
+      facet.neighbor.fill(npos);
+      for(int i = 0; i < 3; ++i) facet.vertex[i] = m_truncation->points()[m_truncation->new_facet(n)[i]];
+      traced.push_back(facet);
+    }
+    // Edges of uncut facets first; then those that the new ones have with each other, and with these.
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      if(m_traced_of[f] != npos)
+        for(Index& g : traced[m_traced_of[f]].neighbor) g = g == npos ? npos : m_traced_of[g];
+    std::map<std::pair<Index, Index>, std::pair<Index, int> > edges;
+    for(std::size_t n = 0; n < m_traced_of_new.size(); ++n)
+      if(m_traced_of_new[n] != npos)
+        for(int i = 0; i < 3; ++i) {
+          const auto& t = m_truncation->new_facet(n);
+          edges[{ t[i], t[(i + 1) % 3] }] = { m_traced_of_new[n], i };
+        }
+    for(const auto& e : edges) {
+      const auto opposite = edges.find({ e.first.second, e.first.first });
+      if(opposite != edges.end()) traced[e.second.first].neighbor[e.second.second] = opposite->second.first;
+    }
+    for(std::size_t n = 0; n < m_cut.size(); ++n)
+      for(int i = 0; i < 3 && m_cut[n].facet != npos; ++i) {
+        const auto& t = m_truncation->cut_facets()[n];
+        const auto side = edges.find({ t[i], t[(i + 1) % 3] });
+        const Index beyond = facets[m_cut[n].facet].neighbor[(m_cut[n].corner + i) % 3];
+        if(side == edges.end() || beyond == npos || m_traced_of[beyond] == npos) continue;
+        traced[side->second.first].neighbor[side->second.second] = m_traced_of[beyond];
+        for(int j = 0; j < 3; ++j)
+          if(facets[beyond].neighbor[j] == m_cut[n].facet && facets[beyond].vertex[j] == m_truncation->points()[t[(i + 1) % 3]])
+            traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
+      }
+    m_facets = Projection_facets_3(std::move(traced));
+  }
+
+  const Projection_facets_3& facets() const { return m_facets; }
+  bool is_cut(Index facet) const { return m_cut_of[facet] != npos; }
+
+  // where a place of the mesh is on the truncated one
+  Place traced(const Place& place) const
+  {
+    if(!is_cut(place.first)) return { m_traced_of[place.first], place.second };
+    const auto image = m_truncation->image(in_cut_facet(place));
+    return { m_traced_of_new[image.facet], image.barycentric };
+  }
+
+  // where a place of the truncated mesh is on the mesh
+  Place untraced(const Place& place) const
+  {
+    const Origin& origin = m_origins[place.first];
+    if(origin.facet != npos) return { origin.facet, place.second };
+    const auto preimage = m_truncation->preimage({ origin.new_facet, place.second });
+    const Cut_facet& cut = m_cut[preimage.facet];
+    Place result = { cut.facet, {} };
+    for(int i = 0; i < 3; ++i) result.second[(cut.corner + i) % 3] = preimage.barycentric[i];
+    return result;
+  }
+
+  // The derivative of the map at a place of a facet with these vertices: from the facet's plane to that of the image, and from normal to normal.
+  Eigen::Matrix3d derivative(const Place& place, const std::array<Coordinates, 3>& vertices) const
+  {
+    if(!is_cut(place.first)) return Eigen::Matrix3d::Identity();
+    const auto columns = m_truncation->derivative(in_cut_facet(place));
+    const Index traced_facet = traced(place).first;
+    const auto eigen = [](const Coordinates& p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
+    // what moving from the first corner of the cut facet to each of the others does
+    const int corner = m_cut[m_cut_of[place.first]].corner;
+    Eigen::Matrix3d before, after;
+    for(int k = 0; k < 2; ++k) {
+      before.col(k) = eigen(vertices[(corner + k + 1) % 3]) - eigen(vertices[corner]);
+      after.col(k).setZero();
+      for(int i = 0; i < 3; ++i) after.col(k) += (columns[k + 1][i] - columns[0][i]) * eigen(m_facets.vertex(traced_facet, i));
+    }
+    before.col(2) = before.col(0).cross(before.col(1)).normalized();
+    after.col(2) = eigen(m_facets.normal(traced_facet)).normalized();
+    return after * before.inverse();
+  }
+
+private:
+  static constexpr Index npos = Projection_facets_3::npos;
+  struct Origin { Index facet, new_facet; };
+
+  Shell_truncation_3::Place in_cut_facet(const Place& place) const
+  {
+    const Index n = m_cut_of[place.first];
+    Shell_truncation_3::Place result = { n, {} };
+    for(int i = 0; i < 3; ++i) result.barycentric[i] = place.second[(m_cut[n].corner + i) % 3];
+    return result;
+  }
+
+  std::shared_ptr<const Shell_truncation_3> m_truncation;
+  Projection_facets_3 m_facets;
+  std::vector<Cut_facet> m_cut;
+  std::vector<Index> m_cut_of, m_traced_of, m_traced_of_new;      // by facet of the mesh, and by new facet
+  std::vector<Origin> m_origins;                                  // of traced facets
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_TRUNCATED_FACETS_H

@@ -1,0 +1,350 @@
+// Shell_truncation_3.h: a truncation that is made by hand is proved, and so is its map; each error in it is found. It is applied to meshes that have
+// its facets, and to no others.
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace PMP = CGAL::Polygon_mesh_processing;
+typedef BS::Shell_truncation_3 Truncation;
+typedef Truncation::Index Index;
+
+// A truncation in parts, for a test to change.
+struct Parts
+{
+  std::vector<Truncation::Point> points;
+  std::vector<Truncation::Triangle> cut_facets;
+  std::vector<Truncation::Cut> cuts;
+  std::vector<Truncation::Core> cores;
+  std::vector<Truncation::Disc> discs;
+  std::vector<Truncation::Planar_point> planar;
+
+  Truncation assembled() const { return Truncation(points, cut_facets, cuts, cores, discs, planar); }
+  bool is_valid() const { return assembled().is_valid(); }
+};
+
+// The apex of `pyramid(4, 1)` is cut off halfway: by a square, or, with `has_point`, by a roof with a point in the middle.
+Parts square_pyramid(bool has_point = false)
+{
+  Parts parts;
+  const Index apex = 0, npos = Truncation::npos;
+  const Mesh mesh = pyramid(4, 1);
+  for(std::uint32_t v : { 0u, 2u, 3u, 4u, 5u }) {
+    const Point_3& p = mesh.point(Mesh::Vertex_index(v));
+    parts.points.push_back({ p.x(), p.y(), p.z() });
+  }
+  for(Index i = 0; i < 4; ++i) parts.cut_facets.push_back({ apex, 1 + i, 1 + (i + 1) % 4 });
+  Truncation::Disc disc;
+  disc.center = apex;
+  for(Index i = 0; i < 4; ++i) {
+    const auto& p = parts.points[1 + i];
+    parts.points.push_back({ p[0] / 2, p[1] / 2, 0.5 });
+    parts.cuts.push_back({ apex, 1 + i, npos, 0.5, 0 });
+    parts.planar.push_back({ p[0], p[1] });
+    disc.rim.push_back(5 + i);
+    disc.facets.push_back(i);
+    const Index j = (i + 1) % 4;
+    parts.cores.push_back({ { 5 + i, 1 + i, 1 + j }, i });
+    parts.cores.push_back({ { 5 + i, 1 + j, 5 + j }, i });
+  }
+  if(has_point) {
+    parts.points.push_back({ 0.05, 0, 0.6 });
+    parts.planar.push_back({ 0.1, 0.2 });
+    for(Index i = 0; i < 4; ++i) disc.triangles.push_back({ 5 + i, 5 + (i + 1) % 4, 9 });
+  }
+  else disc.triangles = { { 5, 6, 7 }, { 5, 7, 8 } };
+  parts.discs.push_back(disc);
+  return parts;
+}
+
+// a point in space of a place in one of the facets that are cut, or in a new one
+Point_3 point(const Truncation& t, const Truncation::Place& place, bool is_new)
+{
+  const Truncation::Triangle triangle = is_new ? t.new_facet(place.facet) : t.cut_facets()[place.facet];
+  Vector_3 p = CGAL::NULL_VECTOR;
+  for(int i = 0; i < 3; ++i) {
+    const auto& q = t.points()[triangle[i]];
+    p = p + place.barycentric[i] * Vector_3(q[0], q[1], q[2]);
+  }
+  return CGAL::ORIGIN + p;
+}
+
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+std::array<double, 3> random_barycentric(std::mt19937& random)
+{
+  const auto uniform = [&] { return double(random()) / double(std::mt19937::max()); };
+  const double u = uniform(), v = uniform();
+  return u + v > 1 ? std::array<double, 3>{ u + v - 1, 1 - u, 1 - v } : std::array<double, 3>{ 1 - u - v, u, v };
+}
+
+} // namespace
+
+TEST_CASE("A truncation that is made by hand is proved")
+{
+  CHECK(square_pyramid(false).is_valid());
+  CHECK(square_pyramid(true).is_valid());
+  CHECK_FALSE(Truncation().is_valid());
+  const Truncation t = square_pyramid(true).assembled();
+  CHECK(t.number_of_corners() == 5);
+  CHECK(t.number_of_new_facets() == 12);
+  CHECK(t.disc_of_new_facet(7) == Truncation::npos);
+  CHECK(t.disc_of_new_facet(8) == 0);
+}
+
+TEST_CASE("Each error in a truncation is found")
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<std::function<void(Parts&)> > errors = {
+    [](Parts& p) { p.points[2] = p.points[1]; },                                    // two corners in one place
+    [=](Parts& p) { p.points[6][1] = infinity; },
+    [=](Parts& p) { p.planar[1][1] = infinity; },
+    [](Parts& p) { p.planar.pop_back(); },
+    [](Parts& p) { p.cuts[0].s = 0; },
+    [](Parts& p) { p.cuts[0].s = 1; },
+    [](Parts& p) { p.cuts[0].t = 0.25; },                                           // on an edge, and in a facet
+    [](Parts& p) { p.cuts[0].first = 2; },                                          // on another edge than the facets that use it
+    [](Parts& p) { p.cuts[0].center = 1; },
+    [](Parts& p) { p.cuts[0].second = 2; p.cuts[0].t = 0.25; },                     // within a facet, so that its neighbor has a gap
+    [](Parts& p) { p.cuts[0].second = 2; p.cuts[0].t = 0.75; },                     // beyond the facet
+    [](Parts& p) { p.cores.pop_back(); },
+    [](Parts& p) { p.cores.push_back(p.cores.back()); },
+    [](Parts& p) { std::swap(p.cores[3].triangle[0], p.cores[3].triangle[1]); },
+    [](Parts& p) { p.cores[3].facet = 0; },
+    [](Parts& p) { p.cores[3].triangle[0] = 0; },                                   // the vertex that is cut off
+    [](Parts& p) { p.cores[3].facet = 17; },
+    [](Parts& p) { p.cut_facets[1][0] = 77; },
+    [](Parts& p) { p.cut_facets[1] = p.cut_facets[0]; },
+    [](Parts& p) { p.cut_facets.pop_back(); },
+    [](Parts& p) { p.discs.clear(); },
+    [](Parts& p) { p.discs.push_back(p.discs[0]); },
+    [](Parts& p) { p.discs[0].center = 1; },
+    [](Parts& p) { p.discs[0].facets[2] = 1; },
+    [](Parts& p) { p.discs[0].rim.pop_back(); p.discs[0].facets.pop_back(); },
+    [](Parts& p) { std::swap(p.discs[0].rim[0], p.discs[0].rim[2]); },
+    [](Parts& p) { std::reverse(p.discs[0].rim.begin(), p.discs[0].rim.end()); },
+    [](Parts& p) { p.discs[0].triangles.pop_back(); },
+    [](Parts& p) { p.discs[0].triangles.push_back(p.discs[0].triangles.back()); },
+    [](Parts& p) { std::swap(p.discs[0].triangles[1][0], p.discs[0].triangles[1][1]); },
+    [](Parts& p) { p.discs[0].triangles[1][0] = 1; },                               // not of the disc
+    [](Parts& p) { p.planar[0] = { -0.5, 0.25 }; },                                 // the polygon is not star-shaped
+    [](Parts& p) { for(auto& q : p.planar) q[1] = -q[1]; },                         // clockwise
+  };
+  for(bool has_point : { false, true })
+    for(std::size_t n = 0; n < errors.size(); ++n) {
+      CAPTURE(has_point, n);
+      Parts parts = square_pyramid(has_point);
+      errors[n](parts);
+      CHECK_FALSE(parts.is_valid());
+    }
+  Parts parts = square_pyramid(true);
+  parts.planar[4] = { 0.7, 0.7 };         // the point in the disc is outside of the polygon
+  CHECK_FALSE(parts.is_valid());
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.5, 0.5 } };      // on its boundary
+  CHECK_FALSE(parts.is_valid());
+}
+
+TEST_CASE("A fan that winds twice is no tip")
+{
+  // five cuts in the order of a pentagram
+  Parts parts;
+  parts.points = { { 0, 0, 1 } };
+  Truncation::Disc disc;
+  disc.center = 0;
+  const auto at = [](int i) { const double angle = 0.4 * CGAL_PI * (2 * i % 5); return Truncation::Planar_point{ std::cos(angle), std::sin(angle) }; };
+  for(int i = 0; i < 5; ++i) parts.points.push_back({ at(i)[0], at(i)[1], 0 });
+  for(Index i = 0; i < 5; ++i) {
+    const Index j = (i + 1) % 5;
+    parts.cut_facets.push_back({ 0, 1 + i, 1 + j });
+    parts.points.push_back({ at(int(i))[0] / 2, at(int(i))[1] / 2, 0.5 });
+    parts.cuts.push_back({ 0, 1 + i, Truncation::npos, 0.5, 0 });
+    parts.planar.push_back(at(int(i)));
+    parts.cores.push_back({ { 6 + i, 1 + i, 1 + j }, i });
+    parts.cores.push_back({ { 6 + i, 1 + j, 6 + j }, i });
+    disc.rim.push_back(6 + i);
+    disc.facets.push_back(i);
+  }
+  parts.points.push_back({ 0, 0, 0.5 });
+  parts.planar.push_back({ 0, 0 });
+  for(Index i = 0; i < 5; ++i) disc.triangles.push_back({ 6 + i, 6 + (i + 1) % 5, 11 });
+  parts.discs.push_back(disc);
+  CHECK_FALSE(parts.is_valid());
+  for(Index i = 0; i < 5; ++i) parts.planar[i] = { std::cos(0.4 * CGAL_PI * i), std::sin(0.4 * CGAL_PI * i) };
+  CHECK(parts.is_valid());
+}
+
+TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
+{
+  for(bool has_point : { false, true }) {
+    const Truncation t = square_pyramid(has_point).assembled();
+    REQUIRE(t.is_valid());
+    std::mt19937 random(1);
+    for(int n = 0; n < 4000; ++n) {
+      const Truncation::Place place = { Index(random() % 4), random_barycentric(random) };
+      const Truncation::Place image = t.image(place);
+      REQUIRE(image.facet < t.number_of_new_facets());
+      const Truncation::Place back = t.preimage(image);
+      CHECK(distance(point(t, place, false), point(t, back, false)) < 1e-14);
+      const bool is_in_tip = place.barycentric[0] > 0.5;
+      CHECK((t.disc_of_new_facet(image.facet) == 0) == is_in_tip);
+      if(!is_in_tip) CHECK(distance(point(t, place, false), point(t, image, true)) < 1e-15);
+    }
+    for(int n = 0; n < 4000; ++n) {
+      const Truncation::Place place = { Index(random() % t.number_of_new_facets()), random_barycentric(random) };
+      CHECK(distance(point(t, place, true), point(t, t.image(t.preimage(place)), true)) < 1e-14);
+    }
+    // the apex, from all its facets
+    const Point_3 apex = point(t, t.image({ 0, { 1, 0, 0 } }), true);
+    for(Index f = 1; f < 4; ++f) CHECK(distance(apex, point(t, t.image({ f, { 1, 0, 0 } }), true)) < 1e-15);
+    // it is in the middle of the planar square, where the square disc has its diagonal
+    if(!has_point) CHECK(distance(apex, Point_3(0, 0, 0.5)) < 1e-15);
+  }
+}
+
+TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
+{
+  const Truncation t = square_pyramid(true).assembled();
+  // a fine grid of triangles in each tip is mapped to the disc with positive areas that sum up to its area
+  double area = 0;
+  constexpr int n = 64;
+  const auto planar = [&](const Truncation::Place& place) {
+    const Truncation::Triangle triangle = t.new_facet(place.facet);
+    Truncation::Planar_point x = {};
+    for(int i = 0; i < 3; ++i)
+      for(int a = 0; a < 2; ++a) x[a] += place.barycentric[i] * t.planar()[triangle[i] - t.number_of_corners()][a];
+    return x;
+  };
+  for(Index f = 0; f < 4; ++f)
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; i + j < n; ++j)
+        for(int up = 0; up < (i + j + 1 < n ? 2 : 1); ++up) {
+          std::array<Truncation::Planar_point, 3> x;
+          const int di[2][3] = { { 0, 1, 0 }, { 1, 1, 0 } }, dj[2][3] = { { 0, 0, 1 }, { 0, 1, 1 } };
+          for(int k = 0; k < 3; ++k) {
+            const double u = 0.4999 * (i + di[up][k]) / n, v = 0.4999 * (j + dj[up][k]) / n;
+            x[k] = planar(t.image({ f, { 1 - u - v, u, v } }));
+          }
+          const double twice = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
+          CHECK(twice > 0);
+          area += twice / 2;
+        }
+  const double expected = 2 * 0.9998 * 0.9998;
+  CHECK(area == Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("The derivative of the map is that of differences")
+{
+  const Truncation t = square_pyramid(true).assembled();
+  std::mt19937 random(1);
+  int tried = 0;
+  for(int n = 0; n < 400; ++n) {
+    const Truncation::Place place = { Index(random() % 4), random_barycentric(random) };
+    const auto columns = t.derivative(place);
+    const Truncation::Place image = t.image(place);
+    for(int k = 0; k < 3; ++k) {
+      constexpr double step = 1e-7;
+      Truncation::Place moved = place;
+      moved.barycentric[k] += step;
+      moved.barycentric[(k + 1) % 3] -= step;
+      if(!(moved.barycentric[(k + 1) % 3] > 0) || t.image(moved).facet != image.facet) continue;
+      ++tried;
+      for(int i = 0; i < 3; ++i)
+        CHECK((t.image(moved).barycentric[i] - image.barycentric[i]) / step == Approx(columns[k][i] - columns[(k + 1) % 3][i]).margin(1e-6));
+    }
+  }
+  CHECK(tried > 800);
+}
+
+namespace {
+
+template <typename FaceGraph>
+void check_applied(bool has_point)
+{
+  FaceGraph mesh;
+  const Mesh start = pyramid(4, 1);
+  CGAL::copy_face_graph(start, mesh);
+  Parts parts = square_pyramid(has_point);
+  const double before = PMP::volume(mesh);
+  const Truncation t = parts.assembled();
+  auto vpm = get(CGAL::vertex_point, mesh);
+  const auto found = t.match(mesh, vpm);
+  REQUIRE(std::count(found.begin(), found.end(), boost::graph_traits<FaceGraph>::null_halfedge()) == 0);
+  for(std::size_t n = 0; n < found.size(); ++n) {
+    const auto &p = get(vpm, source(found[n], mesh)), &q = get(vpm, target(found[n], mesh));
+    CHECK(Truncation::Point{ p[0], p[1], p[2] } == t.points()[t.cut_facets()[n][0]]);
+    CHECK(Truncation::Point{ q[0], q[1], q[2] } == t.points()[t.cut_facets()[n][1]]);
+  }
+  const auto truncated = t.apply(mesh, vpm);
+  CHECK(truncated.patches == 1);
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(truncated.vertices[0] == boost::graph_traits<FaceGraph>::null_vertex());
+  REQUIRE(truncated.facets.size() == t.number_of_new_facets());
+  for(std::size_t n = 0; n < truncated.facets.size(); ++n) {
+    REQUIRE(truncated.facets[n] != boost::graph_traits<FaceGraph>::null_face());
+    std::vector<Truncation::Point> corners;
+    for(auto v : CGAL::vertices_around_face(halfedge(truncated.facets[n], mesh), mesh)) {
+      const auto& p = get(vpm, v);
+      corners.push_back({ p[0], p[1], p[2] });
+    }
+    const Truncation::Triangle triangle = t.new_facet(n);
+    const auto first = std::find(corners.begin(), corners.end(), t.points()[triangle[0]]);
+    REQUIRE(first != corners.end());
+    std::rotate(corners.begin(), first, corners.end());
+    for(int i = 0; i < 3; ++i) CHECK(corners[i] == t.points()[triangle[i]]);
+  }
+  // a square of half the size, and half as high, is cut off; the roof has a third of its height
+  const double tip = before / 8;
+  CHECK(PMP::volume(mesh) == Approx(before - tip + (has_point ? tip * 0.2 : 0)));
+  // nothing is left to truncate
+  const auto again = t.match(mesh, vpm);
+  CHECK(std::count(again.begin(), again.end(), boost::graph_traits<FaceGraph>::null_halfedge()) == 4);
+  CHECK(t.apply(mesh, vpm).patches == 0);
+}
+
+} // namespace
+
+TEST_CASE("A truncation is applied to meshes of several types")
+{
+  for(bool has_point : { false, true }) {
+    check_applied<Mesh>(has_point);
+    check_applied<CGAL::Polyhedron_3<Kernel> >(has_point);
+  }
+}
+
+TEST_CASE("A mesh that does not have all facets of a patch stays as it is")
+{
+  const Truncation t = square_pyramid().assembled();
+  for(int change = 0; change < 3; ++change) {
+    CAPTURE(change);
+    Mesh mesh = pyramid(4, 1);
+    if(change == 0) mesh.point(Mesh::Vertex_index(2)) = Point_3(1, 0, -0.1);
+    if(change == 1) mesh.point(mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(Mesh::Vertex_index(0)), mesh))) = Point_3(0.3, 0.3, 0.35);
+    if(change == 2) {
+      for(auto f : mesh.faces()) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+      mesh.collect_garbage();
+    }
+    const Mesh before = mesh;
+    const auto truncated = t.apply(mesh, mesh.points());
+    CHECK(truncated.patches == 0);
+    CHECK(std::count(truncated.facets.begin(), truncated.facets.end(), Mesh::null_face()) == std::ptrdiff_t(t.number_of_new_facets()));
+    CHECK(is_equal(before, mesh));
+  }
+}

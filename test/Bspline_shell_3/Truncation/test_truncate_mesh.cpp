@@ -1,0 +1,292 @@
+// truncate_mesh.h: singular vertices are replaced by discs that leave room, and intersect nothing; what cannot be truncated is named, and what need
+// not be is left alone.
+#include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
+#include <CGAL/Bspline_shell_3/Truncation/internal/Spherical_discs.h>
+#include "test_meshes.h"
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace PMP = CGAL::Polygon_mesh_processing;
+typedef BS::Truncation_report::Outcome Outcome;
+
+BS::Input_mesh_3 input(const Mesh& mesh, const BS::Input_mesh_3::Closer& closer = BS::Input_mesh_3::Closer())
+{
+  BS::Input_mesh_3 result;
+  BS::Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.singular_vertices = true;
+  REQUIRE(result.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated, closer) == BS::Shell_status::SUCCESS);
+  return result;
+}
+
+std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3& mesh, double radius, double margin, BS::Truncation_report& report)
+{
+  return BS::truncate_mesh<CGAL::Sequential_tag>(mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, report);
+}
+
+// The truncated mesh, after a check of all that is promised of it.
+Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_report& report)
+{
+  const BS::Input_mesh_3 checked = input(mesh);
+  const auto found = truncation(checked, radius, margin, report);
+  REQUIRE(found);
+  CHECK(found->is_valid());
+  CHECK(found->discs().size() == report.truncated());
+  Mesh result = checked.mesh();
+  const auto applied = found->apply(result, result.points());
+  CHECK(applied.patches > 0);
+  CHECK(std::count(applied.facets.begin(), applied.facets.end(), Mesh::null_face()) == 0);
+  result.collect_garbage();
+  CHECK(CGAL::is_valid_polygon_mesh(result));
+  CHECK(CGAL::is_closed(result));
+  CHECK(CGAL::is_triangle_mesh(result));
+  CHECK_FALSE(PMP::does_self_intersect(result));
+  for(const auto& v : report.vertices) {
+    if(v.outcome != Outcome::TRUNCATED) continue;
+    const Point_3 center(v.point[0], v.point[1], v.point[2]);
+    CHECK(v.radius > 0);
+    CHECK(v.radius <= radius);
+    CHECK(v.margin_after >= 2 * v.margin_before);
+    // the margins at the disc are what is said, and nothing is beyond the ball
+    double least = 1;
+    for(auto w : result.vertices()) {
+      const double distance = std::sqrt(CGAL::squared_distance(center, result.point(w)));
+      CHECK(distance > 0);
+      if(distance > v.radius * (1 + 1e-9)) continue;
+      least = (std::min)(least, BS::vertex_cone_margin(result, w));
+      CHECK(BS::vertex_cone(result, w));
+    }
+    CHECK(least == Approx(v.margin_after).epsilon(1e-6));
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Meshes without bad vertices are not truncated")
+{
+  BS::Truncation_report report;
+  report.vertices.resize(3);
+  for(const Mesh& mesh : { sphere(2), box(Point_3(0, 0, 0), Point_3(1, 2, 3)), torus(1, 0.3, 20, 10) }) {
+    CHECK_FALSE(truncation(input(mesh), 0.1, 0.2, report));
+    CHECK(report.vertices.empty());
+  }
+}
+
+TEST_CASE("Six quadrants that face no common direction")
+{
+  const Mesh mesh = screw();
+  REQUIRE(CGAL::is_closed(mesh));
+  BS::Truncation_report report;
+  const Mesh result = truncated(mesh, 0.1, 0.05, report);
+  REQUIRE(report.vertices.size() == 1);
+  const auto& v = report.vertices.front();
+  CHECK(mesh.point(Mesh::Vertex_index(v.vertex)) == Point_3(1, 1, 1));
+  CHECK(v.outcome == Outcome::TRUNCATED);
+  CHECK(v.margin_before == 0);
+  CHECK(v.margin_after > 0.3);
+  CHECK(v.radius == Approx(0.1));
+  CHECK(result.number_of_vertices() > mesh.number_of_vertices());
+}
+
+TEST_CASE("Two singular vertices that an edge joins")
+{
+  BS::Truncation_report report;
+  truncated(screw(5), 1, 0.05, report);
+  REQUIRE(report.vertices.size() == 2);
+  for(const auto& v : report.vertices) {
+    CHECK(v.outcome == Outcome::TRUNCATED);
+    CHECK(v.radius <= 1. / 3);        // the balls are disjoint
+    CHECK(v.margin_after > 0.2);
+  }
+}
+
+TEST_CASE("A needle is truncated if a larger margin is asked for, and not otherwise")
+{
+  BS::Truncation_report report;
+  const Mesh needle = pyramid(12, 20);
+  CHECK_FALSE(truncation(input(needle), 0.1, 0.04, report));
+  truncated(needle, 0.1, 0.06, report);
+  REQUIRE(report.truncated() == 1);
+  CHECK(report.vertices.front().margin_before == Approx(0.05).epsilon(0.1));
+  CHECK(report.vertices.front().margin_after > 0.3);
+}
+
+TEST_CASE("Folded edges are named, and left alone")
+{
+  // a blade: its two facets face away from each other by all but half a degree
+  Mesh blade;
+  const auto a = blade.add_vertex(Point_3(0, 0, 0)), b = blade.add_vertex(Point_3(1, 0, 0)), c = blade.add_vertex(Point_3(0.5, 1, 0.004)),
+             d = blade.add_vertex(Point_3(0.5, 1, -0.004));
+  blade.add_face(a, b, c);
+  blade.add_face(b, a, d);
+  blade.add_face(c, b, d);
+  blade.add_face(a, c, d);
+  BS::Truncation_report report;
+  CHECK_FALSE(truncation(input(blade), 0.1, 0.05, report));
+  CHECK(report.number(Outcome::FOLDED_EDGE) >= 2);
+  CHECK(report.truncated() == 0);
+}
+
+TEST_CASE("Singular vertices on the border of an open mesh are named")
+{
+  // the screw without one of the squares at its singular vertex, closed by that square
+  Mesh open = screw();
+  const Point_3 corner(1, 1, 1);
+  const auto v = *std::find_if(open.vertices().begin(), open.vertices().end(), [&](auto w) { return open.point(w) == corner; });
+  const auto f = open.face(open.halfedge(v));
+  const auto h = open.halfedge(f);
+  std::vector<BS::Shell_closing_3::Point> points;
+  for(auto w : { open.source(h), open.target(h), open.target(open.next(h)) }) {
+    const Point_3& p = open.point(w);
+    points.push_back({ p.x(), p.y(), p.z() });
+  }
+  CGAL::Euler::remove_face(h, open);
+  open.collect_garbage();
+  const auto closing = std::make_shared<const BS::Shell_closing_3>(points, 3, std::vector<BS::Shell_closing_3::Triangle>{ { 0, 1, 2 } },
+                                                                   std::vector<BS::Shell_closing_3::Kind>{ BS::Shell_closing_3::Kind::CAP });
+  BS::Truncation_report report;
+  CHECK_FALSE(truncation(input(open, BS::Input_mesh_3::closer(closing)), 0.1, 0.05, report));
+  REQUIRE(report.vertices.size() == 1);
+  CHECK(report.vertices.front().outcome == Outcome::ON_BORDER);
+  CHECK(open.point(Mesh::Vertex_index(report.vertices.front().vertex)) == corner);
+}
+
+TEST_CASE("A vertex of large coordinates, near which rounding would decide, is not truncated")
+{
+  Mesh mesh = screw();
+  for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(0x1p40, 0, 0);
+  BS::Truncation_report report;
+  CHECK_FALSE(truncation(input(mesh), 0.1, 0.05, report));
+  REQUIRE(report.vertices.size() == 1);
+  CHECK(report.vertices.front().outcome == Outcome::NO_SPACE);
+}
+
+TEST_CASE("Other parts nearby make the ball smaller")
+{
+  // another component in the corner that the screw leaves open
+  Mesh mesh = screw();
+  Mesh other = box(Point_3(1.02, 0.2, 0.2), Point_3(1.8, 0.98, 0.98));
+  mesh += other;
+  BS::Truncation_report report;
+  truncated(mesh, 0.3, 0.05, report);
+  REQUIRE(report.truncated() == 1);
+  CHECK(report.vertices.front().radius <= 0.02 * std::sqrt(3.) / 2 * (1 + 1e-12));
+}
+
+TEST_CASE("Truncation does not depend on scale, rotation and threads")
+{
+  BS::Truncation_report first;
+  truncated(screw(5), 0.2, 0.05, first);
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for(double scale : { 1e-6, 1., 1e9 }) {
+    Mesh mesh = screw(5);
+    PMP::transform(CGAL::Aff_transformation_3<Kernel>(c, -s, 0, s * 0.6, c * 0.6, -0.8, s * 0.8, c * 0.8, 0.6, 1. / scale), mesh);
+    BS::Truncation_report report;
+    truncated(mesh, 0.2 * scale, 0.05, report);
+    REQUIRE(report.vertices.size() == first.vertices.size());
+    for(std::size_t n = 0; n < first.vertices.size(); ++n) {
+      CHECK(report.vertices[n].vertex == first.vertices[n].vertex);
+      CHECK(report.vertices[n].radius == Approx(scale * first.vertices[n].radius));
+      CHECK(report.vertices[n].margin_after == Approx(first.vertices[n].margin_after).epsilon(0.05));
+    }
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  BS::Truncation_report report;
+  const BS::Input_mesh_3 mesh = input(screw(5));
+  const auto parallel = BS::truncate_mesh<CGAL::Parallel_tag>(mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, report);
+  const auto sequential = truncation(mesh, 0.2, 0.05, report);
+  REQUIRE(parallel);
+  CHECK(parallel->points() == sequential->points());
+  CHECK(parallel->cut_facets() == sequential->cut_facets());
+#endif
+}
+
+namespace {
+
+// A cone over a random closed spherical polygon, which is embedded and singular.
+Mesh random_cone(std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  while(true) {
+    Mesh cone;
+    const auto apex = cone.add_vertex(Point_3(0, 0, 0));
+    std::vector<Mesh::Vertex_index> link;
+    for(std::size_t k = 4 + random() % 7; k > 0; --k) {
+      const Vector_3 d(normal(random), normal(random), normal(random));
+      link.push_back(cone.add_vertex(CGAL::ORIGIN + (0.5 + double(random() % 100) / 66) / std::sqrt(d.squared_length()) * d));
+    }
+    for(std::size_t i = 0; i < link.size(); ++i) cone.add_face(apex, link[i], link[(i + 1) % link.size()]);
+    if(!PMP::does_self_intersect<CGAL::Sequential_tag>(cone) && !BS::vertex_cone(cone, apex)) return cone;
+  }
+}
+
+BS::internal::Tip tip(const Mesh& cone)
+{
+  BS::internal::Tip result(cone, Mesh::Vertex_index(0));
+  result.radius = result.shortest_edge() / 3;
+  for(std::size_t i = 0; i < result.size(); ++i)
+    result.radius = (std::min)(result.radius, std::sqrt(CGAL::squared_distance(
+      result.center, Kernel::Segment_3(result.ends[i], result.ends[(i + 1) % result.size()]))) / 2);
+  return result;
+}
+
+bool is_embedded(const Mesh& cone, const BS::internal::Tip& tip, const BS::internal::Tip_disc& disc)
+{
+  const BS::Shell_truncation_3 truncation = BS::internal::assemble_truncation(cone, { tip }, { disc });
+  if(!truncation.is_valid()) return false;
+  Mesh result = cone;
+  truncation.apply(result, result.points());
+  return !PMP::does_self_intersect<CGAL::Sequential_tag>(result);
+}
+
+} // namespace
+
+TEST_CASE("All of many random singular cones get an embedded disc with a margin")
+{
+  std::mt19937 random(5);
+  for(int n = 0; n < 60; ++n) {
+    const Mesh cone = random_cone(random);
+    const BS::internal::Tip singular = tip(cone);
+    const auto disc = BS::internal::Disc_search(singular)();
+    REQUIRE(disc);
+    // no disc leaves more than the edges do
+    CHECK(disc->margin <= singular.largest_margin() * (1 + 1e-6));
+    CHECK(disc->margin > 0.3 * (std::min)(singular.largest_margin(), 0.35));
+    CHECK(is_embedded(cone, singular, *disc));
+  }
+}
+
+TEST_CASE("Parts of the sphere replace tips, too")
+{
+  std::mt19937 random(6);
+  int found = 0;
+  for(int n = 0; n < 30; ++n) {
+    const Mesh cone = random_cone(random);
+    const BS::internal::Tip singular = tip(cone);
+    for(auto& disc : BS::internal::Spherical_discs(singular)()) {
+      disc.measure(singular, -1);
+      if(!is_embedded(cone, singular, disc)) continue;
+      ++found;
+      // facets meet the sphere at right angles
+      const double m = singular.largest_margin();
+      CHECK(disc.margin > 0.7 * m / std::sqrt(1 + m * m));
+    }
+  }
+  CHECK(found > 30);
+}
