@@ -5,10 +5,11 @@
 
 PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a small mesh, of one component or of several. Changes that
 only make sense for some kinds of shells and meshes are tried on these. Where not all claims are proved, those that are not must
-not be accepted, whatever the witnesses are changed to. Without PREFIX, shells that are made here are tried. Exit code 0 if all
-went as it should.
+not be accepted, whatever the witnesses are changed to. If there is PREFIX.user.off, it is the mesh that the shell truncates, and the checker gets it, too.
+Without PREFIX, shells that are made here are tried. Exit code 0 if all went as it should.
 """
 import itertools
+import math
 import os
 import struct
 import subprocess
@@ -37,23 +38,19 @@ def text(lines):
 
 
 class Files:
-    """The three files, in parts that a test changes; `update` tells which checksums follow the change."""
+    """The files, in parts that a test changes; `update` tells which checksums follow the change. The user's mesh is one of them where there is one."""
 
     def __init__(self, prefix):
         self.shell, self.shell_sum = self.read(prefix + ".shell.txt")
         self.certificate, self.certificate_sum = self.read(prefix + ".certificate.txt")
-        numbers = open(prefix + ".mesh.off").read().split()[1:]
-        vertices, facets = int(numbers[0]), int(numbers[1])
-        coordinates = [float(x) for x in numbers[3:3 + 3 * vertices]]
-        self.points = [coordinates[3 * v:3 * v + 3] for v in range(vertices)]
-        indices = [int(i) for i in numbers[3 + 3 * vertices:]]
-        self.facets = [indices[4 * f + 1:4 * f + 4] for f in range(facets)]
+        self.points, self.facets = self.read_mesh(prefix + ".mesh.off")
+        self.user = self.read_mesh(prefix + ".user.off") if os.path.exists(prefix + ".user.off") else None
 
     @classmethod
     def of(cls, shell, certificate, points, facets):
         """from lines, without checksums, and lists"""
         files = cls.__new__(cls)
-        files.shell, files.certificate, files.points, files.facets = shell, certificate, points, facets
+        files.shell, files.certificate, files.points, files.facets, files.user = shell, certificate, points, facets, None
         files.update_shell()
         files.update_mesh()
         files.update_certificate()
@@ -64,11 +61,27 @@ class Files:
         lines = open(name).read().split("\n")
         return lines[:-2], lines[-2]
 
+    @staticmethod
+    def read_mesh(name):
+        numbers = open(name).read().split()[1:]
+        vertices, facets = int(numbers[0]), int(numbers[1])
+        coordinates = [float(x) for x in numbers[3:3 + 3 * vertices]]
+        indices = [int(i) for i in numbers[3 + 3 * vertices:]]
+        return [coordinates[3 * v:3 * v + 3] for v in range(vertices)], [indices[4 * f + 1:4 * f + 4] for f in range(facets)]
+
+    @staticmethod
+    def write_mesh(name, points, facets):
+        with open(name, "w") as out:
+            out.write("OFF\n%d %d 0\n" % (len(points), len(facets)))
+            out.write("".join("%.17g %.17g %.17g\n" % tuple(p) for p in points))
+            out.write("".join("3 %d %d %d\n" % tuple(f) for f in facets))
+
     def copy(self):
         other = Files.__new__(Files)
         other.shell, other.certificate = list(self.shell), list(self.certificate)
         other.shell_sum, other.certificate_sum = self.shell_sum, self.certificate_sum
         other.points, other.facets = [list(p) for p in self.points], [list(f) for f in self.facets]
+        other.user = self.user and ([list(p) for p in self.user[0]], [list(f) for f in self.user[1]])
         return other
 
     def update_shell(self):
@@ -119,7 +132,11 @@ class Files:
     def claims(self):
         """what the checker says if it accepts the certificate"""
         verdicts = self.certificate[3].split()[1:]
-        return " ".join(["certified:"] + ["P%d" % (i + 1) for i in range(5) if verdicts[i] == "proved"])
+        claims = ["P%d" % (i + 1) for i in range(5) if verdicts[i] == "proved"]
+        return " ".join(["certified:"] + claims + ["T"] * self.is_truncated() + ["A"] * bool(self.user)) + "\n"
+
+    def is_truncated(self):
+        return "truncation" in self.shell
 
     def are_all_proved(self):
         return self.certificate[3].count("proved") == 5
@@ -198,10 +215,49 @@ class Files:
     def write(self, prefix):
         open(prefix + ".shell.txt", "w").write(text(self.shell + [self.shell_sum]))
         open(prefix + ".certificate.txt", "w").write(text(self.certificate + [self.certificate_sum]))
-        with open(prefix + ".mesh.off", "w") as out:
-            out.write("OFF\n%d %d 0\n" % (len(self.points), len(self.facets)))
-            out.write("".join("%.17g %.17g %.17g\n" % tuple(p) for p in self.points))
-            out.write("".join("3 %d %d %d\n" % tuple(f) for f in self.facets))
+        self.write_mesh(prefix + ".mesh.off", self.points, self.facets)
+        if self.user:
+            self.write_mesh(prefix + ".user.off", *self.user)
+
+
+class Truncation:
+    """what replaces the tips of the user's mesh: the section of a shell's file that begins with this word"""
+
+    def __init__(self, shell):
+        rows = ([float(w) if "." in w or "e" in w else int(w) for w in l.split()] for l in shell[shell.index("truncation") + 1:])
+
+        def take(n):
+            return [next(rows) for _ in range(n)]
+
+        corners, cuts, inner, facets, cores, discs = next(rows)
+        self.points, self.planar, self.cuts, self.facets, self.cores = (take(n) for n in (
+            corners + cuts + inner, cuts + inner, cuts, facets, cores))
+        self.discs = []
+        for _ in range(discs):
+            center, rim, triangles = next(rows)
+            self.discs.append(Disc(center, take(rim), take(triangles)))
+
+    def corners(self):
+        """how many points are vertices of the user's mesh"""
+        return len(self.points) - len(self.planar)
+
+    def lines(self):
+        rows = [[self.corners(), len(self.cuts), len(self.planar) - len(self.cuts), len(self.facets), len(self.cores), len(self.discs)]]
+        rows += self.points + self.planar + self.cuts + self.facets + self.cores
+        for d in self.discs:
+            rows += [[d.center, len(d.rim), len(d.triangles)]] + d.rim + d.triangles
+        return ["truncation"] + [" ".join("%d" % x if isinstance(x, int) else "%.17g" % x for x in row) for row in rows]
+
+    def ear(self):
+        """a triangle of the first disc with three neighbors of its rim, the second one in the middle"""
+        rim = [r[0] for r in self.discs[0].rim]
+        ears = [rim[i - 2:] + rim[:i - 2] for i in range(len(rim))]
+        return next((t, e[:3]) for t in self.discs[0].triangles for e in ears if sorted(t) == sorted(e[:3]))
+
+
+class Disc:
+    def __init__(self, center, rim, triangles):
+        self.center, self.rim, self.triangles = center, rim, triangles
 
 
 def set_word(n, new):
@@ -257,7 +313,8 @@ def used_leaf(f):
 
 any_test(0, Files.claims, "", lambda f: True)(named("nothing", lambda f: None))
 any_test(0, Files.claims, "smc", lambda f: True)(named("all checksums computed here", lambda f: None))
-add("fewer claims", lambda f: f.certificate.__setitem__(3, "verdicts proved proved refuted undecided proved"), 0, "certified: P1 P2 P5\n")
+add("fewer claims", lambda f: f.certificate.__setitem__(3, "verdicts proved proved refuted undecided proved"), 0,
+    lambda f: f.claims().replace(" P3 P4", ""))
 add("P3 to P5 without P1", lambda f: f.certificate.__setitem__(3, "verdicts undecided proved proved proved proved"), 1, "without P1")
 
 # the shell
@@ -324,8 +381,9 @@ def all_thresholds(word, factor):
     return change
 
 
-thresholds("inner threshold raised at a vertex", change_at_mesh(5, 0.5), 1, "P1", "sc")
-thresholds("outer threshold lowered at a vertex", change_at_mesh(6, -0.5), 1, "P1", "sc")
+# On leaves of several sizes, the vertex may be beyond the function.
+for name, word, shift in (("inner threshold raised at a vertex", 5, 0.5), ("outer threshold lowered at a vertex", 6, -0.5)):
+    thresholds(name, change_at_mesh(word, shift), 1, lambda f: "P" if f.is_truncated() else "P1", "sc")
 thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.5), 1, "P3", "sc")
 thresholds("no room inside", all_thresholds(5, 0.01), 1, "P1", "sc")
 thresholds("far too thick", all_thresholds(6, 30), 1, "P3", "sc")
@@ -681,6 +739,358 @@ for n in range(1, 6):
 not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "more steeply", "c", is_gradient_undecided)
 not_all("undecided boxes excluded, and verdicts raised", exclude_undecided, 1, "P3, box", "c", is_gradient_undecided)
 
+# the truncation, and the user's mesh
+NO_POINT = 4294967295
+T_AND_A, T_ONLY = "certified: P1 P2 P3 P4 P5 T A\n", "certified: P1 P2 P3 P4 P5 T\n"
+
+
+def no_claims(f):
+    """so that only what is said of the truncation and of the user's mesh can be wrong"""
+    f.certificate[3] = "verdicts undecided undecided undecided undecided undecided"
+
+
+def truncation(name, change, code, sentence, update="sc"):
+    """`change` gets the files and the truncation. Where that is what is wrong, nothing is compared to the user's mesh."""
+    def change_files(f):
+        t = Truncation(f.shell)
+        if code == 1:
+            no_claims(f)
+            f.user = f.user if sentence.startswith("A: ") else None
+        change(f, t)
+        f.shell[f.shell.index("truncation"):] = t.lines()
+    add(name, change_files, code, sentence, update, Files.is_truncated)
+
+
+def of_truncation(change):
+    return lambda f, t: change(t)
+
+
+def scaled(t, p, factor):
+    """where a point is in the plane"""
+    planar = t.planar[p - t.corners()]
+    planar[:] = [factor * x for x in planar]
+
+
+def set_cut(n, **numbers):
+    names = ("center", "first", "second", "s", "t")
+    return of_truncation(lambda t: [t.cuts[n].__setitem__(names.index(name), x) for name, x in numbers.items()])
+
+
+def turn_rim_twice(t):
+    """a regular polygon becomes a star"""
+    n = len(t.discs[0].rim)
+    for i, (p, _) in enumerate(t.discs[0].rim):
+        t.planar[p - t.corners()] = [math.cos(4 * math.pi * i / n), math.sin(4 * math.pi * i / n)]
+
+
+def cuts_on_common_edge(t):
+    """two cuts that are on one edge, around different vertices"""
+    return next((a, b) for a in t.cuts for b in t.cuts if a[:2] == b[1::-1] and a[2] == b[2] == NO_POINT)
+
+
+def pass_each_other(t):
+    for c in cuts_on_common_edge(t):
+        c[3] = 0.9
+
+
+def meet_each_other(t):
+    for c in cuts_on_common_edge(t):
+        c[3] = 0.5
+
+
+def flip_edge(f, t):
+    """of the mesh, within the first disc"""
+    points = [tuple(t.points[r[0]]) for r in t.discs[0].rim]
+    inside = [g for g in f.facets if all(tuple(f.points[v]) in points for v in g)]
+    for g in inside:
+        for h in inside:
+            for i in range(3):
+                a, b, c = g[i], g[(i + 1) % 3], g[(i + 2) % 3]
+                if (b in h) and (a in h) and g is not h:
+                    d = next(v for v in h if v not in (a, b))
+                    g[:], h[:] = [a, d, c], [d, b, c]
+                    return
+
+
+def vertex_at(f, p):
+    return f.points.index(p)
+
+
+def move_in_mesh(f, t):
+    f.points[vertex_at(f, t.points[t.discs[0].rim[0][0]])][0] += 1e-9
+
+
+def add_component(at):
+    """a tetrahedron far away, but for one of its corners"""
+    def change(f, t):
+        n = len(f.points)
+        f.points += [list(at(t)), [9., 9., 9.], [9., 10., 9.], [9., 9., 10.]]
+        f.facets += [[n, n + 1, n + 2], [n, n + 2, n + 3], [n, n + 3, n + 1], [n + 1, n + 3, n + 2]]
+        line, count = f.section(f.certificate, "seeds")
+        f.certificate[line] = "seeds %d" % (count + 1)
+        f.certificate.insert(line + 1 + count, "%d %d" % (count, n))
+    return change
+
+
+def not_in_rim(t):
+    """a vertex that is not cut off"""
+    return next(p for p in range(t.corners()) if all(p != d.center for d in t.discs))
+
+
+def exchange_in_rim(word):
+    def change(f, t):
+        a, b = t.discs[0].rim[:2]
+        a[word], b[word] = b[word], a[word]
+    return change
+
+
+truncation("without the user's mesh", lambda f, t: setattr(f, "user", None), 0, T_ONLY, "")
+truncation("truncation as read", lambda f, t: None, 0, T_AND_A)
+
+# the numbers of cuts
+truncation("cut beyond its edge", set_cut(0, s=1.), 1, "T, cut 0: it is not between")
+truncation("cut before its edge", set_cut(0, s=-0.1), 1, "T, cut 0: it is not between")
+truncation("cut at its vertex", set_cut(0, s=0.), 1, "T, cut 0: it is not between")
+truncation("cut on an edge and off it", set_cut(0, t=1e-9), 1, "T, cut 0: whether it is on an edge")
+truncation("cut before its edge, sideways", set_cut(0, t=-1e-9), 1, "T, cut 0: it is not between")
+truncation("cut within a facet, but on its edge", set_cut(0, second=3), 1, "T, cut 0: whether it is on an edge")
+truncation("cut on an edge, but within one of its facets", set_cut(0, second=1, t=1e-9), 1, "T, facet 0: its parts do not end at its sides")
+truncation("cut within a facet, of another one", set_cut(0, second=12, t=0.01), 1, "is not in it")
+truncation("cut on another edge", set_cut(0, first=11), 1, "is not in it")
+truncation("cut between equal vertices", set_cut(0, first=2), 1, "between corners in another order")
+truncation("cut around another vertex", set_cut(0, center=6), 1, "is no cut around its center")
+truncation("cuts on an edge pass each other", of_truncation(pass_each_other), 1, "T, facet")
+truncation("cuts on an edge meet", of_truncation(meet_each_other), 1, "T, facet")
+truncation("cut moved along its edge", set_cut(0, s=0.04), 0, T_AND_A)
+
+# in the plane
+truncation("point of a rim across the center", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], -1)), 1, "does not turn around")
+truncation("point of a rim at the center", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], 0)), 1, "does not turn around")
+truncation("point of a rim across an edge of the disc", of_truncation(lambda t: scaled(t, t.ear()[1][1], 0.5)), 1, "in the plane, a triangle is turned")
+truncation("rim leads around twice", of_truncation(turn_rim_twice), 1, "2 times")
+truncation("two points of a rim exchanged in the plane", of_truncation(lambda t: t.planar.__setitem__(slice(0, 2), t.planar[1::-1])), 1, "in the plane")
+truncation("point of a rim moved a little", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], 1.01)), 0, T_AND_A)
+truncation("disc enlarged in the plane", of_truncation(lambda t: [scaled(t, r[0], 3.) for r in t.discs[0].rim]), 0, T_AND_A)
+
+# the parts of facets
+truncation("core removed", of_truncation(lambda t: t.cores.pop(0)), 1, "T, facet 0: its parts")
+truncation("all cores of a facet removed", of_truncation(lambda t: t.cores.__setitem__(slice(0, 2), [])), 1, "T, facet 0: its parts")
+truncation("core turned", of_truncation(lambda t: t.cores[0].__setitem__(slice(0, 2), t.cores[0][1::-1])), 1, "T, facet 0: a part of it is turned")
+truncation("core twice", of_truncation(lambda t: t.cores.append(list(t.cores[0]))), 1, "T, facet 0: two triangles")
+truncation("core of another facet", of_truncation(lambda t: t.cores[-1].__setitem__(3, 5)), 1, "is not in it")
+truncation("core of a neighboring facet", of_truncation(lambda t: t.cores[1].__setitem__(3, 9)), 1, "T, facet 0: its parts")
+truncation("core with a center", of_truncation(lambda t: t.cores[0].__setitem__(0, t.discs[0].center)), 1, "T, core 0: a corner of it is cut off")
+truncation("core without area", of_truncation(lambda t: t.cores[0].__setitem__(0, t.cores[0][1])), 1, "T, facet 0: a part of it is turned")
+truncation("edge of the rim in another facet", of_truncation(lambda t: t.discs[0].rim[1].__setitem__(1, 0)), 1, "is not in it")
+truncation("edges of the rim in each other's facets", exchange_in_rim(1), 1, "is not in it")
+truncation("facet turned", of_truncation(lambda t: t.facets[0].reverse()), 1, "another one is on the same side")
+truncation("facet with another corner", of_truncation(lambda t: t.facets[0].__setitem__(0, 16)), 1, "T, facet 0: ")
+truncation("facet without area", of_truncation(lambda t: t.facets[0].__setitem__(0, t.facets[0][1])), 1, "T, facet 0: it is degenerate")
+truncation("facet twice", of_truncation(lambda t: t.facets.append(list(t.facets[0]))), 1, "another one is on the same side")
+truncation("cores in another order", of_truncation(lambda t: t.cores.reverse()), 0, T_AND_A)
+truncation("corners of a core in another order", of_truncation(
+    lambda t: t.cores[0].__setitem__(slice(0, 3), t.cores[0][1:3] + t.cores[0][:1])), 0, T_AND_A)
+
+# discs
+truncation("points of a rim exchanged", exchange_in_rim(0), 1, "T, facet")
+truncation("point of a rim removed", of_truncation(lambda t: t.discs[0].rim.pop()), 1, "T, disc 0: ")
+truncation("point of a rim twice", of_truncation(lambda t: t.discs[0].rim.append(list(t.discs[0].rim[0]))), 1, "is in a rim before")
+truncation("point of a rim that is a vertex", of_truncation(lambda t: t.discs[0].rim[0].__setitem__(0, t.cuts[0][1])), 1, "is no cut around its center")
+truncation("point of a rim of another disc", of_truncation(
+    lambda t: t.discs[0].rim[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is no cut around its center")
+truncation("rim backwards", of_truncation(lambda t: t.discs[0].rim.reverse()), 1, "T, facet")
+truncation("rim of two points", of_truncation(lambda t: t.discs[0].rim.__setitem__(slice(2, None), [])), 1, "is no polygon")
+truncation("triangle of a disc turned", of_truncation(lambda t: t.discs[0].triangles[0].reverse()), 1, "in the plane, a triangle is turned")
+truncation("triangle of a disc removed", of_truncation(lambda t: t.discs[0].triangles.pop()), 1, "do not end at its rim")
+truncation("no triangles of a disc", of_truncation(lambda t: t.discs[0].triangles.clear()), 1, "do not end at its rim")
+truncation("triangle of a disc twice", of_truncation(lambda t: t.discs[0].triangles.append(list(t.discs[0].triangles[0]))), 1,
+           "T, disc 0: two triangles")
+truncation("triangle of a disc without area", of_truncation(lambda t: t.discs[0].triangles[0].__setitem__(0, t.discs[0].triangles[0][1])), 1,
+           "T, disc 0: in the plane")
+truncation("triangle with a point of another disc", of_truncation(
+    lambda t: t.discs[0].triangles[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is not one of its own")
+truncation("triangle of a disc with a vertex", of_truncation(
+    lambda t: t.discs[0].triangles[0].__setitem__(0, not_in_rim(t))), 1, "is not one of its own")
+truncation("triangle of one disc in another one", of_truncation(
+    lambda t: t.discs[1].triangles.append(t.discs[0].triangles.pop())), 1, "is not one of its own")
+truncation("two discs of one vertex", of_truncation(lambda t: setattr(t.discs[1], "center", t.discs[0].center)), 1, "its center has another one")
+truncation("disc of another vertex", of_truncation(lambda t: setattr(t.discs[0], "center", not_in_rim(t))), 1, "is no cut around its center")
+truncation("disc removed", of_truncation(lambda t: t.discs.pop()), 1, "is in no disc")
+truncation("discs in another order", of_truncation(lambda t: t.discs.reverse()), 0, T_AND_A)
+truncation("rim begun elsewhere", of_truncation(lambda t: t.discs[0].rim.append(t.discs[0].rim.pop(0))), 0, T_AND_A)
+
+# points
+truncation("two vertices in one place", of_truncation(lambda t: t.points.__setitem__(0, list(t.points[1]))), 1, "T: point 1 is where another one is")
+truncation("cut where a vertex is", of_truncation(lambda t: t.points.__setitem__(t.corners(), list(t.points[0]))), 1, "is where another one is")
+truncation("cut moved, but not in the mesh", of_truncation(lambda t: t.points[t.corners()].__setitem__(0, 1 + 1e-9)), 1, "T: the mesh does not have all")
+truncation("vertex moved, but not in the mesh", of_truncation(lambda t: t.points[0].__setitem__(0, 1e-9)), 1, "T: the mesh does not have all")
+truncation("center moved, but not in the user's mesh", of_truncation(
+    lambda t: t.points[t.discs[0].center].__setitem__(0, 1e-9)), 1, "A: the user's mesh")
+truncation("point that does not exist", of_truncation(lambda t: t.cores[0].__setitem__(0, len(t.points))), 2, "out of range")
+truncation("facet that does not exist", of_truncation(lambda t: t.cores[0].__setitem__(3, len(t.facets))), 2, "out of range")
+truncation("rim with a point that does not exist", of_truncation(lambda t: t.discs[0].rim[0].__setitem__(0, -1)), 2, "out of range")
+truncation("coordinate that is no number", of_truncation(lambda t: t.points[0].__setitem__(0, math.nan)), 2, "finite")
+truncation("number of a cut that is none", set_cut(0, s=math.nan), 2, "finite")
+for n, what in enumerate(("vertices", "cuts", "points within discs", "facets", "cores", "discs")):
+    for more in (-1, 1):
+        add("%s: %+d" % (what, more), (lambda n, more: lambda f: f.words(f.shell, f.shell.index("truncation") + 1, set_word(
+            n, lambda x: max(0, x + more) + (n == 2))))(n, more), 2, "line ", "sc", Files.is_truncated)
+
+# the mesh
+truncation("triangle of a disc turned in the mesh", lambda f, t: next(
+    g for g in f.facets if all(f.points[v] in [t.points[p] for p, _ in t.discs[0].rim] for v in g)).reverse(), 1, "closed", "mc")
+truncation("edge of a disc flipped in the mesh", flip_edge, 1, "T: the mesh does not have all", "mc")
+truncation("all facets of the mesh turned", lambda f, t: [g.reverse() for g in f.facets], 1, "T: the mesh does not have all", "mc")
+truncation("point of a rim moved in the mesh", move_in_mesh, 1, "T: the mesh does not have all", "mc")
+truncation("tip beside its disc", add_component(lambda t: t.points[t.discs[0].center]), 1, "T: a facet beyond the truncation", "mc")
+truncation("component at a point of a rim", add_component(lambda t: t.points[t.discs[0].rim[0][0]]), 1, "T: two vertices of the mesh", "mc")
+truncation("component at a vertex", add_component(lambda t: t.points[not_in_rim(t)]), 1, "T: two vertices of the mesh", "mc")
+truncation("component elsewhere", add_component(lambda t: [10., 10., 10.]), 1, "A: the mesh is not what becomes", "mc")
+truncation("vertices of the mesh that no facet has", lambda f, t: f.points.append(list(f.points[0])), 0, T_AND_A, "mc")
+
+
+# A point within the first disc, and a cut within the first facet, where the truncation has none of these: the mesh is changed accordingly.
+def enriched(name, change, code, sentence):
+    def change_all(f, t):
+        before = t.cores + [c for d in t.discs for c in d.triangles]
+        before = [[t.points[p] for p in c[:3]] for c in before]
+        cut, inner = enrich(t)
+        after = [[t.points[p] for p in c[:3]] for c in t.cores + [c for d in t.discs for c in d.triangles]]
+        replace_facets(f, [c for c in before if c not in after], [c for c in after if c not in before])
+        no_claims(f)
+        change(t, cut, inner)
+    truncation(name, change_all, code, sentence, "smc")
+
+
+def enrich(t):
+    """numbers of the new points"""
+    assert len(t.planar) == len(t.cuts)
+    d, corners, cut = t.discs[0], t.corners(), len(t.points)
+    inner = cut + 1
+    p, f = d.rim[0]
+    q = d.rim[1][0]
+    core = next(c for c in t.cores if c[3] == f and p in c[:3] and q in c[:3])
+    y = next(v for v in core[:3] if v not in (p, q))
+    facet = t.facets[f]
+    i = facet.index(d.center)
+    along = {t.cuts[v - corners][1]: t.cuts[v - corners][3] for v in (p, q)}
+    first, second = facet[(i + 1) % 3], facet[(i + 2) % 3]
+    t.cuts.append([d.center, first, second, 0.51 * along[first], 0.51 * along[second]])
+    t.points += [[sum(t.points[v][a] for v in (p, q, y)) / 3 for a in range(3)], [x + 1e-3 for x in t.points[d.center]]]
+    t.planar += [[0.51 * (t.planar[p - corners][a] + t.planar[q - corners][a]) for a in range(2)], [0.01, 0.02]]
+    t.cores.remove(core)
+    t.cores += [[q, cut, y, f], [cut, p, y, f]]
+    d.rim.insert(1, [cut, f])
+    rim = [r[0] for r in d.rim]
+    d.triangles = [[a, b, inner] for a, b in zip(rim, rim[1:] + rim[:1])]
+    return cut, inner
+
+
+def replace_facets(f, removed, added):
+    """of the mesh, by coordinates"""
+    removed = [sorted(c) for c in removed]
+    f.facets = [g for g in f.facets if sorted(f.points[v] for v in g) not in removed]
+    for c in added:
+        for p in c:
+            if p not in f.points:
+                f.points.append(list(p))
+        f.facets.append([vertex_at(f, p) for p in c])
+
+
+def set_planar(p, place):
+    return lambda t, cut, inner: t.planar.__setitem__((cut, inner)[p] - t.corners(), place)
+
+
+def set_last_cut(n, x):
+    return lambda t, cut, inner: t.cuts[-1].__setitem__(n, x)
+
+
+enriched("more points", lambda t, cut, inner: None, 0, "certified: T A\n")
+enriched("point within a disc moved", set_planar(1, [-0.1, 0.3]), 0, "certified: T A\n")
+enriched("point within a disc across the rim", set_planar(1, [2., 0.3]), 1, "in the plane, a triangle is turned")
+enriched("point within a disc on an edge", set_planar(1, [1., 0.]), 1, "in the plane, a triangle is turned")
+enriched("point within a disc in another one, too", lambda t, cut, inner: t.discs[1].triangles[0].__setitem__(0, inner), 1, "is not one of its own")
+enriched("point within a disc in a core", lambda t, cut, inner: t.cores[0].__setitem__(0, inner), 1, "T, core 0: a corner of it is within a disc")
+enriched("point within a disc in no triangle", lambda t, cut, inner: setattr(
+    t.discs[0], "triangles", [[t.discs[0].rim[0][0] if p == inner else p for p in c] for c in t.discs[0].triangles[1:-1]]), 1, "is in no disc")
+enriched("cut within a facet moved", set_last_cut(3, 0.03), 0, "certified: T A\n")
+enriched("cut within a facet across an edge", set_last_cut(3, 0.99), 1, "it is not between")
+enriched("cut within a facet on a core's edge", set_last_cut(3, 0.7), 1, "T, facet 0: a part of it is turned")
+enriched("cut within a facet that is on an edge", lambda t, cut, inner: t.cuts[-1].__setitem__(slice(2, 5), [NO_POINT, 0.02, 0]), 1, "T, facet 0: ")
+enriched("cut within a facet whose corners are exchanged", lambda t, cut, inner: t.cuts[-1].__setitem__(slice(1, 3), t.cuts[-1][2:0:-1]), 1,
+         "between corners in another order")
+enriched("cut within a facet moved out of its angle, in the plane", set_planar(0, [0.1, -0.4]), 1, "does not turn around")
+
+
+# the user's mesh
+def user(name, change, code, sentence, update=""):
+    """where a shell has no closing: any mesh may then stand for the user's, and is what the certificate is about unless it was truncated"""
+    def change_files(f):
+        f.user = f.user or ([list(p) for p in f.points], [list(t) for t in f.facets])
+        change(f)
+    any_test(code, sentence, update, lambda f: True)(named(name, change_files))
+
+
+def reorder_user(f):
+    points, facets = f.user
+    n = len(points)
+    f.user = [[9., 9., 9.]] + points[::-1], [[n - v for v in t[1:] + t[:1]] for t in facets[::-1]]
+
+
+def restore_tips(f, t):
+    """makes the certificate's mesh the one that was truncated"""
+    new = t.cores + [c for d in t.discs for c in d.triangles]
+    replace_facets(f, [[t.points[p] for p in c[:3]] for c in new], [[t.points[p] for p in c] for c in t.facets])
+
+
+def accepted(f):
+    return f.claims() if f.user else f.claims().replace("\n", " A\n")
+
+
+user("the user's mesh", lambda f: None, 0, accepted)
+user("the user's mesh in another order", reorder_user, 0, accepted)
+user("the user's mesh with a vertex moved", lambda f: f.user[0][0].__setitem__(0, f.user[0][0][0] + 1e-9), 1, "A: ")
+user("the user's mesh with a facet turned", lambda f: f.user[1][0].reverse(), 1, "A: ")
+user("the user's mesh turned", lambda f: [t.reverse() for t in f.user[1]], 1, "A: ")
+user("the user's mesh without a facet", lambda f: f.user[1].pop(), 1, "A: ")
+user("the user's mesh with a facet twice", lambda f: f.user[1].append(list(f.user[1][0])), 1, "A: ")
+user("the user's mesh with another component", lambda f: f.user[1].extend([[0, 1, 2], [0, 2, 1]]), 1, "A: ")
+truncation("the mesh as the user's", lambda f, t: setattr(f, "user", (f.points, f.facets)), 1,
+           "A: the user's mesh does not have all facets that are cut")
+truncation("the user's mesh as the certificate's", restore_tips, 1, "T: the mesh does not have all", "mc")
+
+
+# An open mesh: the last facet, of the user's mesh, is taken for what closes it.
+def opened(name, change, code, sentence, facet=-1):
+    def change_files(f):
+        f.user = f.user or ([list(p) for p in f.points], [list(t) for t in f.facets])
+        corners = [f.user[0][v] for v in f.user[1].pop(facet(f) if callable(facet) else facet)]
+        closing = ["closing 3 3 1"] + ["%.17g %.17g %.17g" % tuple(p) for p in corners] + ["0 1 2 0"]
+        change(f, closing)
+        if f.is_truncated():
+            line = f.section(f.shell, "closing")[0]
+            f.shell[line:line + 1] = closing
+        else:
+            f.words(f.shell, 0, set_word(1, "3"))
+            f.shell += closing
+    any_test(code, sentence, "sc", lambda f: f.is_truncated() or not callable(facet))(named(name, change_files))
+
+
+def first_cut(f):
+    """number, in the user's mesh, of a facet that is cut"""
+    t = Truncation(f.shell)
+    return next(n for n, g in enumerate(f.user[1]) if sorted(f.user[0][v] for v in g) == sorted(t.points[p] for p in t.facets[0]))
+
+
+opened("open mesh whose closing is cut", lambda f, closing: None, 1, "A: the user's mesh does not have all facets that are cut", first_cut)
+opened("open mesh", lambda f, closing: None, 0, accepted)
+opened("open mesh, without the user's", lambda f, closing: setattr(f, "user", None), 0, lambda f: f.claims().replace(" A\n", "\n"))
+opened("open mesh, closed the wrong way round", lambda f, closing: closing.__setitem__(-1, "1 0 2 0"), 1, "A: ")
+opened("open mesh, closed elsewhere", lambda f, closing: closing.__setitem__(1, "9 9 9"), 1, "A: ")
+opened("open mesh, not closed", lambda f, closing: closing.__setitem__(slice(0, None), ["closing 0 0 0"]), 1, "A: ")
+opened("open mesh, another facet missing", lambda f, closing: f.user[1].pop(0), 1, "A: ")
+opened("open mesh, closed by a point that does not exist", lambda f, closing: closing.__setitem__(-1, "0 1 3 0"), 2, "out of range")
+
 # the form
 add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certificate[3] + " "), 2, "line 4")
 add("two blanks", lambda f: f.certificate.__setitem__(3, f.certificate[3].replace(" ", "  ", 1)), 2, "line 4")
@@ -770,7 +1180,8 @@ def main():
         changed_prefix = os.path.join(directory, "changed")
         for name, changed, code, sentence in cases:
             changed.write(changed_prefix)
-            run = subprocess.run([checker] + [changed_prefix + end for end in (".shell.txt", ".mesh.off", ".certificate.txt")],
+            ends = (".shell.txt", ".mesh.off", ".certificate.txt") + ((".user.off",) if changed.user else ())
+            run = subprocess.run([checker] + [changed_prefix + end for end in ends],
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
             said = run.stdout + run.stderr
             right = run.returncode == code and sentence in said and (code == 0) == bool(run.stdout)

@@ -124,7 +124,8 @@ bool write_truncated(const std::string& prefix, const Mesh& mesh, std::size_t si
 {
   std::size_t singular = 0;
   for(auto v : mesh.vertices()) singular += BS::vertex_cone(mesh, v) ? 0 : 1;
-  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh, BS::parameters::relative_thickness(0.1).resolution(6));
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh,
+    BS::parameters::resolution(6).relative_thickness(0.1));
   BS::Shell_certificate_3 certificate(shell);
   certificate.verify<CGAL::Sequential_tag>(mesh);
   return singular == singular_vertices && shell.truncation() && shell.truncation()->discs().size() == singular && write(prefix, shell, certificate)

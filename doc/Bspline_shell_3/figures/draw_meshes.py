@@ -231,6 +231,19 @@ def draw_closing(prefixes, picture):
     save(fig, picture)
 
 
+def draw_truncation(prefix, center, picture):
+    size, direction, up = (430, 420), (0.75, 0.2, 0.65), (0, 0, 1)
+    fig, (axes,) = figure(1, 3, 330)
+    mesh, truncated, simplified = (read(f"{prefix}_{part}.ply") for part in ("mesh", "truncated", "simplified"))
+    whole = fit(mesh, size, direction, up)
+    near = center, direction, up, 0.09
+    for ax, data, view, what in zip(axes, (mesh, truncated, simplified), (whole, near, whole), ("mesh", "truncated, at the vertex", "simplified")):
+        image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.8)], size, *view)
+        show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.93, 0.02)
+    save(fig, picture)
+
+
 def checkerboard():
     squares = (np.indices((16, 16)).sum(axis=0) % 2)[..., None]
     colors = np.where(squares, CHECKS[0], CHECKS[1]).repeat(16, axis=0).repeat(16, axis=1).astype(np.uint8)
@@ -289,5 +302,6 @@ if __name__ == "__main__":
     draw_curves(f"{data}/eight", f"{pictures}/integral_curves.png")
     draw_remeshing(f"{data}/joint", f"{pictures}/remeshing.png")
     draw_closing(((f"{data}/lion", (1, -0.8, 0.4), (0, 0, 1)), (f"{data}/three_peaks", (0.5, -1, 0.4), (0, 0, 1))), f"{pictures}/open_mesh.png")
+    draw_truncation(f"{data}/four_cubes", np.array([1., 1., 1.]), f"{pictures}/singular_vertex.png")
     draw_texture(f"{data}/elephant", f"{pictures}/texture_transfer.png")
     draw_soup(f"{data}/figure", f"{pictures}/soup_proxy.png")

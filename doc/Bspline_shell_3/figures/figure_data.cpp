@@ -164,6 +164,17 @@ void close(const Mesh& mesh, const std::string& prefix, double thickness, std::s
           "A mesh cannot be written.");
 }
 
+void truncate(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
+{
+  const Shell shell = certified_shell(mesh, thickness);
+  require(bool(shell.truncation()), "The mesh has no singular vertex.");
+  Mesh truncated = mesh;
+  shell.truncation()->apply(truncated, truncated.points());
+  truncated.collect_garbage();
+  require(write_mesh(prefix + "_truncated.ply", truncated) && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
+          "A mesh cannot be written.");
+}
+
 // corners one by one, as they have texture coordinates of their own
 void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinates uv)
 {
@@ -252,6 +263,7 @@ int main(int argc, char** argv)
     else if(what == "curves") write_curves(mesh, prefix, thickness, std::size_t(number));
     else if(what == "remesh") remesh(mesh, prefix, thickness, number);
     else if(what == "open") close(mesh, prefix, thickness, std::size_t(number));
+    else if(what == "truncate") truncate(mesh, prefix, thickness, std::size_t(number));
     else if(what == "texture") transfer_texture(mesh, prefix, thickness, std::size_t(number));
     else throw std::runtime_error("There is no figure " + what + ".");
   } catch(const std::exception& error) {

@@ -160,6 +160,26 @@ TEST_CASE("Each error in a truncation is found")
   CHECK_FALSE(parts.is_valid());
 }
 
+TEST_CASE("A disc with a hole is none")
+{
+  Parts parts = square_pyramid();
+  Truncation::Disc& disc = parts.discs[0];
+  disc.triangles.clear();
+  for(Index i = 0; i < 4; ++i) {
+    const auto& p = parts.points[1 + i];
+    parts.points.push_back({ p[0] / 4, p[1] / 4, 0.5 });
+    parts.planar.push_back({ p[0] / 2, p[1] / 2 });
+    const Index j = (i + 1) % 4;
+    disc.triangles.push_back({ 5 + i, 5 + j, 9 + j });
+    disc.triangles.push_back({ 5 + i, 9 + j, 9 + i });
+  }
+  CHECK_FALSE(parts.is_valid());
+  disc.triangles.push_back({ 9, 10, 11 });
+  CHECK_FALSE(parts.is_valid());
+  disc.triangles.push_back({ 9, 11, 12 });
+  CHECK(parts.is_valid());
+}
+
 TEST_CASE("A fan that winds twice is no tip")
 {
   // five cuts in the order of a pentagram

@@ -132,6 +132,17 @@ TEST_CASE("A truncated mesh with the tip somewhere else is not certified")
   CHECK_FALSE(certificate.verify(moved));
 }
 
+TEST_CASE("A mesh with tips that intersects itself is not certified")
+{
+  // What is certified is the truncated mesh: a tip that another component pierces would go unnoticed.
+  Mesh mesh = screw_mesh();
+  Mesh needle = box(Point_3(0.9999, 0.9999, 0.9999), Point_3(1.0001, 1.0001, 1.0001));
+  mesh += needle;
+  Certificate certificate(screw_shell());
+  CHECK_FALSE(certificate.verify(mesh));
+  CHECK(certificate.status() == BS::Shell_status::SELF_INTERSECTION);
+}
+
 TEST_CASE("Meshes without bad vertices keep none")
 {
   const Shell shell = CGAL::certified_bspline_shell_3(sphere(2));

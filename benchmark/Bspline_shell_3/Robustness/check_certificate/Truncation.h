@@ -1,4 +1,4 @@
-// What replaces the tips of the user's mesh A, and the map h from A to the mesh A' of the certificate.
+// What replaces the tips of the user's mesh U, and the map h from U to the mesh A of the certificate.
 #ifndef CHECK_CERTIFICATE_TRUNCATION_H
 #define CHECK_CERTIFICATE_TRUNCATION_H
 
@@ -43,7 +43,7 @@ inline std::vector<Located_facet> without(const std::vector<Located_facet>& face
   return rest;
 }
 
-// Facets of A at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center, and it is made of
+// Facets of U at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center, and it is made of
 // triangles between these and further points. What is left of the cut facets, beyond the rims, is the cores. On cores, h is affine
 // in barycentric coordinates. Tips, the triangles between centers and rims, and discs have the same image in the plane, where centers are at
 // the origin; h leads from one to the other by way of the plane. Elsewhere h is the identity.
@@ -161,7 +161,7 @@ public:
     }
   }
 
-  // Whether the mesh is A', for some A. Facets beyond the truncation must not meet what h changes, which is known by its coordinates.
+  // Whether the mesh is what becomes of some U. Other facets beyond the truncation must not meet what h changes, which is known by its coordinates.
   void check_truncated(const Mesh& mesh) const
   {
     std::map<Point, Index> vertex;
@@ -175,7 +175,7 @@ public:
     for(Index p : centers) changed.insert(point[p]);
     for(const Located_facet& f : without(facets, added))
       for(const Point& p : f)
-        if(changed.count(p) != 0) throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that only the truncation has");
+        if(changed.count(p) != 0) throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that it made");
   }
 
   // sorted
@@ -223,7 +223,8 @@ private:
       if(!seen.insert(d.center).second) throw Unconfirmed(name + "its center has another one");
       if(d.rim.size() < 3) throw Unconfirmed(name + "its rim is no polygon");
       for(Index p : d.rim) {
-        if(!is_cut(p) || cut[p - corners].center != d.center) throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is no cut around its center");
+        if(!is_cut(p) || cut[p - corners].center != d.center)
+          throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is no cut around its center");
         if(disc_of[p - corners] != none) throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is in a rim before");
         disc_of[p - corners] = n;
       }
@@ -237,7 +238,7 @@ private:
       if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is in no disc");
   }
 
-  // Points that facets have in common are known by their coordinates: so no two vertices of A may be in the same place, and no two of A'.
+  // Points that facets have in common are known by their coordinates: so no two vertices of U may be in the same place, and no two of A.
   void check_points() const
   {
     std::map<Point, Index> before, after;
@@ -255,7 +256,7 @@ private:
       }
   }
 
-  // A is a surface where it is cut: two facets at an edge, facing the same side. Where it is not, A' shows that.
+  // U is a surface where it is cut: edges have one facet on each side. Where it is not cut, A shows that.
   void check_cut_facets() const
   {
     std::set<Edge> edges;
@@ -285,7 +286,7 @@ private:
     const std::size_t center = corner(c.center), first = corner(c.first);
     const bool in_order = c.second == none ? first != center : first == (center + 1) % 3 && corner(c.second) == (center + 2) % 3;
     if(!in_order) throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " is between corners in another order");
-    b[center] = 1 - Rational(c.s) - Rational(c.t);
+    b[center] = 1 - (Rational(c.s) + Rational(c.t));
     b[first] = c.s;
     if(c.second != none) b[corner(c.second)] = c.t;
     return b;
@@ -335,12 +336,12 @@ private:
           throw Unconfirmed(name + "its parts do not end at its sides");
         const Index q = e->second;
         if(at[p][off] != 0 || at[q][off] != 0 || !(at[p][last] < at[q][last])) throw Unconfirmed(name + "its parts do not end at its sides");
-        if(!sides.insert(*e).second) throw Unconfirmed(name + "another one is on the same side of an edge");
         p = q;
         ++steps;
       }
     }
     if(steps != edges.size()) throw Unconfirmed(name + "its parts leave gaps");
+    sides.insert(edges.begin(), edges.end());
   }
 
   // The triangles between the origin and the rim fill a polygon once that can be seen from there: angles are less than half a turn each, and only one
@@ -351,7 +352,8 @@ private:
     int turns = 0;
     for(std::size_t i = 0; i < d.rim.size(); ++i) {
       const Planar_point &p = planar[d.rim[i] - corners], &q = planar[d.next(i) - corners];
-      if(!(orientation(Planar_point{ 0, 0 }, p, q, 0) > 0)) throw Unconfirmed(name("disc", n) + "in the plane, its rim does not turn around the center");
+      if(!(orientation(Planar_point{ 0, 0 }, p, q, 0) > 0))
+        throw Unconfirmed(name("disc", n) + "in the plane, its rim does not turn around the center");
       turns += p[1] < 0 && q[1] >= 0 ? 1 : 0;
     }
     if(turns != 1) throw Unconfirmed(name("disc", n) + "in the plane, its rim leads around the center " + std::to_string(turns) + " times");
@@ -369,7 +371,7 @@ private:
     if(border(d.triangle, name("disc", n)) != rim) throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
   }
 
-  Index corners = 0; // how many points are vertices of A
+  Index corners = 0; // how many points are vertices of U
   std::vector<Point> point; // corners of cut facets, cuts, points within discs
   std::vector<Planar_point> planar; // of all but the first
   std::vector<Cut> cut;

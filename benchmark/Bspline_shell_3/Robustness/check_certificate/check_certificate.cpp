@@ -13,15 +13,16 @@
 //   P4  every component of Omega* contains exactly one component of A;
 //   P5  every component of Omega* contains a path from {f < EPS1} to {f > EPS2} that crosses A with count one.
 //
-// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says, before it was examined. Then the
-// line ends with " T" and, if U is given, with " A":
-//   T   the truncation is that of some mesh, and A what it makes of that; the map h from that mesh to A is a homeomorphism;
-//   A   that mesh is U, closed if it is open. This is said of shells without a truncation, too, where h is the identity: then A is U, closed.
-// Facets are compared by the coordinates of their corners, and by the side that they face, whatever their order and that of vertices.
+// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says, before it was
+// examined. If the shell has a truncation, the line ends with " T"; if U is given, with " A":
+//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism;
+//   A   that mesh is U, closed if it is open. Without a truncation, h is the identity, and A is that mesh itself.
+// If that is not so, the exit code is 1: a mesh in the shell that does not have all of the truncation is refused. Facets are compared by the
+// coordinates of their corners, and by the side that they face, whatever their order and that of vertices.
 //
-// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads from A one-to-one to any other
-// mesh of which the same is certified. With T and A, the flow after h leads so from U, and by the inverse of the other mesh's h to what that was.
-// h has no part in the certificate of the flow, and is proved alone: in exact arithmetic on the numbers of the truncation, see Truncation.h.
+// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads from A one-to-one
+// to any other mesh of which the same is certified. With T and A, the flow after h is one-to-one from U; h leaves what closes U as it is.
+// P1 to P5 are about A alone; h is proved apart from them, in exact arithmetic on the numbers of the truncation: see Truncation.h.
 //
 // Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation; what has
 // to be exact is an integer or a rational. On a facet, f and its derivatives are bounded by the Bernstein coefficients (of
@@ -34,8 +35,9 @@
 // standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in IEEE 754, rounded
 // to nearest, which is tested at the start; and the theorem that P1 to P5 imply what one wants to know. The user has to
 // see to it that the shell and U, or A where U is not given, are those that are meant. Not checked, as no claim depends on them: the
-// shell's unit, thickness, numbers of triangles and components, marks of leaves, facet ranges, and kinds of triangles that close a mesh; and where
-// the truncation's points are in space: h leads to A, wherever that is.
+// shell's unit, thickness, numbers of triangles and components, marks of leaves, facet ranges, and kinds of triangles that close a mesh. Nor
+// is it checked that the facets of U that are cut intersect no others (P1 to P5 say that for A): h is one-to-one from U as a surface, whose
+// facets have their common edges and corners in common, and nothing else.
 #include "Certificate.h"
 #include "Checker.h"
 #include "Mesh.h"
@@ -46,24 +48,22 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <iterator>
 #include <vector>
 
 // Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and truncated.
 void check_user_mesh(const Shell& shell, const Mesh& mesh, const Mesh& user_mesh)
 {
   std::vector<Located_facet> facets = located_facets(user_mesh);
-  if(!user_mesh.is_closed_and_oriented()) {
-    facets.insert(facets.end(), shell.closing.begin(), shell.closing.end());
-    std::sort(facets.begin(), facets.end());
-  }
+  const auto add = [&](const std::vector<Located_facet>& added) { facets.insert(facets.end(), added.begin(), added.end()); };
   if(shell.truncation) {
-    const std::vector<Located_facet> cut = shell.truncation->cut_facets(), added = shell.truncation->new_facets();
-    if(!std::includes(facets.begin(), facets.end(), cut.begin(), cut.end())) throw Unconfirmed("A: the user's mesh does not have all facets that are cut");
-    const std::vector<Located_facet> rest = without(facets, cut);
-    facets.clear();
-    std::merge(rest.begin(), rest.end(), added.begin(), added.end(), std::back_inserter(facets));
+    const std::vector<Located_facet> cut = shell.truncation->cut_facets();
+    if(!std::includes(facets.begin(), facets.end(), cut.begin(), cut.end()))
+      throw Unconfirmed("A: the user's mesh does not have all facets that are cut");
+    facets = without(facets, cut);
+    add(shell.truncation->new_facets());
   }
+  if(!user_mesh.is_closed_and_oriented()) add(shell.closing);
+  std::sort(facets.begin(), facets.end());
   if(facets != located_facets(mesh)) throw Unconfirmed("A: the mesh is not what becomes of the user's mesh");
 }
 

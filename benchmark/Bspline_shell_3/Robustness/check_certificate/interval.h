@@ -2,7 +2,15 @@
 #ifndef CHECK_CERTIFICATE_INTERVAL_H
 #define CHECK_CERTIFICATE_INTERVAL_H
 
+// of what Boost does not initialize because it does not use it, GCC warns or not, as the whole program's size decides
+#if defined(__GNUC__) && !defined(__clang__)
+#  pragma GCC diagnostic push
+#  pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <boost/multiprecision/cpp_int.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#  pragma GCC diagnostic pop
+#endif
 
 #include <algorithm>
 #include <cfloat>

@@ -169,7 +169,8 @@ private:
   Shell_status check_border();
   Shell_status check_fans();
   Shell_status close(const Closer& closer);
-  void truncate(const Truncator& truncator);
+  template <typename ConcurrencyTag>
+  Shell_status truncate(const Truncator& truncator, const Tolerated_defects& tolerated);
   Shell_status triangulate();
   bool triangulate(Face_index f);
   template <typename ConcurrencyTag>

@@ -40,7 +40,7 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   if(status == Shell_status::SUCCESS) status = triangulate();
   if(status == Shell_status::SUCCESS && !is_closed) status = close(closer);
   if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
-  if(status == Shell_status::SUCCESS && truncator) truncate(truncator);
+  if(status == Shell_status::SUCCESS && truncator) status = truncate<ConcurrencyTag>(truncator, tolerated);
   if(status == Shell_status::SUCCESS) find_components();
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
     status = tolerated.self_intersections ? check_volume() : check_orientation();
@@ -90,13 +90,18 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& close
   return status == Shell_status::SUCCESS ? triangulate() : status;      // degenerate triangles
 }
 
-// Pre: all facets are triangles.
-CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::truncate(const Truncator& truncator)
+// Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing about the tips: they are tested.
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_defects& tolerated)
 {
   std::shared_ptr<const Shell_truncation_3> truncation = truncator(*this);
-  if(!truncation || !truncation->is_valid()) return;
+  if(!truncation || !truncation->is_valid()) return Shell_status::SUCCESS;
   const auto in_mesh = truncation->match(m_mesh, m_mesh.points());
-  if(std::all_of(in_mesh.begin(), in_mesh.end(), [](auto h) { return h == Triangle_mesh::null_halfedge(); })) return;
+  if(std::all_of(in_mesh.begin(), in_mesh.end(), [](auto h) { return h == Triangle_mesh::null_halfedge(); })) return Shell_status::SUCCESS;
+  if(tolerated.self_intersections) {
+    const Shell_status status = check_intersections<ConcurrencyTag>();
+    if(status != Shell_status::SUCCESS) return status;
+  }
   // the facets of origin of the facets that are cut
   std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0);
   for(std::size_t n = 0; n < in_mesh.size(); ++n)
@@ -124,6 +129,7 @@ CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::truncate(const Truncator& truncat
   m_mesh.remove_property_map(origin);
   m_mesh.remove_property_map(vertex_origin);
   m_truncation = std::move(truncation);
+  return Shell_status::SUCCESS;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::triangulate()
