@@ -121,7 +121,7 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
       for(std::uint64_t& i : corners) i = in.binary<std::uint32_t>();
       if(!content.add_closing_triangle(corners, in.binary<std::uint8_t>())) return Shell_file_status::DAMAGED;
     }
-    content.has_closing = version == version_without_truncation || triangles > 0;
+    content.has_closing = version == version_without_truncation || points > 0 || content.border_points > 0 || triangles > 0;
   }
   if(version > version_without_truncation) {
     content.truncation = read_truncation(Row_input(in, true));
@@ -200,7 +200,7 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
       if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
       content.closing_points.push_back(p);
     }
-    content.has_closing = version == version_without_truncation || triangles > 0;
+    content.has_closing = version == version_without_truncation || !content.closing_points.empty() || content.border_points > 0 || triangles > 0;
     for(; triangles > 0; --triangles) {
       std::array<std::uint64_t, 3> corners = {};
       int kind = 0;
