@@ -37,7 +37,8 @@ Mesh pyramid(int sides, double height);
 // the boundary of a union of unit cubes, by their least corners: no two of them may meet in an edge or a vertex only
 Mesh cubes(const std::vector<std::array<int, 3> >& corners);
 
-// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With five of them, so do those at (1, 1, 2).
+// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With five of them, so do those
+// at (1, 1, 2).
 Mesh screw(int number_of_cubes = 4);
 
 // two unit balls around the x-axis, their centers at -1.5 and 1.5, joined by a neck

@@ -9,10 +9,10 @@
 // --no-truncation: singular vertices are accepted, and left as they are; meshes only.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
-// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one; or "proxy", with shares of the area, sampled, and
-// the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only, also with singular vertices.
-// The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even
-// that is proved), or "refused".
+// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one;
+// or "proxy", with shares of the area, sampled, and the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only,
+// also with singular vertices. The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell"
+// (not even that is proved), or "refused".
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>

@@ -107,7 +107,8 @@ public:
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PolygonMesh a model of `FaceListGraph`
   /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its triangles count
-  ///        as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the triangles of discs count as the facets that follow. Polygons are triangulated as for the construction of a shell.
+  ///        as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the triangles of discs count as the facets
+  ///        that follow. Polygons are triangulated as for the construction of a shell.
   /// \param np `vertex_point_map` as in all of \cgal
   /// \return whether all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag,

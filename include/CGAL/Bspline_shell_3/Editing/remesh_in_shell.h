@@ -61,13 +61,12 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         predicates and `FT` = `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not edited, it is as before: if the
- *        status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled
- *        again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
+ *        edited, it is as before: if the status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of
+ *        the mesh, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
  *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
- *        of them are invalid. With all other statuses it was not touched,
- *        unless it has tips that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges
- *        that lead to a tip end where it is cut.
+ *        of them are invalid. With all other statuses it was not touched, unless it has tips that `Bspline_shell_3::truncation()` replaces: such a
+ *        mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges that lead to a tip end where it is cut.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
  *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.

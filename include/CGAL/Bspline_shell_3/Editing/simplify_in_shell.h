@@ -283,12 +283,12 @@ struct Accepted_filter
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not edited, it is as before: if the
- *        status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and
- *        so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that
- *        the caller has of them are invalid. With all other statuses it was not touched,
- *        unless it has tips that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges
- *        that lead to a tip end where it is cut.
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
+ *        edited, it is as before: if the status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the
+ *        values that they had, then, and so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that
+ *        descriptors and other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
+ *        `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained
+ *        edges that lead to a tip end where it is cut.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,

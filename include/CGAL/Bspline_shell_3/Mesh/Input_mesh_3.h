@@ -79,8 +79,8 @@ public:
     };
   }
 
-  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no self-intersections; null if there are none. Components
-  /// and orientation are not known yet.
+  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no self-intersections; null if there are
+  /// none. Components and orientation are not known yet.
   typedef std::function<std::shared_ptr<const Shell_truncation_3>(const Input_mesh_3&)> Truncator;
 
   /// a truncator that has one answer; none, if that is null

@@ -35,15 +35,15 @@ namespace Bspline_shells {
  *
  * At a vertex whose facets face no common direction, no field can be transversal. The *truncated* mesh has a disc there instead: the
  * facets at the vertex are cut near it, and triangles between the cuts replace what is cut off. The map between the meshes is the identity beyond
- * the facets that are cut, up to the rounding of coordinates. What is left of a cut facet, its *core*, is a union of triangles that are facets of the truncated
- * mesh: the map is affine on each. The tip, a fan of triangles between the vertex and the cuts, and the disc are both mapped affinely, triangle by triangle, into the plane, onto
- * the same polygon; the map from tip to disc is the one after the inverse of the other.
+ * the facets that are cut, up to the rounding of coordinates. What is left of a cut facet, its *core*, is a union of triangles that are facets of
+ * the truncated mesh: the map is affine on each. The tip, a fan of triangles between the vertex and the cuts, and the disc are both mapped
+ * affinely, triangle by triangle, into the plane, onto the same polygon; the map from tip to disc is the one after the inverse of the other.
  *
- * That this is a homeomorphism is proved by `is_valid()`, in exact arithmetic, and by nothing else: neither by the coordinates of cuts, which are rounded, nor by how they
- * were found.
+ * That this is a homeomorphism is proved by `is_valid()`, in exact arithmetic, and by nothing else: neither by the coordinates of cuts, which are
+ * rounded, nor by how they were found.
  *
- * Facets are known by the coordinates of their vertices, as no two vertices of an embedded mesh are in the same place. So the truncation fits every mesh that has the
- * facets to be cut. Facets that are cut and their parts form *patches*, each of which is found, and replaced, as a whole.
+ * Facets are known by the coordinates of their vertices, as no two vertices of an embedded mesh are in the same place. So the truncation fits every
+ * mesh that has the facets to be cut. Facets that are cut and their parts form *patches*, each of which is found, and replaced, as a whole.
  */
 class Shell_truncation_3
 {
@@ -114,9 +114,10 @@ public:
   /// the disc that a new facet is in, or `npos` for a core
   Index disc_of_new_facet(std::size_t n) const { return n < m_cores.size() ? npos : m_disc_triangles[n - m_cores.size()].first; }
 
-  /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in exact arithmetic on the numbers in `cuts()`; facets with a common
-  /// edge cut it in the same points; and so the cores and tips are one subdivision of the facets that are cut. The fan of the tip is mapped onto a polygon that is
-  /// star-shaped, and so is the disc, triangles being positively oriented in the plane, and having no border but the rim.
+  /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in exact arithmetic on the numbers
+  /// in `cuts()`; facets with a common edge cut it in the same points; and so the cores and tips are one subdivision of the facets that are cut.
+  /// The fan of the tip is mapped onto a polygon that is star-shaped, and so is the disc, triangles being positively oriented in the plane, and
+  /// having no border but the rim.
   bool is_valid() const { return m_is_valid; }
 
   /// \name Map
@@ -126,8 +127,8 @@ public:
   Place image(const Place& place) const;
   /// where a place of a new facet was on the mesh that was truncated. \pre `is_valid()`
   Place preimage(const Place& place) const;
-  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its columns being given, times the change of those of the
-  /// place. \pre `is_valid()`
+  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its columns being given, times the
+  /// change of those of the place. \pre `is_valid()`
   std::array<std::array<double, 3>, 3> derivative(const Place& place) const;
   /// @}
 
@@ -148,8 +149,8 @@ public:
   template <typename FaceGraph, typename VertexPointMap>
   std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> match(const FaceGraph& mesh, VertexPointMap vpm) const;
 
-  /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its parts; other new elements have default
-  /// values.
+  /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its parts; other new elements have
+  /// default values.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
   /// \pre `is_valid()`

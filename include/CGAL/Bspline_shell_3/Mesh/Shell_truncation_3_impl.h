@@ -123,8 +123,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
   return true;
 }
 
-// Each cut facet is tiled by its parts, and facets agree on the points on their common edges. The argument is that of a degree: triangles that are positively oriented, and whose
-// edges cancel but for those that lead once around the facet, cover it once.
+// Each cut facet is tiled by its parts, and facets agree on the points on their common edges. The argument is that of a degree: triangles that are
+// positively oriented, and whose edges cancel but for those that lead once around the facet, cover it once.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() const
 {
   typedef std::pair<Index, Index> Edge;
@@ -189,7 +189,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
   return true;
 }
 
-// Tip and disc are mapped onto the same polygon: it is star-shaped around the vertex, and the triangles of the disc, positively oriented, have no other border.
+// Tip and disc are mapped onto the same polygon: it is star-shaped around the vertex, and the triangles of the disc, positively oriented, have no
+// other border.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;

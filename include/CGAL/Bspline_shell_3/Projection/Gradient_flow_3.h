@@ -48,7 +48,8 @@ struct Flow_differential
   /// the differential of the map along the curves to the level set through the end
   Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
 
-  /// The same for a map that ends before a linear one, of which it is the inverse, or begins after one: planes that the linear map takes to each other stand for each other.
+  /// The same for a map that ends before a linear one, of which it is the inverse, or begins after one: planes that the linear map takes to each
+  /// other stand for each other.
   /// \pre `linear` is invertible
   void prepend_to_end(const Eigen::Matrix3d& linear)
   {

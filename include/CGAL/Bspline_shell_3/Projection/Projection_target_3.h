@@ -48,8 +48,8 @@ public:
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
   /// copies coordinates and neighbors; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of a
-  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips that `truncation` replaces, curves are traced to the
-  /// truncated mesh.
+  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips that `truncation` replaces,
+  /// curves are traced to the truncated mesh.
   /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh` does, must not be prepared by
   /// two threads at once.
   template <typename VertexPointMap>

@@ -111,12 +111,12 @@ public:
   /// closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
   void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
-  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing. It is the truncated mesh that lies in the
-  /// shell; maps, edits and certificates take the other, and truncate it.
+  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing. It is the truncated mesh that
+  /// lies in the shell; maps, edits and certificates take the other, and truncate it.
   const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
   void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation) { m_truncation = std::move(truncation); }
-  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it, and on those of discs that
-  /// replace tips
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it, and on
+  /// those of discs that replace tips
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
   /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in

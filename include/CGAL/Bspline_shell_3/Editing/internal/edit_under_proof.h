@@ -319,9 +319,9 @@ private:
 };
 
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
-// `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches to the
-// mesh must be gone when it returns. `all` has a vertex for each that the mesh had: itself, or, where the mesh was truncated first, as the shell does it, one nearby.
-// While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
+// `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches
+// to the mesh must be gone when it returns. `all` has a vertex for each that the mesh had: itself, or, where the mesh was truncated first, as the
+// shell does it, one nearby. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
 // \pre `check_before_edits()` accepts the mesh
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>

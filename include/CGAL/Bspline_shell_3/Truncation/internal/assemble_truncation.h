@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Where the points of a disc are in the plane: the rim on a regular polygon, each point within in the middle of its neighbors, which leaves no triangle turned (W. T. Tutte: How
-// to draw a graph, 1963).
+// Where the points of a disc are in the plane: the rim on a regular polygon, each point within in the middle of its neighbors, which leaves no
+// triangle turned (W. T. Tutte: How to draw a graph, 1963).
 inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc& disc)
 {
   std::vector<Shell_truncation_3::Planar_point> planar;
