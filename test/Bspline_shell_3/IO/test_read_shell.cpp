@@ -474,9 +474,9 @@ TEST_CASE("files: foreign files, later versions, no file at all")
                               "BSHELF01", "cubic_bspline_shell\n", "cubic_bspline_shell 1 binary\n" })
     CHECK(read(foreign, shell) == Status::NOT_A_SHELL);
   CHECK(read(std::string(100000, '\0'), shell) == Status::NOT_A_SHELL);
-  CHECK(read("cubic_bspline_shell 4 ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
-  CHECK(read("cubic_bspline_shell 4 something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
-  CHECK(read("BSHELL04" + bytes.substr(8), shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(read("cubic_bspline_shell 5 ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(read("cubic_bspline_shell 5 something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
+  CHECK(read("BSHELL05" + bytes.substr(8), shell) == Status::VERSION_NOT_SUPPORTED);
   CHECK(BS::read_shell("no_such_file.shell", shell) == Status::CANNOT_OPEN);
   CHECK(BS::read_shell(".", shell) == Status::CANNOT_OPEN);
   std::ifstream missing("no_such_file.shell");
