@@ -135,10 +135,10 @@ TEST_CASE("certified shells: facets at a sharp apex are passed the right way, as
   }
 }
 
-TEST_CASE("certified shells: a mesh with a singular vertex is refused, and the vertex is named")
+TEST_CASE("certified shells: a mesh with a singular vertex that is not to be truncated is refused, and the vertex is named")
 {
   const Mesh mesh = demo_mesh("femur.off");
-  const Shell refused = CGAL::certified_bspline_shell_3(mesh);
+  const Shell refused = CGAL::certified_bspline_shell_3(mesh, parameters::truncate(false));
   CHECK(refused.status() == BS::Shell_status::SINGULAR_VERTEX);
   CHECK(refused.report().offending_simplices.vertices.size() == 1);
 }
