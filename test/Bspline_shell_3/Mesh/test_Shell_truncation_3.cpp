@@ -53,7 +53,7 @@ Parts square_pyramid(bool has_point = false)
   Truncation::Disc disc;
   disc.center = apex;
   for(Index i = 0; i < 4; ++i) {
-    const auto& p = parts.points[1 + i];
+    const auto p = parts.points[1 + i];      // a copy: the vector grows
     parts.points.push_back({ p[0] / 2, p[1] / 2, 0.5 });
     parts.cuts.push_back({ apex, 1 + i, npos, 0.5, 0 });
     parts.planar.push_back({ p[0], p[1] });
@@ -166,7 +166,7 @@ TEST_CASE("A disc with a hole is none")
   Truncation::Disc& disc = parts.discs[0];
   disc.triangles.clear();
   for(Index i = 0; i < 4; ++i) {
-    const auto& p = parts.points[1 + i];
+    const auto p = parts.points[1 + i];      // a copy: the vector grows
     parts.points.push_back({ p[0] / 4, p[1] / 4, 0.5 });
     parts.planar.push_back({ p[0] / 2, p[1] / 2 });
     const Index j = (i + 1) % 4;
