@@ -161,40 +161,65 @@ public:
     }
   }
 
-  // Whether the mesh is what becomes of some U. Other facets beyond the truncation must not meet what h changes, which is known by its coordinates.
-  void check_truncated(const Mesh& mesh) const
+  // Discs with cut facets in common, and these, are a patch, which a mesh has as a whole or not at all. Facets are sorted.
+  struct Patch
+  {
+    std::vector<Located_facet> cut_facets, new_facets;
+    std::set<Point> changed; // what h takes away or makes
+  };
+  std::vector<Patch> patches() const
+  {
+    std::vector<Index> first(cut_facet.size());
+    for(Index f = 0; f < first.size(); ++f) first[f] = f;
+    const auto find = [&](Index f) {
+      while(first[f] != f) f = first[f] = first[first[f]];
+      return f;
+    };
+    for(const Disc& d : disc)
+      for(Index f : d.facet) first[find(f)] = find(d.facet[0]);
+    std::map<Index, Patch> of;
+    const auto place = [&](const Triple& t) { return located(point[t[0]], point[t[1]], point[t[2]]); };
+    for(Index f = 0; f < cut_facet.size(); ++f) of[find(f)].cut_facets.push_back(place(cut_facet[f]));
+    for(const Core& c : core) of[find(c.facet)].new_facets.push_back(place(c.triangle));
+    for(const Disc& d : disc) {
+      Patch& patch = of[find(d.facet[0])];
+      patch.changed.insert(point[d.center]);
+      for(Index p : d.rim) patch.changed.insert(point[p]);
+      for(const Triple& t : d.triangle) {
+        patch.new_facets.push_back(place(t));
+        for(Index p : t) patch.changed.insert(point[p]);
+      }
+    }
+    std::vector<Patch> all;
+    for(auto& patch : of) {
+      std::sort(patch.second.cut_facets.begin(), patch.second.cut_facets.end());
+      std::sort(patch.second.new_facets.begin(), patch.second.new_facets.end());
+      all.push_back(std::move(patch.second));
+    }
+    return all;
+  }
+
+  // The patches that a mesh has, if it is what they make of some U, h being the identity elsewhere. Facets beyond them must not meet what h
+  // changes, which is known by its coordinates.
+  std::vector<Patch> patches_of(const Mesh& mesh) const
   {
     std::map<Point, Index> vertex;
     for(const auto& f : mesh.facet)
       for(Index v : f)
         if(vertex.emplace(mesh.point[v], v).first->second != v) throw Unconfirmed("T: two vertices of the mesh are in the same place");
-    const std::vector<Located_facet> facets = located_facets(mesh), added = new_facets();
-    if(!std::includes(facets.begin(), facets.end(), added.begin(), added.end()))
-      throw Unconfirmed("T: the mesh does not have all cores and triangles of discs");
-    std::set<Point> changed(point.begin() + std::ptrdiff_t(corners), point.end());
-    for(Index p : centers) changed.insert(point[p]);
-    for(const Located_facet& f : without(facets, added))
+    std::vector<Located_facet> facets = located_facets(mesh);
+    std::vector<Patch> result;
+    std::set<Point> changed;
+    for(Patch& patch : patches()) {
+      if(!std::includes(facets.begin(), facets.end(), patch.new_facets.begin(), patch.new_facets.end())) continue;
+      changed.insert(patch.changed.begin(), patch.changed.end());
+      facets = without(facets, patch.new_facets);
+      result.push_back(std::move(patch));
+    }
+    for(const Located_facet& f : facets)
       for(const Point& p : f)
         if(changed.count(p) != 0) throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that it made");
-  }
-
-  // sorted
-  std::vector<Located_facet> cut_facets() const
-  {
-    std::vector<Located_facet> facets;
-    for(const Triple& t : cut_facet) facets.push_back(located(point[t[0]], point[t[1]], point[t[2]]));
-    std::sort(facets.begin(), facets.end());
-    return facets;
-  }
-  std::vector<Located_facet> new_facets() const
-  {
-    std::vector<Located_facet> facets;
-    const auto add = [&](const Triple& t) { facets.push_back(located(point[t[0]], point[t[1]], point[t[2]])); };
-    for(const Core& c : core) add(c.triangle);
-    for(const Disc& d : disc)
-      for(const Triple& t : d.triangle) add(t);
-    std::sort(facets.begin(), facets.end());
-    return facets;
+    return result;
   }
 
 private:

@@ -15,10 +15,11 @@
 //
 // The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says, before it was
 // examined. If the shell has a truncation, the line ends with " T"; if U is given, with " A":
-//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism;
+//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism. A mesh that was simplified in its shell
+//       may lack patches of the truncation, " T(1/3)" being said where it has one of three: h is the identity where they were;
 //   A   that mesh is U, closed if it is open. Without a truncation, h is the identity, and A is that mesh itself.
-// If that is not so, the exit code is 1: a mesh in the shell that does not have all of the truncation is refused. Facets are compared by the
-// coordinates of their corners, and by the side that they face, whatever their order and that of vertices.
+// If that is not so, the exit code is 1. Facets are compared by the coordinates of their corners, and by the side that they face, whatever their
+// order and that of vertices.
 //
 // The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads from A one-to-one
 // to any other mesh of which the same is certified. With T and A, the flow after h is one-to-one from U; h leaves what closes U as it is.
@@ -46,23 +47,24 @@
 #include "interval.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <iostream>
+#include <string>
 #include <vector>
 
 // Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and truncated.
-void check_user_mesh(const Shell& shell, const Mesh& mesh, const Mesh& user_mesh)
+void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& patches, const Mesh& mesh, const Mesh& user_mesh)
 {
-  std::vector<Located_facet> facets = located_facets(user_mesh);
-  const auto add = [&](const std::vector<Located_facet>& added) { facets.insert(facets.end(), added.begin(), added.end()); };
-  if(shell.truncation) {
-    const std::vector<Located_facet> cut = shell.truncation->cut_facets();
-    if(!std::includes(facets.begin(), facets.end(), cut.begin(), cut.end()))
+  std::vector<Located_facet> facets = located_facets(user_mesh), added;
+  for(const Truncation::Patch& patch : patches) {
+    if(!std::includes(facets.begin(), facets.end(), patch.cut_facets.begin(), patch.cut_facets.end()))
       throw Unconfirmed("A: the user's mesh does not have all facets that are cut");
-    facets = without(facets, cut);
-    add(shell.truncation->new_facets());
+    facets = without(facets, patch.cut_facets);
+    added.insert(added.end(), patch.new_facets.begin(), patch.new_facets.end());
   }
-  if(!user_mesh.is_closed_and_oriented()) add(shell.closing);
+  if(!user_mesh.is_closed_and_oriented()) added.insert(added.end(), shell.closing.begin(), shell.closing.end());
+  facets.insert(facets.end(), added.begin(), added.end());
   std::sort(facets.begin(), facets.end());
   if(facets != located_facets(mesh)) throw Unconfirmed("A: the mesh is not what becomes of the user's mesh");
 }
@@ -82,15 +84,19 @@ int main(int argc, char** argv)
     const Mesh mesh(argv[2]);
     const Certificate certificate(argv[3], shell, mesh);
     Checker(shell, mesh, certificate).check();
+    std::vector<Truncation::Patch> patches;
+    std::string truncation;
     if(shell.truncation) {
       shell.truncation->check();
-      shell.truncation->check_truncated(mesh);
+      patches = shell.truncation->patches_of(mesh);
+      const std::size_t all = shell.truncation->patches().size();
+      truncation = patches.size() == all ? " T" : " T(" + std::to_string(patches.size()) + "/" + std::to_string(all) + ")";
     }
-    if(argc == 5) check_user_mesh(shell, mesh, Mesh(argv[4]));
+    if(argc == 5) check_user_mesh(shell, patches, mesh, Mesh(argv[4]));
     std::cout << "certified:";
     for(int i = 0; i < 5; ++i)
       if(certificate.claimed[i]) std::cout << " P" << i + 1;
-    std::cout << (shell.truncation ? " T" : "") << (argc == 5 ? " A" : "") << std::endl;
+    std::cout << truncation << (argc == 5 ? " A" : "") << std::endl;
     return 0;
   }
   catch(const Unconfirmed& error) {
