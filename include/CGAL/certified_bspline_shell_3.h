@@ -114,7 +114,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
       return BS::truncate_mesh<ConcurrencyTag>(input, [&](const std::array<double, 3>& p) {
         const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2])) : thickness;
         return parameters.largest_tip(here > 0 ? here : thickness);
-      }, parameters.least_cone_margin, construction.report().truncation);
+      }, parameters.least_cone_margin, refinement.max_seconds, construction.report().truncation);
     };
   const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
   if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));

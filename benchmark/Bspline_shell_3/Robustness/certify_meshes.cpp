@@ -151,7 +151,7 @@ std::string truncation(const BS::Shell_report& r)
   }
   std::ostringstream out;
   out << ",\"truncation\":{";
-  for(Outcome o : { Outcome::TRUNCATED, Outcome::ON_BORDER, Outcome::FOLDED_EDGE, Outcome::NO_DISC, Outcome::NO_SPACE })
+  for(Outcome o : { Outcome::TRUNCATED, Outcome::ON_BORDER, Outcome::FOLDED_EDGE, Outcome::NO_DISC, Outcome::NO_SPACE, Outcome::NO_TIME })
     out << "\"" << name(o) << "\":" << r.truncation.number(o) << ",";
   out << "\"least_margin_before\":" << before << ",\"least_margin_after\":" << after << "}";
   return out.str();
