@@ -59,7 +59,7 @@ namespace CGAL {
  *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only that
  *   - `truncate(bool)`: whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face no common direction, or hardly
  *     one; default `true`, unless self-intersections are allowed
- *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1; default 0.05
+ *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1; default 0.01
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`

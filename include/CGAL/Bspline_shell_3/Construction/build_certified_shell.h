@@ -47,7 +47,7 @@ struct Certified_shell_parameters
 {
   double resolution = 30;               ///< root cells per longest side of the mesh's box
   double relative_thickness = 0.01;     ///< of the longest side of the mesh's box
-  double least_cone_margin = 0.05;      ///< of vertices that are not truncated
+  double least_cone_margin = 0.01;      ///< of vertices that are not truncated
   std::optional<double> thickness;      ///< instead, in user units
   /// instead, near a point; user units
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
