@@ -59,17 +59,11 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
 
-  // the centroid first, and the others once
-  const int parts = (std::max)(1, int(std::ceil(std::sqrt(double(wanted)))));
-  std::vector<std::array<double, 3> > samples{ { 1/3., 1/3., 1/3. } };
-  bool has_centroid = false;        // among the centroids of the parts
-  for(int i = 0; i < parts; ++i)
-    for(int j = 0; i + j < parts; ++j)
-      for(int turned = 0; turned < (i + j + 1 < parts ? 2 : 1); ++turned) {
-        const int a = 3*i + 1 + turned, b = 3*j + 1 + turned;
-        if(a == parts && b == parts) has_centroid = true;
-        else samples.push_back({ 1 - double(a + b) / (3*parts), double(a) / (3*parts), double(b) / (3*parts) });
-      }
+  // the centroid first, which has no vote if it is none of a part
+  const int parts = internal::parts_along_edge(wanted);
+  std::vector<std::array<double, 3> > samples = internal::centroids_of_parts(parts);
+  const bool has_centroid = parts % 3 != 0;
+  if(!has_centroid) samples.insert(samples.begin(), { 1/3., 1/3., 1/3. });
 
   const auto& target = map.to_target().target();
   Transfer_report report;
@@ -101,7 +95,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
       const Label label = get(source_labels, sample.facet);
       auto vote = std::find_if(votes.begin(), votes.end(), [&](const auto& v) { return v.first == label; });
       if(vote == votes.end()) vote = votes.insert(vote, { label, 0 });
-      if(i > 0 || has_centroid || samples.size() == 1) ++vote->second;
+      if(i > 0 || has_centroid) ++vote->second;
     }
     const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& v, const auto& w) { return v.second < w.second; });
     if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status, is_continued, is_snapped))

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
+#include <CGAL/Bspline_shell_3/Transfer/internal/Tangent_field.h>
 #include <CGAL/Bspline_shell_3/Transfer/internal/attribute_samples.h>
 
 #include <CGAL/assertions.h>
@@ -22,9 +23,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +72,47 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
   return std::exp(log_length / symmetry) * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
+// what a point of the target gets from a field on the source
+struct Tangent_sample
+{
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  Flow_status status = Flow_status::CANCELED;
+  bool is_continued = false, is_snapped = false;
+};
+
+// `prepare(differential)` makes the differential that of the map to the target, and returns the normal of the plane in which the image is to be
+template <typename Map, typename Point, typename Prepare>
+Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p, const Prepare& prepare)
+{
+  const auto& source = map.to_source().target();
+  Tangent_sample sample;
+  const typename Map::Source_image image = map.to_source()(p);
+  sample.status = image.status;
+  sample.is_continued = image.is_continued;
+  sample.is_snapped = image.is_snapped;
+  if(!image) return sample;
+  Flow_differential differential = differential_from_image(map, image, p);
+  sample.status = differential.status;
+  if(!differential) return sample;
+  const Eigen::Vector3d normal = prepare(differential);
+  const auto facet = source.facet_of(image.location.first);
+  if(is_along(normal, differential)) sample.status = Flow_status::FACES_WRONG_WAY;
+  else sample.vector = map_symmetric_vector(differential.onto_plane(normal), eigen_vector(source.normal(facet)), normal,
+                                            field(facet, image.location.second), symmetry);
+  return sample;
+}
+
+template <typename VectorMap, typename Range>
+std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range)
+{
+  std::vector<Eigen::Vector3d> result;
+  for(auto simplex : range) {
+    const auto& v = get(vectors, simplex);
+    result.emplace_back(CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2]));
+  }
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -81,6 +125,10 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
  * the facet's plane. For a symmetric field, given by one of its vectors for each facet, all of them are moved, and as they need not be
  * symmetric then, the symmetric ones that fit them best are returned.
  *
+ * Between meshes of different resolution, that loses much. To a *coarser* mesh, `samples_per_facet` averages what a facet covers. To a
+ * *finer* one, `continuous_field` takes the vectors as samples of a continuous field, and interpolates it, instead of one vector for all
+ * facets that come from the same one.
+ *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
  * \tparam SourceVectorMap a model of `ReadablePropertyMap` from faces of the source to vectors with `v[0]`, `v[1]`, `v[2]`
@@ -90,9 +138,14 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
  * \param target_vectors what gets their images
  * \param np optional named parameters
  *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
+ *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square, at the centroids of equal parts of the target's facet,
+ *     the mean of which it gets: that of N-th powers for a symmetric field, with the mean length; by default 1
+ *   - `continuous_field(bool)`: whether vertices of the source get the mean of the vectors around them, rotated from facet to vertex the
+ *     shortest way, between which the field is interpolated in each facet; default `false`
  *   - `default_value(x)`: what facets without a vector get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no vector from the source, and why. A facet without an area has none: it faces no way.
+ * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A facet without an area has none: it
+ *         faces no way.
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap, typename TargetVectorMap,
@@ -103,8 +156,11 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef typename boost::property_traits<TargetVectorMap>::value_type Vector;
+  typedef typename Map::Projection_to_target::Target::Index Index;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
+  const bool is_continuous = choose_parameter(get_parameter(np, parameter_tags::continuous_field), false);
+  const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(1));
   CGAL_precondition(symmetry > 0);
 
   const auto& source = map.to_source().target();
@@ -114,31 +170,105 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
     internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_vectors, f); });
     return report;
   }
-  std::vector<typename Map::Source_image> images(target.number_of_facets());
-  std::vector<Flow_differential> differentials(images.size());
-  internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
-    return target.traced_point(typename Map::Projection_to_target::Target::Index(n), { 1/3., 1/3., 1/3. });
+  std::vector<Eigen::Vector3d> vectors = internal::eigen_vectors(source_vectors, faces(map.source()));
+  typedef internal::Tangent_field Field;
+  const Field field = is_continuous ? Field::continuous(source, vectors, internal::positions_of_corners(source), num_vertices(map.source()), symmetry)
+                                    : Field::constant(source, std::move(vectors));
+  const std::vector<std::array<double, 3> > places = internal::centroids_of_parts(internal::parts_along_edge(wanted));
+  const auto normal = [&](Index facet) { return internal::eigen_vector(target.normal(facet)); };
+
+  std::vector<internal::Tangent_sample> samples(target.number_of_facets() * places.size());
+  internal::for_each_point<ConcurrencyTag>(samples.size(), [&](std::size_t n) {
+    return target.traced_point(Index(n / places.size()), places[n % places.size()]);
   }, visitor, [&](std::size_t n, const auto& p) {
-    images[n] = map.to_source()(p);
-    if(images[n]) {
-      differentials[n] = internal::differential_from_image(map, images[n], p);
-      differentials[n].prepend_to_end(target.traced_derivative(typename Map::Projection_to_target::Target::Index(n), { 1/3., 1/3., 1/3. }));
-      images[n].status = differentials[n].status;
-    }
+    const Index facet = Index(n / places.size());
+    samples[n] = internal::tangent_sample(map, field, symmetry, p, [&](Flow_differential& differential) {
+      differential.prepend_to_end(target.traced_derivative(facet, places[n % places.size()]));
+      return normal(facet);
+    });
   });
-  const auto eigen = [](const auto& v) { return Eigen::Vector3d(CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2])); };
-  for(std::size_t n = 0; n < images.size(); ++n) {
-    const auto g = target.face_of(typename Map::Projection_to_target::Target::Index(n));
-    const Eigen::Vector3d normal = eigen(target.normal(typename Map::Projection_to_target::Target::Index(n)));
-    if(images[n] && internal::is_along(normal, differentials[n])) images[n].status = Flow_status::FACES_WRONG_WAY;
-    if(!internal::record(report, n, images[n].status, images[n].is_continued, images[n].is_snapped)) {
-      internal::put_default_value(np, target_vectors, g);
-      continue;
+
+  for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
+    internal::Symmetric_mean mean(normal(Index(n)), symmetry);
+    Flow_status status = samples[n * places.size()].status;
+    bool is_continued = false, is_snapped = false;
+    std::size_t arrived = 0;
+    for(std::size_t i = 0; i < places.size(); ++i) {
+      const internal::Tangent_sample& sample = samples[n * places.size() + i];
+      if(sample.status != Flow_status::SUCCESS) continue;
+      status = sample.status;
+      is_continued = is_continued || sample.is_continued;
+      is_snapped = is_snapped || sample.is_snapped;
+      mean.add(sample.vector, 1);
+      ++arrived;
     }
-    const auto f = images[n].location.first;
-    const Eigen::Vector3d image = internal::map_symmetric_vector(
-      differentials[n].onto_plane(normal), eigen(source.normal(source.facet_of(f))), normal, eigen(get(source_vectors, f)), symmetry);
-    put(target_vectors, g, Vector(image[0], image[1], image[2]));
+    const auto g = target.face_of(Index(n));
+    if(internal::record(report, n, status, is_continued, is_snapped)) {
+      // one vector is its own mean, but for rounding
+      const Eigen::Vector3d v = arrived == 1 && places.size() == 1 ? samples[n].vector : mean();
+      put(target_vectors, g, Vector(v[0], v[1], v[2]));
+    }
+    else internal::put_default_value(np, target_vectors, g);
+  }
+  return report;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Transfer
+ *
+ * \brief moves tangent vectors at the vertices of the source to those of the target: as `transfer_tangent_vectors()`, for fields that are given at
+ * vertices, and interpolated between them.
+ *
+ * In each facet of the source the vectors of its vertices are rotated into its plane the shortest way, from the vertex's normal (the mean of the
+ * facets', weighted by angles), and interpolated: N-th powers, for a symmetric field. Images are tangent to the level set of the shell's field
+ * through the target's vertex, so that they do not depend on the target's facets.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Map a `Shell_map_3`
+ * \tparam SourceVectorMap a model of `ReadablePropertyMap` from vertices of the source to vectors with `v[0]`, `v[1]`, `v[2]`
+ * \tparam TargetVectorMap a model of `WritablePropertyMap` from vertices of the target to vectors that are constructible from three numbers
+ * \param map the map from the source to the target
+ * \param source_vectors vectors; what they have along the normals is lost
+ * \param target_vectors what gets their images
+ * \param np optional named parameters
+ *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
+ *   - `default_value(x)`: what vertices without a vector get; by default they keep what they have
+ *   - `visitor(V)`: a model of `FlowVisitor`
+ * \return which vertices have no vector from the source, and why
+ * \pre `symmetry` is positive
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap, typename TargetVectorMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap source_vectors, TargetVectorMap target_vectors,
+                                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename boost::property_traits<TargetVectorMap>::value_type Vector;
+  auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
+  const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
+  CGAL_precondition(symmetry > 0);
+
+  const auto& source = map.to_source().target();
+  const auto& points = map.to_target().target().traced_vertices();
+  std::vector<internal::Tangent_sample> samples(points.size());
+  if(map.status() == Flow_status::SUCCESS) {
+    const auto field = internal::Tangent_field::continuous(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
+                                                           internal::positions_of_corners(source), symmetry);
+    internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor, [&](std::size_t n, const auto& p) {
+      samples[n] = internal::tangent_sample(map, field, symmetry, p, [](const Flow_differential& differential) { return differential.velocity; });
+    });
+  }
+  else
+    for(internal::Tangent_sample& sample : samples) sample.status = map.status();
+
+  Transfer_report report;
+  std::size_t n = 0;
+  for(auto v : vertices(map.target())) {
+    const internal::Tangent_sample& sample = samples[n];
+    if(internal::record(report, n++, sample.status, sample.is_continued, sample.is_snapped))
+      put(target_vectors, v, Vector(sample.vector[0], sample.vector[1], sample.vector[2]));
+    else internal::put_default_value(np, target_vectors, v);
   }
   return report;
 }

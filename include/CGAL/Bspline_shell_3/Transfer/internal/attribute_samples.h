@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -87,6 +88,23 @@ std::vector<std::size_t> positions_of_corners(const Target& target)
     for(auto v : corners(mesh, f)) result.push_back(get(position, v));
   return result;
 }
+
+// the centroids of the equal triangles into which a facet is cut, `parts` along each edge; the facet's own, if it is among them, comes first
+inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
+{
+  std::vector<std::array<double, 3> > centroids;
+  for(int i = 0; i < parts; ++i)
+    for(int j = 0; i + j < parts; ++j)
+      for(int turned = 0; turned < (i + j + 1 < parts ? 2 : 1); ++turned) {
+        const int a = 3 * i + 1 + turned, b = 3 * j + 1 + turned;
+        if(a == parts && b == parts) centroids.insert(centroids.begin(), { 1/3., 1/3., 1/3. });
+        else centroids.push_back({ 1 - double(a + b) / (3 * parts), double(a) / (3 * parts), double(b) / (3 * parts) });
+      }
+  return centroids;
+}
+
+// how many parts along each edge make so many in all, or a few more
+inline int parts_along_edge(std::size_t samples) { return (std::max)(1, int(std::ceil(std::sqrt(double(samples))))); }
 
 // Whether a plane with this normal is along the curve, as far as `double`s can tell: nothing is to be moved to it then.
 template <typename Normal>

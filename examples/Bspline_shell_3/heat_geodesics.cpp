@@ -1,0 +1,99 @@
+// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good triangles in the mesh's shell, and
+// the distances are carried back along the integral curves. The proxy keeps the vertex that distances are from.
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance;
+typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_paths;
+
+// in percent of the largest distance
+void print_errors(const char* name, const Mesh& mesh, Distance distance, Distance exact)
+{
+  double sum = 0, most = 0, largest = 0;
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const double error = std::abs(distance[v] - exact[v]);
+    sum += error;
+    most = (std::max)(most, error);
+    largest = (std::max)(largest, exact[v]);
+  }
+  std::cout << name << 100 * sum / double(mesh.number_of_vertices()) / largest << " % off in the mean, " << 100 * most / largest << " % at most\n";
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
+    std::cerr << "Usage: heat_geodesics MESH [EDGES along the longest side of the box, default 100] [SOURCE, a vertex, default 0]\n";
+    return EXIT_FAILURE;
+  }
+  const double edges = argc > 2 ? std::atof(argv[2]) : 100;
+  const Mesh::Vertex_index source(argc > 3 ? Mesh::size_type(std::strtoul(argv[3], nullptr, 10)) : 0);
+  if(!(edges > 0) || !mesh.has_valid_index(source)) {
+    std::cerr << "There is no such vertex, or no such number of edges." << std::endl;
+    return EXIT_FAILURE;
+  }
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  if(!shell.is_certified()) {
+    std::cerr << shell.message() << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // the proxy: nearly equilateral triangles, the mesh's sharp edges, and the source
+  Mesh proxy = mesh;
+  auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  auto is_source = proxy.add_property_map<Mesh::Vertex_index, bool>("v:source", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
+  is_source[source] = true;
+  const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell,
+                                          BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source));
+  if(!report) {
+    std::cerr << BS::message(report.status) << std::endl;
+    return EXIT_FAILURE;
+  }
+  proxy.collect_garbage();
+
+  // the distances on it, and back to the mesh
+  const Distance on_proxy = proxy.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
+                 distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
+                 direct = mesh.add_property_map<Mesh::Vertex_index, double>("v:direct").first,
+                 exact = mesh.add_property_map<Mesh::Vertex_index, double>("v:exact").first;
+  CGAL::Heat_method_3::estimate_geodesic_distances(proxy, on_proxy, *std::find_if(proxy.vertices().begin(), proxy.vertices().end(),
+                                                                                  [&](Mesh::Vertex_index v) { return is_source[v]; }));
+  const BS::Shell_map_3<Shell, Mesh> map(shell, proxy, mesh);
+  const BS::Transfer_report transfer = BS::transfer_vertex_attribute(map, on_proxy, distance);
+  if(!transfer) {
+    std::cerr << transfer.failures.size() << " vertices have no distance: " << message(transfer.failures[0].second) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // beside the heat method on the mesh itself, and the exact distances
+  CGAL::Heat_method_3::estimate_geodesic_distances(mesh, direct, source);
+  Shortest_paths paths(mesh);
+  paths.add_source_point(source);
+  for(Mesh::Vertex_index v : mesh.vertices()) exact[v] = paths.shortest_distance_to_source_points(v).first;
+  print_errors("on the mesh itself:     ", mesh, direct, exact);
+  print_errors("on a proxy, and back:   ", mesh, distance, exact);
+  if(!CGAL::IO::write_polygon_mesh("heat_geodesics.ply", mesh, CGAL::parameters::use_binary_mode(false))
+     || !CGAL::IO::write_polygon_mesh("heat_geodesics_proxy.ply", proxy, CGAL::parameters::use_binary_mode(false))) {
+    std::cerr << "heat_geodesics.ply cannot be written." << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
