@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes the figures of the manual that this folder has scripts for, in doc/Bspline_shell_3/fig (Debian 12):
 #   bash doc/Bspline_shell_3/figures/make_figures.sh
-# Installs what is missing, builds figure_data.cpp, runs it on meshes of the Debian package libcgal-demo, and draws what it writes.
+# Installs what is missing, builds figure_data.cpp and an example, runs them on meshes of the Debian package libcgal-demo, and draws what they write.
 # The pictures of shells of the elephant are drawn by examples/Bspline_shell_3/render_shell.py.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
@@ -25,6 +25,7 @@ run open three_peaks 0.01 0
 run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
+(cd "$data" && ../boolean_colors ../data/meshes/bear.off)
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
