@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Draws meshes: integral curves through a shell, a mesh before and after remeshing, an open mesh and what closes it, textures that are carried
-over, a proxy of polygons, and distances on a proxy.
+over, a proxy of polygons, distances on a proxy, and a union of two meshes.
 
 Usage: draw_meshes.py DATA PICTURES
 """
@@ -354,6 +354,30 @@ def draw_texture(prefix, picture):
     save(fig, picture)
 
 
+def color_borders(data):
+    """The edges between facets of different colors."""
+    colors = vtk_to_numpy(data.GetCellData().GetScalars())
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    sides = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
+    order = np.lexsort(sides.T)             # both sides of an edge are neighbors then: the meshes are closed
+    first, second = (colors[order[i::2] % len(triangles)] for i in (0, 1))
+    ends = sides[order[::2]][(first != second).any(axis=1)]
+    return vtk_to_numpy(data.GetPoints().GetData())[ends]
+
+
+def draw_boolean(prefix, direction, up, picture):
+    size = 650, 560
+    fig, (axes,) = figure(1, 2, 420)
+    before, after = (read(f"{prefix}{part}.ply") for part in ("", "_colors"))
+    view = fit(before, size, direction, up)
+    for ax, data, what, width in zip(axes, (before, after), ("union", "simplified in its shell"), (0.25, 0.6)):
+        data.GetCellData().SetActiveScalars("RGBA")
+        image = render([surface(data), edges(data, MESH, width), tubes(color_borders(data), MESH, 0.003 * view[-1])], size, *view)
+        show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
+    fig.subplots_adjust(0.005, 0.01, 0.995, 0.93, 0.02)
+    save(fig, picture)
+
+
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -365,3 +389,4 @@ if __name__ == "__main__":
     draw_texture(f"{data}/elephant", f"{pictures}/texture_transfer.png")
     draw_soup(f"{data}/figure", f"{pictures}/soup_proxy.png")
     draw_geodesics(f"{data}/heat_geodesics", (0.6, 0.9, 0.7), (0, 0, 1), f"{pictures}/heat_geodesics.png")
+    draw_boolean(f"{data}/boolean", (0.4, 0.3, 1), (0, 1, 0), f"{pictures}/boolean_colors.png")

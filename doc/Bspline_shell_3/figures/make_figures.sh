@@ -26,6 +26,7 @@ run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
 (cd "$data" && ../heat_geodesics ../data/meshes/rotor.off 100 1)
+(cd "$data" && ../boolean_colors ../data/meshes/bear.off)
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"

@@ -1,0 +1,103 @@
+// Union, intersection or difference of two solids, simplified in its shell. Each facet has the color of the solid that it comes from, before and
+// after: edges of the curve where both surfaces meet are collapsed along the curve, which moves by no more than a thousandth of the box and still
+// separates the colors.
+#include "curve_filter.h"
+#include "operand_labels.h"
+
+#include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/IO/Color.h>
+
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+bool write(const char* name, Mesh& mesh)
+{
+  const Labels labels = labels_of(mesh);
+  auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+  for(Mesh::Face_index f : mesh.faces()) colors[f] = labels[f] == 0 ? CGAL::IO::Color(224, 164, 88) : CGAL::IO::Color(92, 142, 173);
+  return CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::use_binary_mode(false));
+}
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  Boolean operation = Boolean::UNION;
+  if(!arguments.empty())
+    if(const auto last = operation_of(arguments.back())) {
+      operation = *last;
+      arguments.pop_back();
+    }
+  Mesh first, second;
+  if(arguments.empty() || BS::read_triangle_mesh(arguments[0], first) != BS::Shell_status::SUCCESS
+     || (arguments.size() > 1 && BS::read_triangle_mesh(arguments[1], second) != BS::Shell_status::SUCCESS)) {
+    std::cerr << "Usage: boolean_colors MESH [MESH, default: the first one, turned and moved] [union | intersection | difference]\n";
+    return EXIT_FAILURE;
+  }
+  if(arguments.size() == 1) {
+    second = first;
+    place(second, first);
+  }
+  if(!is_operand(first) || !is_operand(second)) {
+    std::cerr << "A mesh is not closed, intersects itself, or is turned inside out." << std::endl;
+    return EXIT_FAILURE;
+  }
+  set_labels(first, 0);
+  set_labels(second, 1);
+  Mesh mesh;
+  if(!compute(operation, first, second, mesh)) {
+    std::cerr << "The result is no manifold." << std::endl;
+    return EXIT_FAILURE;
+  }
+  const Labels labels = labels_of(mesh);
+  const std::size_t curve_edges = mark_curve(mesh, labels, curve_of(mesh));
+
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  if(!shell.is_certified()) {
+    std::cerr << shell.message() << std::endl;
+    return EXIT_FAILURE;
+  }
+  Mesh coarse = mesh;
+  const Curve coarse_curve = curve_of(coarse);
+  const Curve_filter near_curve(coarse, coarse_curve, 0.001 * shell.report().unit);
+  const auto result = BS::simplify_in_shell(coarse, shell, BS::parameters::edge_is_constrained_map(coarse_curve).protect_constraints(false)
+                                                                         .filter(std::cref(near_curve)));
+  if(!result) {
+    std::cerr << BS::message(result.status) << std::endl;
+    return EXIT_FAILURE;
+  }
+  coarse.collect_garbage();
+  std::cout << result.facets_before << " facets before, " << result.facets << " now; edges of the curve: " << curve_edges << " before, "
+            << result.constrained_edges << " now\n";
+
+  // Facets that are left have their labels. The integral curves tell what most of each facet was before, and so the labels of new facets, where a tip
+  // was truncated.
+  const Labels coarse_labels = labels_of(coarse);
+  const Labels carried = coarse.add_property_map<Mesh::Face_index, int>("f:carried", -1).first;
+  const BS::Transfer_report report = BS::transfer_face_labels(BS::Shell_map_3<Shell, Mesh>(shell, mesh, coarse), labels, carried);
+  if(!report) {
+    std::cerr << report.failures.size() << " facets have no image: " << message(report.failures[0].second) << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::size_t others = 0;
+  for(Mesh::Face_index f : coarse.faces()) {
+    if(coarse_labels[f] < 0) coarse_labels[f] = carried[f];
+    others += coarse_labels[f] != carried[f] ? 1 : 0;
+  }
+  std::cout << others << " facets have most of their image on the other solid\n";
+  if(!write("boolean.ply", mesh) || !write("boolean_colors.ply", coarse)) {
+    std::cerr << "A result cannot be written." << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
