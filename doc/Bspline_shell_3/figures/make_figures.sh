@@ -25,6 +25,8 @@ run open three_peaks 0.01 0
 run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
+python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
+"$build/figure_data" sides "$data/thin/bowl_2.off" "$data/bowl" 0.1
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
