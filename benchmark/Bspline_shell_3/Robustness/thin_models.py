@@ -154,6 +154,12 @@ def wine_glass(t):
     return revolved(profile, 64)
 
 
+def bowl(t):
+    """half of a sphere around the origin"""
+    angles = [k / 16 for k in range(25)]
+    return revolved([(r * math.sin(a), -r * math.cos(a)) for r, side in ((0.5, angles), (0.5 - t, angles[::-1])) for a in side], 64)
+
+
 def propeller(t):
     """a twisted blade, t thick in the middle, with a sharp leading and trailing edge"""
     chord, sections = 0.2, 40
@@ -182,7 +188,7 @@ def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     models = [(plate, (2, 0.5, 0.1, 0.02)), (plain_plate, (0.1,)), (near_plates, (0.5, 0.1)), (comb, (1, 0.2)), (hollow_box, (1, 0.1)),
-              (engraved, (1, 0.1)), (wine_glass, (1, 0.2)), (propeller, (1, 0.2))]
+              (engraved, (1, 0.1)), (wine_glass, (2, 1, 0.2)), (bowl, (2,)), (propeller, (1, 0.2))]
     for make, percents in models:
         for percent in percents:
             write(os.path.join(folder, f"{make.__name__}_{percent:g}.off"), *make(percent / 100))

@@ -1,18 +1,19 @@
 #!/usr/bin/python3
-"""Draws meshes: integral curves through a shell, a mesh before and after remeshing, an open mesh and what closes it, textures that are carried
-over, a proxy of polygons, distances on a proxy, and a union of two meshes.
+"""Draws the figures of the manual that show meshes.
 
 Usage: draw_meshes.py DATA PICTURES
 """
 import sys
 
 import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 import vtk
+from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-from palette import CURVE, FACET, INNER, MESH, OTHER_MESH, OUTER, figure, rgb, save
+from palette import CURVE, DPI, FACET, INNER, MESH, OTHER_MESH, OUTER, WIDTH, figure, rgb, save
 from render_shell import half, lines, outline, read
 
 SAMPLES = 3         # per pixel and direction
@@ -378,6 +379,66 @@ def draw_boolean(prefix, direction, up, picture):
     save(fig, picture)
 
 
+def painted(name):
+    data = read(name)
+    data.GetCellData().SetActiveScalars("RGBA")
+    return data
+
+
+def section(data, cut):
+    """The line segments of a cut through a mesh, and the colors of the facets that they are on."""
+    cutter = vtk.vtkCutter()
+    cutter.SetInputData(data)
+    cutter.SetCutFunction(cut)
+    cutter.Update()
+    points = vtk_to_numpy(cutter.GetOutput().GetPoints().GetData())
+    colors = cutter.GetOutput().GetCellData().GetArray("RGBA")
+    segments = points[vtk_to_numpy(cutter.GetOutput().GetLines().GetConnectivityArray()).reshape(-1, 2)]
+    return segments, vtk_to_numpy(colors) / 255 if colors else MESH
+
+
+def draw_sides(prefix, picture):
+    size, direction, up = (430, 360), (0.25, -1, 0.95), (0, 0, 1)
+    bowl, coarse = read(f"{prefix}_mesh.ply"), painted(f"{prefix}_painted.ply")
+    fig = plt.figure(figsize=(WIDTH / DPI, 4.4))
+    grid = fig.add_gridspec(2, 3, height_ratios=(290, 130))
+    panels = ("painted", f"simplified and painted: {coarse.GetNumberOfPolys()} facets"), \
+             ("closest_point", "carried by the closest point"), ("shell_map", "carried by the map")
+    view = fit(coarse, size, direction, up)
+    for n, (part, title) in enumerate(panels):
+        data = painted(f"{prefix}_{part}.ply")
+        image = render([surface(data, ambient=0.35)] + ([edges(data, MESH, 0.5)] if part == "painted" else []), size, *view)
+        show(fig.add_subplot(grid[0, n]), image, title)
+
+    # a cut through the wall, and what is closest to points of the bowl that are inside
+    axes = fig.add_subplot(grid[1, :])
+    cut = plane((0, 0, 0), (0, 1, 0))
+    for data, width in ((coarse, 3.5), (bowl, 1.5)):
+        segments, colors = section(data, cut)
+        axes.add_collection(LineCollection(segments[:, :, (0, 2)], colors=colors, linewidths=width))
+    top = -0.405
+    locator = vtk.vtkCellLocator()
+    locator.SetDataSet(coarse)
+    locator.BuildLocator()
+    segments, _ = section(bowl, cut)
+    corners, radii = segments.reshape(-1, 3), np.linalg.norm(segments.reshape(-1, 3), axis=1)
+    for p in set(map(tuple, corners[(radii < (radii.min() + radii.max()) / 2) & (corners[:, 2] < top)])):
+        closest, cell, sub, square = [0, 0, 0], vtk.mutable(0), vtk.mutable(0), vtk.mutable(0)
+        locator.FindClosestPoint(p, closest, vtk.vtkGenericCell(), cell, sub, square)
+        axes.annotate("", (closest[0], closest[2]), (p[0], p[2]), arrowprops={"arrowstyle": "->", "color": OUTER, "shrinkA": 0, "shrinkB": 0})
+    axes.set_xlim(-0.36, 0.36)
+    axes.set_ylim(-0.51, top)
+    axes.set_aspect("equal")
+    axes.axis("off")
+    handles = [Line2D([], [], color=color, lw=width, label=label)
+               for color, width, label in ((MESH, 1.5, "bowl, cut"), ("#fac850", 3.5, "simplified: inside"), (INNER, 3.5, "simplified: outside"),
+                                           (OUTER, 1, "to the closest point"))]
+    fig.legend(handles=handles[:2], loc="lower left", frameon=False, handlelength=1.2)
+    fig.legend(handles=handles[2:], loc="lower right", frameon=False, handlelength=1.2)
+    fig.subplots_adjust(0.005, 0.01, 0.995, 0.945, 0.02, 0.04)
+    save(fig, picture)
+
+
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -390,3 +451,4 @@ if __name__ == "__main__":
     draw_soup(f"{data}/figure", f"{pictures}/soup_proxy.png")
     draw_geodesics(f"{data}/heat_geodesics", (0.6, 0.9, 0.7), (0, 0, 1), f"{pictures}/heat_geodesics.png")
     draw_boolean(f"{data}/boolean", (0.4, 0.3, 1), (0, 1, 0), f"{pictures}/boolean_colors.png")
+    draw_sides(f"{data}/bowl", f"{pictures}/closest_point.png")

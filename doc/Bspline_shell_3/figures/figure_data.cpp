@@ -4,6 +4,7 @@
 //   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves between them
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
 //   figure_data open    MESH PREFIX THICKNESS FACETS    what closes an open mesh, and a simplified mesh
+//   figure_data sides  MESH PREFIX THICKNESS            colors of the two sides of a bowl, carried by the closest point and by the map
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
 //   figure_data soup    PREFIX                          polygons that intersect each other, and a simplified proxy with their texture coordinates
 #include "../../../examples/Bspline_shell_3/broken_models.h"
@@ -14,11 +15,15 @@
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 #include <CGAL/certified_soup_proxy_3.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/IO/Color.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
@@ -242,6 +247,54 @@ void write_proxy(const std::string& prefix)
   require(write_mesh(prefix + "_shares.ply", soup) && write_mesh(prefix + "_proxy.ply", proxy.mesh()), "A mesh cannot be written.");
 }
 
+// A bowl around the origin is simplified and gets a color inside and one outside. These are carried back: each of 16 parts of a facet of the bowl
+// has the color of the facet to which its middle is mapped.
+void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+  const Shell shell = certified_shell(mesh, thickness);
+  Mesh coarse = simplified(mesh, shell, 0);
+  auto color = coarse.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+  for(Mesh::Face_index f : coarse.faces()) {
+    const Kernel::Vector_3 from_center = coarse.point(coarse.source(coarse.halfedge(f))) - CGAL::ORIGIN;
+    color[f] = PMP::compute_face_normal(f, coarse) * from_center < 0 ? CGAL::IO::Color(250, 200, 80) : CGAL::IO::Color(51, 107, 217);
+  }
+  require(write_mesh(prefix + "_painted.ply", coarse), "A mesh cannot be written.");
+
+  const auto write_carried = [&](const std::string& file, const auto& facet_at) {
+    const int k = 4;
+    Mesh carried;
+    auto color_of_part = carried.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+    for(Mesh::Face_index f : mesh.faces()) {
+      const Mesh::Halfedge_index h = mesh.halfedge(f);
+      const auto point = [&](double i, double j) {
+        return CGAL::barycenter(mesh.point(mesh.source(h)), (k - i - j) / k, mesh.point(mesh.target(h)), i / k,
+                                mesh.point(mesh.target(mesh.next(h))), j / k);
+      };
+      const auto add = [&](double i, double j, double side) {
+        const auto part = carried.add_face(carried.add_vertex(point(i, j)), carried.add_vertex(point(i + side, j)),
+                                           carried.add_vertex(point(i, j + side)));
+        color_of_part[part] = color[facet_at(point(i + side / 3, j + side / 3))];
+      };
+      for(int j = 0; j < k; ++j)
+        for(int i = 0; i < k - j; ++i) {
+          add(i, j, 1);
+          if(i + j + 1 < k) add(i + 1, j + 1, -1);
+        }
+    }
+    require(write_mesh(file, carried), "A mesh cannot be written.");
+  };
+  const CGAL::AABB_tree<BS::internal::AABB_traits_3<Kernel, Primitive> > tree(faces(coarse).begin(), faces(coarse).end(), coarse);
+  write_carried(prefix + "_closest_point.ply", [&](const Kernel::Point_3& p) { return tree.closest_point_and_primitive(p).second; });
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, coarse);
+  write_carried(prefix + "_shell_map.ply", [&](const Kernel::Point_3& p) {
+    const auto image = map.to_target()(p);
+    require(bool(image), message(image.status));
+    return image.location.first;
+  });
+}
+
 int main(int argc, char** argv)
 {
   try {
@@ -250,7 +303,7 @@ int main(int argc, char** argv)
       write_proxy(argv[2]);
       return EXIT_SUCCESS;
     }
-    require(argc == (what == "rounds" ? 5 : 6), "Wrong number of arguments.");
+    require(argc == (what == "rounds" || what == "sides" ? 5 : 6), "Wrong number of arguments.");
     const std::string prefix = argv[3];
     const double thickness = std::atof(argv[4]), number = argc > 5 ? std::atof(argv[5]) : 0;
     Mesh mesh;
@@ -261,6 +314,7 @@ int main(int argc, char** argv)
     require(write_mesh(prefix + "_mesh.ply", mesh), "A mesh cannot be written.");
     if(what == "rounds") write_rounds(mesh, prefix, thickness);
     else if(what == "curves") write_curves(mesh, prefix, thickness, std::size_t(number));
+    else if(what == "sides") write_sides(mesh, prefix, thickness);
     else if(what == "remesh") remesh(mesh, prefix, thickness, number);
     else if(what == "open") close(mesh, prefix, thickness, std::size_t(number));
     else if(what == "truncate") truncate(mesh, prefix, thickness, std::size_t(number));

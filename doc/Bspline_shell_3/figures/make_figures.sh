@@ -27,6 +27,8 @@ run texture elephant 0.02 800
 "$build/figure_data" soup "$data/figure"
 (cd "$data" && ../heat_geodesics ../data/meshes/rotor.off 100 1)
 (cd "$data" && ../boolean_colors ../data/meshes/bear.off)
+python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
+"$build/figure_data" sides "$data/thin/bowl_2.off" "$data/bowl" 0.1
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
