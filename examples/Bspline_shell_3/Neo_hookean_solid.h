@@ -124,6 +124,15 @@ public:
   // the node in the middle of an edge of quadratic elements
   std::size_t middle(std::size_t a, std::size_t b) const { return m_middles.at(std::minmax(a, b)); }
 
+  // all nodes on a facet with these corners
+  std::vector<std::size_t> facet_nodes(const std::array<std::size_t, 3>& corners) const
+  {
+    std::vector<std::size_t> nodes(corners.begin(), corners.end());
+    if(m_order == Element_order::QUADRATIC)
+      for(int i = 0; i < 3; ++i) nodes.push_back(middle(corners[i], corners[(i + 1) % 3]));
+    return nodes;
+  }
+
   // displacement of a point on a facet, whose corners are nodes, by its barycentric coordinates
   Vector displacement(const Vectors& u, const std::array<std::size_t, 3>& corners, const std::array<double, 3>& w) const
   {

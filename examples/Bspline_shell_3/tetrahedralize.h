@@ -38,8 +38,8 @@ struct Tetrahedra
 
 typedef CGAL::Surface_mesh<Tetrahedra::Point> Surface;
 
-// Whether the facets on the border of the tetrahedra are the mesh's, one by one and with their orientation, and the points are the mesh's, bit for bit.
-// Meshes with cavities are not: both generators fill them.
+// Whether the facets on the border of the tetrahedra are the mesh's, one by one and with their orientation, and the points are the mesh's, bit for
+// bit. With cavities they are not: both generators fill them.
 inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
 {
   typedef std::array<std::size_t, 3> Facet;
@@ -141,10 +141,10 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
     result.points.resize(*std::max_element(nodes.begin(), nodes.end()));
     for(std::size_t n = 0; n < nodes.size(); ++n)
       result.points[nodes[n] - 1] = Tetrahedra::Point(coordinates[3*n], coordinates[3*n + 1], coordinates[3*n + 2]);
-    std::vector<std::size_t> numbers;
-    gmsh::model::mesh::getElementsByType(tetrahedron, numbers, corners);
-    for(std::size_t n = 0; n < corners.size(); n += 4)
-      result.cells.push_back({ corners[n] - 1, corners[n + 1] - 1, corners[n + 2] - 1, corners[n + 3] - 1 });
+    std::vector<std::size_t> numbers, cells;
+    gmsh::model::mesh::getElementsByType(tetrahedron, numbers, cells);
+    for(std::size_t n = 0; n < cells.size(); n += 4)
+      result.cells.push_back({ cells[n] - 1, cells[n + 1] - 1, cells[n + 2] - 1, cells[n + 3] - 1 });
   } catch(const std::exception& e) {
     result.error = e.what();
   } catch(const std::string& e) {
