@@ -207,7 +207,7 @@ public:
         if(c.is_held[i]) unknown[3 * c.node + i] = -1;
     for(int& n : unknown) n = n < 0 ? -1 : number++;
     System system{ unknown, pattern(unknown, number), {} };
-    system.factorization.analyzePattern(system.H);
+    if(number > 0) system.factorization.analyzePattern(system.H);
 
     const double longest = 1. / (std::max)(1u, options.load_steps);
     for(double step = longest; result.load < 1;) {
@@ -343,18 +343,21 @@ private:
       if(iteration == options.iterations) return Solid_status::ITERATION_LIMIT_EXCEEDED;
       ++result.iterations;
 
-      Vectors product = assemble(u, system.unknown, false, system.H, jumps ? &jump : nullptr);
-      system.factorization.factorize(system.H);
-      if(system.factorization.info() != Eigen::Success) {
-        ++result.projections;
-        product = assemble(u, system.unknown, true, system.H, jumps ? &jump : nullptr);
+      Vectors product;
+      const auto factorize = [&](bool is_projected) {
+        product = assemble(u, system.unknown, is_projected, system.H, jumps ? &jump : nullptr);
+        if(system.H.rows() == 0) return true;       // all is held
         system.factorization.factorize(system.H);
-        if(system.factorization.info() != Eigen::Success) return Solid_status::NOT_HELD;
+        return system.factorization.info() == Eigen::Success;
+      };
+      if(!factorize(false)) {
+        ++result.projections;
+        if(!factorize(true)) return Solid_status::NOT_HELD;
       }
-      Eigen::VectorXd right = -rest;
+      Eigen::VectorXd solution = -rest;
       for(std::size_t n = 0; n < system.unknown.size(); ++n)
-        if(system.unknown[n] >= 0) right[system.unknown[n]] -= product(n % 3, n / 3);
-      const Eigen::VectorXd solution = system.factorization.solve(right);
+        if(system.unknown[n] >= 0) solution[system.unknown[n]] -= product(n % 3, n / 3);
+      if(system.H.rows() > 0) solution = system.factorization.solve(solution).eval();
       Vectors step = jumps ? jump : Vectors::Zero(3, u.cols());
       for(std::size_t n = 0; n < system.unknown.size(); ++n)
         if(system.unknown[n] >= 0) step(n % 3, n / 3) = solution[system.unknown[n]];

@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -38,7 +39,7 @@ bool write_displaced(const char* file, Mesh& mesh, const Solid::Vectors& u)
     const auto d = u.col(Eigen::Index(v));
     mesh.point(v) = mesh.point(v) + CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3(d[0], d[1], d[2]);
   }
-  return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::stream_precision(17));
+  return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::use_binary_mode(false).stream_precision(17));
 }
 
 int main(int argc, char** argv)
@@ -49,6 +50,8 @@ int main(int argc, char** argv)
                   "[ORDER of elements, 1 or 2, default 1]");
   const double edges = argc > 2 ? std::atof(argv[2]) : 20, angle = (argc > 3 ? std::atof(argv[3]) : 45) * std::acos(-1.) / 180;
   const Element_order order = argc > 4 && std::atoi(argv[4]) == 2 ? Element_order::QUADRATIC : Element_order::LINEAR;
+
+  if(!CGAL::is_closed(mesh)) return failed("The mesh is open: there is nothing to be filled.");
 
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
   if(!shell || !shell.is_certified()) return failed(shell.message());
@@ -93,7 +96,8 @@ int main(int argc, char** argv)
     u.col(Eigen::Index(v)) = solid.displacement(result.displacements, corners(proxy, image.location.first), image.location.second);
   }
   std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length() << " of the longest side of the box\n";
-  if(!write_displaced("bent.off", mesh, u) || !write_displaced("bent_proxy.off", proxy, result.displacements))
-    return failed("bent.off or bent_proxy.off cannot be written.");
+  if(!write_VTK("solid.vtk", tetrahedra, result.displacements, "displacement") || !write_displaced("bent.ply", mesh, u)
+     || !write_displaced("bent_proxy.ply", proxy, result.displacements))
+    return failed("bent.ply, bent_proxy.ply and solid.vtk cannot be written.");
   return EXIT_SUCCESS;
 }

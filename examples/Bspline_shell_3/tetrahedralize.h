@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <fstream>
 #include <set>
 #include <string>
 #include <utility>
@@ -47,17 +48,34 @@ inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
     return f;
   };
-  // a facet inside belongs to two tetrahedra, from which it is seen both ways
+  // a facet inside belongs to two tetrahedra, from which it is seen both ways; none is seen the same way twice
   std::set<Facet> border;
   for(const auto& [a, b, c, d] : tetrahedra.cells)
     for(const Facet& f : { Facet{ a, c, b }, Facet{ a, b, d }, Facet{ b, c, d }, Facet{ a, d, c } })
-      if(border.erase(from_least({ f[0], f[2], f[1] })) == 0) border.insert(from_least(f));
+      if(border.erase(from_least({ f[0], f[2], f[1] })) == 0 && !border.insert(from_least(f)).second) return false;
   for(Surface::Face_index f : mesh.faces()) {
     const Surface::Halfedge_index h = mesh.halfedge(f);
     if(border.erase(from_least({ mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) })) == 0) return false;
   }
   return border.empty() && tetrahedra.points.size() >= mesh.number_of_vertices()
          && std::equal(mesh.points().begin(), mesh.points().end(), tetrahedra.points.begin());
+}
+
+// as an unstructured grid of VTK, in text, with a vector at each point
+template <typename Vectors>
+bool write_VTK(const std::string& file, const Tetrahedra& tetrahedra, const Vectors& vectors, const std::string& name)
+{
+  std::ofstream out(file);
+  out.precision(17);
+  out << "# vtk DataFile Version 3.0\ntetrahedra\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << tetrahedra.points.size() << " double\n";
+  for(const Tetrahedra::Point& p : tetrahedra.points) out << p << "\n";
+  out << "CELLS " << tetrahedra.cells.size() << " " << 5 * tetrahedra.cells.size() << "\n";
+  for(const auto& [a, b, c, d] : tetrahedra.cells) out << "4 " << a << " " << b << " " << c << " " << d << "\n";
+  out << "CELL_TYPES " << tetrahedra.cells.size() << "\n";
+  for(std::size_t n = 0; n < tetrahedra.cells.size(); ++n) out << "10\n";
+  out << "POINT_DATA " << tetrahedra.points.size() << "\nVECTORS " << name << " double\n";
+  for(std::size_t n = 0; n < tetrahedra.points.size(); ++n) out << vectors.col(n).transpose() << "\n";
+  return bool(out.flush());
 }
 
 // what both generators do last

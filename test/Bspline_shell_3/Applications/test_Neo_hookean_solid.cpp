@@ -256,6 +256,19 @@ TEST_CASE("Motions that are too large for one step are followed in several, and 
   }
 }
 
+TEST_CASE("A solid of which all nodes are held follows the motion")
+{
+  const Tetrahedra mesh = box(1, 1, 1, 0);
+  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
+    const Solid solid(mesh.points, mesh.cells, order, material);
+    const auto result = solid.solve(hold(solid, [](const Vector&) { return true; }), [&](std::size_t n, double t) -> Vector {
+      return -0.5 * t * solid.node(n);
+    });
+    REQUIRE(result);
+    CHECK(result.least_jacobian == Approx(0.125));
+  }
+}
+
 TEST_CASE("What cannot be solved is refused, with the reason")
 {
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
