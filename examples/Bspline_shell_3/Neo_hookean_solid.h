@@ -76,7 +76,7 @@ public:
     Vectors displacements;                  // the last that were in equilibrium
     double load = 0;                        // up to which; 1 is all
     unsigned int iterations = 0, load_steps = 0, projections = 0;         // projections: Hessians that had to be made positive definite
-    double energy = 0, least_jacobian = 0;
+    double energy = 0, least_jacobian = 0;  // of these displacements; the least J at a quadrature point
     std::vector<double> residuals;          // norms of the forces, in the order of the iterations
 
     explicit operator bool() const { return status == Solid_status::SUCCESS; }
@@ -196,7 +196,12 @@ public:
     };
     if(!is_valid()) return ended(Solid_status::INVALID_MESH);
     result.displacements = options.start.size() > 0 ? options.start : Vectors::Zero(3, Eigen::Index(m_nodes.size()));
-    result.least_jacobian = state(result.displacements).least_jacobian;
+    const auto record_state = [&] {
+      const State now = state(result.displacements);
+      result.energy = now.energy;
+      result.least_jacobian = now.least_jacobian;
+    };
+    record_state();
     if(!(result.least_jacobian > 0)) return ended(Solid_status::INVERTED_STATE);
 
     // unknowns are numbered, and -1 is none
@@ -223,14 +228,12 @@ public:
         ++result.load_steps;
         result.load = load;
         result.displacements = u;
+        record_state();
         step = (std::min)(2 * step, longest);
       }
       else if(status == Solid_status::NOT_HELD || step < longest / 1000) return ended(status);
       else step /= 2;
     }
-    const State last = state(result.displacements);
-    result.energy = last.energy;
-    result.least_jacobian = last.least_jacobian;
     return result;
   }
 

@@ -225,7 +225,7 @@ int main(int argc, char** argv)
     return 2;
   }
   if(files.empty())
-    for(const char* name : { "anchor", "rotor", "fandisk", "joint", "P", "hand", "elephant", "cube" })
+    for(const char* name : { "anchor", "rotor", "fandisk", "joint", "P", "pinion_small", "elephant", "dragknob" })
       files.push_back(MESHES "/" + std::string(name) + ".off");
   for(const std::string& file : files) {
     const pid_t child = fork();
