@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth
+install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev
 
 here=doc/Bspline_shell_3/figures build=build/figures data=build/figures/out fig=doc/Bspline_shell_3/fig
 launcher=()
@@ -29,6 +29,11 @@ run texture elephant 0.02 800
 (cd "$data" && ../boolean_colors ../data/meshes/bear.off)
 python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
 "$build/figure_data" sides "$data/thin/bowl_2.off" "$data/bowl" 0.1
+mkdir "$data/bent"
+cp "$build/data/meshes/anchor.off" "$data/bent"
+echo "elastic_proxy anchor.off 25"
+program=$(realpath "$build/elastic_proxy")
+(cd "$data/bent" && "$program" anchor.off 25)
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"

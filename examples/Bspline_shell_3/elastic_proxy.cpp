@@ -1,0 +1,103 @@
+// Bends a solid whose surface has bad triangles. A proxy with good triangles, made in the shell of the surface, is filled with tetrahedra and bent
+// there, in nonlinear elasticity; what is held and moved gets to the proxy, and the displacement back to all vertices of the surface, by the
+// one-to-one map between both. Without TetGen (AGPL) or Gmsh (GPL), this example is not built.
+#include "Neo_hookean_solid.h"
+#include "bend_ends.h"
+#include "tetrahedralize.h"
+
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+typedef Surface Mesh;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+typedef Neo_hookean_solid<> Solid;
+
+int failed(const std::string& reason)
+{
+  std::cerr << reason << std::endl;
+  return EXIT_FAILURE;
+}
+
+// moves the vertices, whose displacements come first, and writes the mesh
+bool write_displaced(const char* file, Mesh& mesh, const Solid::Vectors& u)
+{
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const auto d = u.col(Eigen::Index(v));
+    mesh.point(v) = mesh.point(v) + CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3(d[0], d[1], d[2]);
+  }
+  return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::use_binary_mode(false).stream_precision(17));
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS)
+    return failed("Usage: elastic_proxy MESH [EDGES along the longest side of the box, default 20] [ANGLE in degrees, default 45] "
+                  "[ORDER of elements, 1 or 2, default 1]");
+  const double edges = argc > 2 ? std::atof(argv[2]) : 20, angle = (argc > 3 ? std::atof(argv[3]) : 45) * std::acos(-1.) / 180;
+  const Element_order order = argc > 4 && std::atoi(argv[4]) == 2 ? Element_order::QUADRATIC : Element_order::LINEAR;
+
+  if(!CGAL::is_closed(mesh)) return failed("The mesh is open: there is nothing to be filled.");
+
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  if(!shell || !shell.is_certified()) return failed(shell.message());
+  Mesh proxy = mesh;
+  auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
+  const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
+  if(!report) return failed(message(report.status));
+  proxy.collect_garbage();
+  const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, proxy);
+
+  const Bend motion(mesh, angle);
+  auto ends = mesh.add_property_map<Mesh::Face_index, End>("f:end", End::NONE).first;
+  auto ends_of_proxy = proxy.add_property_map<Mesh::Face_index, End>("f:end", End::NONE).first;
+  motion.label_ends(mesh, ends);
+  const BS::Transfer_report labels = BS::transfer_face_labels(map, ends, ends_of_proxy);
+  if(!labels) return failed(std::to_string(labels.failures.size()) + " facets have no label: " + message(labels.failures[0].second));
+
+  Tetrahedra tetrahedra;
+#ifdef HAVE_TETGEN
+  tetrahedra = tetrahedralize_with_TetGen(proxy);
+#else
+  tetrahedra = tetrahedralize_with_Gmsh(proxy);
+#endif
+  if(!tetrahedra) return failed(tetrahedra.error);
+  std::cout << mesh.number_of_faces() << " facets, " << proxy.number_of_faces() << " of the proxy, all of them facets of "
+            << tetrahedra.cells.size() << " tetrahedra with no other border\n";
+
+  std::vector<Eigen::Vector3d> points;
+  for(const auto& p : tetrahedra.points) points.push_back(to_Eigen(p));
+  const Solid solid(points, tetrahedra.cells, order, lame_parameters(1, 0.3));
+  const Solid::Result result = bend(solid, proxy, ends_of_proxy, motion, 2);
+  std::cout << message(result.status) << " " << result.iterations << " iterations in " << result.load_steps << " load steps; least J: "
+            << result.least_jacobian << "\n";
+  if(!result) return EXIT_FAILURE;
+
+  // back to the surface: each vertex moves as its image on the proxy does
+  Solid::Vectors u(3, mesh.number_of_vertices());
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const auto image = map(v);
+    if(!image) return failed(std::string("A vertex has no image: ") + message(image.status));
+    u.col(Eigen::Index(v)) = solid.displacement(result.displacements, corners(proxy, image.location.first), image.location.second);
+  }
+  std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length() << " of the longest side of the box\n";
+  if(!write_VTK("solid.vtk", tetrahedra, result.displacements, "displacement") || !write_displaced("bent.ply", mesh, u)
+     || !write_displaced("bent_proxy.ply", proxy, result.displacements))
+    return failed("bent.ply, bent_proxy.ply and solid.vtk cannot be written.");
+  return EXIT_SUCCESS;
+}
