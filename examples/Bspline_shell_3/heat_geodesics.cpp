@@ -1,5 +1,5 @@
-// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good triangles in the mesh's shell, and
-// the distances are carried back along the integral curves. The proxy keeps the vertex that distances are from.
+// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good triangles in the mesh's shell,
+// and the distances are carried back along the integral curves. The proxy keeps the vertex that distances are from.
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>

@@ -4,8 +4,9 @@
 //   fields_benchmark [--thickness T] [MESH ...]
 //
 // "there" compares at the centroids of the simplified mesh, "back" at those of the mesh. "nearest" takes one vector for each facet; "mean" takes
-// samples_per_facet(16) there, and continuous_field(true) back. "sampling" is no fault of the map: how far the formula is, at 16 places of each facet of
-// the simplified mesh, from its value at the centroid, which is what a field that is constant on facets is off by. Angles are means over the area.
+// samples_per_facet(16) there, and linear_reconstruction(true) back. "sampling" is no fault of the map: how far the formula is, at 16 places of each
+// facet of the simplified mesh, from its value at the centroid, which is what a field that is constant on facets is off by. Angles are means over
+// the area.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -128,8 +129,9 @@ void measure(const std::string& file, double thickness)
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces() << ",\"simplified\":" << coarse.number_of_faces()
               << ",\"symmetry\":" << symmetry << ",\"sampling\":" << sampling_angle(coarse, formula, symmetry);
     for(bool mean : { false, true }) {
-      const auto first = BS::transfer_tangent_vectors(map, given, there, BS::parameters::symmetry(symmetry).samples_per_facet(std::size_t(mean ? 16 : 1)));
-      const auto second = BS::transfer_tangent_vectors(map.inverse(), there, back, BS::parameters::symmetry(symmetry).continuous_field(mean));
+      const std::size_t samples = mean ? 16 : 1;
+      const auto first = BS::transfer_tangent_vectors(map, given, there, BS::parameters::symmetry(symmetry).samples_per_facet(samples));
+      const auto second = BS::transfer_tangent_vectors(map.inverse(), there, back, BS::parameters::symmetry(symmetry).linear_reconstruction(mean));
       std::cout << ",\"" << (mean ? "mean" : "nearest") << "\":{\"there\":" << mean_angle(coarse, formula, there, symmetry) << ",\"back\":"
                 << mean_angle(mesh, formula, back, symmetry) << ",\"lost\":" << first.failures.size() + second.failures.size() << "}";
     }

@@ -139,7 +139,8 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
       if(source[v] >= 0) on_proxy[std::size_t(source[v])] = v;
     timer.reset();
     const BS::Shell_map_3<Shell, Mesh> map(*shell, proxy, mesh);
-    const Distance on_mesh = mesh.add_property_map<Vertex, double>("v:distance").first, distance = proxy.add_property_map<Vertex, double>("v:distance").first;
+    const Distance on_mesh = mesh.add_property_map<Vertex, double>("v:distance").first,
+                   distance = proxy.add_property_map<Vertex, double>("v:distance").first;
     Errors direct_errors, intrinsic_errors;
     const auto solve = [&](auto mode, Errors& errors) {
       timer.reset();

@@ -170,8 +170,8 @@ TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four
     for(Face f : fine.faces()) w[f] = v[f];
     turn_some(fine, w, symmetry);
     const Map map(ball(), fine, coarse);
-    for(bool continuous : { false, true }) {
-      const auto np = P::symmetry(symmetry).samples_per_facet(std::size_t(9)).continuous_field(continuous);
+    for(bool linear : { false, true }) {
+      const auto np = P::symmetry(symmetry).samples_per_facet(std::size_t(9)).linear_reconstruction(linear);
       CHECK(BS::transfer_tangent_vectors(map, v, v2, np));
       CHECK(BS::transfer_tangent_vectors(map, w, w2, np));
       for(Face f : coarse.faces()) {
@@ -233,7 +233,7 @@ TEST_CASE("Tangent vectors: means and interpolation halve the angle, there and b
     CHECK(BS::transfer_tangent_vectors(map.inverse(), there, back, P::symmetry(symmetry)));
     const double before = mean_angle(fine, field, back, symmetry);
     CHECK(BS::transfer_tangent_vectors(map, v, there, P::symmetry(symmetry).samples_per_facet(std::size_t(16))));
-    CHECK(BS::transfer_tangent_vectors(map.inverse(), there, back, P::symmetry(symmetry).continuous_field(true)));
+    CHECK(BS::transfer_tangent_vectors(map.inverse(), there, back, P::symmetry(symmetry).linear_reconstruction(true)));
     const double after = mean_angle(fine, field, back, symmetry);
     INFO(before << " degrees, then " << after);
     CHECK(after < before / 2);
@@ -263,7 +263,7 @@ TEST_CASE("Tangent vectors: singularities of fields on a sphere keep their index
     check(fine, v);
     CHECK(BS::transfer_tangent_vectors(Map(ball(), fine, coarse), v, there, P::symmetry(c.symmetry).samples_per_facet(std::size_t(16))));
     check(coarse, there);
-    CHECK(BS::transfer_tangent_vectors(Map(ball(), coarse, finer), there, back, P::symmetry(c.symmetry).continuous_field(true)));
+    CHECK(BS::transfer_tangent_vectors(Map(ball(), coarse, finer), there, back, P::symmetry(c.symmetry).linear_reconstruction(true)));
     check(finer, back);
   }
 }
@@ -283,7 +283,7 @@ TEST_CASE("Tangent vectors: a field without singularities on a torus has none on
     const Shell_map map(shell, fine, coarse);
     CHECK(BS::transfer_tangent_vectors(map, v, there, P::symmetry(symmetry).samples_per_facet(std::size_t(16))));
     CHECK(singularities(coarse, there, symmetry).empty());
-    CHECK(BS::transfer_tangent_vectors(map.inverse(), there, back, P::symmetry(symmetry).continuous_field(true)));
+    CHECK(BS::transfer_tangent_vectors(map.inverse(), there, back, P::symmetry(symmetry).linear_reconstruction(true)));
     CHECK(singularities(fine, back, symmetry).empty());
   }
 }
@@ -293,7 +293,7 @@ TEST_CASE("Tangent vectors: what does not arrive is named, and the number of thr
   Mesh fine = sphere(3, 0.7), coarse = turned(sphere(1, 0.85), 0.3), outside = sphere(1, 2);
   auto v = sampled(fine, around_z, "v"), one = at_facets(coarse, "one"), two = at_facets(coarse, "two"), none = at_facets(outside, "none");
   const Map map(ball(), fine, coarse);
-  const auto np = P::symmetry(4).samples_per_facet(std::size_t(5)).continuous_field(true);       // up to the next square
+  const auto np = P::symmetry(4).samples_per_facet(std::size_t(5)).linear_reconstruction(true);       // up to the next square
   CHECK(BS::transfer_tangent_vectors<CGAL::Sequential_tag>(map, v, one, np));
   CHECK(BS::transfer_tangent_vectors<CGAL::Parallel_if_available_tag>(map, v, two, np));
   for(Face f : coarse.faces()) CHECK(one[f] == two[f]);

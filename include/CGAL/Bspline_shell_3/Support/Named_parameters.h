@@ -41,7 +41,7 @@ enum tolerance_t { tolerance };
 enum interpolation_t { interpolation };
 enum mapping_t { mapping };
 enum symmetry_t { symmetry };
-enum continuous_field_t { continuous_field };
+enum linear_reconstruction_t { linear_reconstruction };
 enum samples_per_facet_t { samples_per_facet };
 enum default_value_t { default_value };
 enum stop_t { stop };
@@ -93,7 +93,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::interpolation_t, interpolation)                                             \
   ADD(parameter_tags::mapping_t, mapping)                                                         \
   ADD(parameter_tags::symmetry_t, symmetry)                                                       \
-  ADD(parameter_tags::continuous_field_t, continuous_field)                                       \
+  ADD(parameter_tags::linear_reconstruction_t, linear_reconstruction)                             \
   ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
   ADD(parameter_tags::default_value_t, default_value)                                             \
   ADD(parameter_tags::stop_t, stop)                                                               \

@@ -126,8 +126,8 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  * symmetric then, the symmetric ones that fit them best are returned.
  *
  * Between meshes of different resolution, that loses much. To a *coarser* mesh, `samples_per_facet` averages what a facet covers. To a
- * *finer* one, `continuous_field` takes the vectors as samples of a continuous field, and interpolates it, instead of one vector for all
- * facets that come from the same one.
+ * *finer* one, `linear_reconstruction` makes a linear field of the vectors of a facet and its neighbors, instead of one vector for all facets that
+ * come from the same one.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
@@ -140,8 +140,9 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
  *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square, at the centroids of equal parts of the target's facet,
  *     the mean of which it gets: that of N-th powers for a symmetric field, with the mean length; by default 1
- *   - `continuous_field(bool)`: whether vertices of the source get the mean of the vectors around them, rotated from facet to vertex the
- *     shortest way, between which the field is interpolated in each facet; default `false`
+ *   - `linear_reconstruction(bool)`: whether the field is linear on each facet of the source (or its N-th power is, the length staying what it
+ *     is): with the gradient that fits the vectors of its neighbors best, unfolded around common edges that are not sharper than 60 degrees; default
+ *     `false`
  *   - `default_value(x)`: what facets without a vector get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
  * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A facet without an area has none: it
@@ -159,7 +160,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   typedef typename Map::Projection_to_target::Target::Index Index;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
-  const bool is_continuous = choose_parameter(get_parameter(np, parameter_tags::continuous_field), false);
+  const bool is_linear = choose_parameter(get_parameter(np, parameter_tags::linear_reconstruction), false);
   const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(1));
   CGAL_precondition(symmetry > 0);
 
@@ -172,8 +173,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   }
   std::vector<Eigen::Vector3d> vectors = internal::eigen_vectors(source_vectors, faces(map.source()));
   typedef internal::Tangent_field Field;
-  const Field field = is_continuous ? Field::continuous(source, vectors, internal::positions_of_corners(source), num_vertices(map.source()), symmetry)
-                                    : Field::constant(source, std::move(vectors));
+  const Field field = is_linear ? Field::linear(source, std::move(vectors), symmetry) : Field::constant(source, std::move(vectors));
   const std::vector<std::array<double, 3> > places = internal::centroids_of_parts(internal::parts_along_edge(wanted));
   const auto normal = [&](Index facet) { return internal::eigen_vector(target.normal(facet)); };
 
@@ -253,8 +253,8 @@ Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap 
   const auto& points = map.to_target().target().traced_vertices();
   std::vector<internal::Tangent_sample> samples(points.size());
   if(map.status() == Flow_status::SUCCESS) {
-    const auto field = internal::Tangent_field::continuous(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
-                                                           internal::positions_of_corners(source), symmetry);
+    const auto field = internal::Tangent_field::interpolated(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
+                                                             internal::positions_of_corners(source), symmetry);
     internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor, [&](std::size_t n, const auto& p) {
       samples[n] = internal::tangent_sample(map, field, symmetry, p, [](const Flow_differential& differential) { return differential.velocity; });
     });
