@@ -12,6 +12,7 @@
 // - border_to_curve: distances between the border of the colors, and the curve before; on_surface: the same for the image of the border on the
 //   Boolean's mesh; curve_to_border: the other way. Mean and maximum, in percent of the longest box side.
 // - wrong_area: the share of N points (default 100000) of the simplified mesh with another color than their images on the Boolean's mesh, in percent
+#include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/curve_filter.h"
 #include "../../../examples/Bspline_shell_3/operand_labels.h"
@@ -21,15 +22,8 @@
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
 
 #include <CGAL/AABB_halfedge_graph_segment_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/version_macros.h>
-#if CGAL_VERSION_MAJOR >= 6
-#  include <CGAL/AABB_traits_3.h>
-#else
-#  include <CGAL/AABB_traits.h>
-#endif
 
 #include <functional>
 #include <limits>
@@ -37,11 +31,7 @@
 
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 typedef CGAL::AABB_halfedge_graph_segment_primitive<Mesh> Segment;
-#if CGAL_VERSION_MAJOR >= 6
-typedef CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Segment> > Segment_tree;
-#else
-typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Segment> > Segment_tree;
-#endif
+typedef AABB_tree_of<Kernel, Segment> Segment_tree;
 typedef Map::Source_location Location;
 
 struct Options
@@ -219,7 +209,8 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   std::cout << ",\"result\":{\"facets\":" << mesh.number_of_faces() << ",\"curve_edges\":" << curve_edges << ",\"worst_quality\":"
-            << worst_quality(mesh) << ",\"label_distance\":" << label_distance(mesh, labels, { &first, &second }) / unit << ",\"seconds\":" << seconds << "}" << std::flush;
+            << worst_quality(mesh) << ",\"label_distance\":" << label_distance(mesh, labels, { &first, &second }) / unit << ",\"seconds\":"
+            << seconds << "}" << std::flush;
 
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(60.));
   std::cout << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false") << ",\"seconds\":" << shell.report().total_seconds();

@@ -35,14 +35,13 @@
 //
 // Successive self-parameterization (Liu et al., "Surface Multigrid via Intrinsic Prolongation", 2021) is not compared: it keeps a map while it
 // decimates, and so maps a mesh to its own decimation only, not to a second mesh that is given.
+#include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
-#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -71,7 +70,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 typedef std::array<double, 3> Weights;       // barycentric coordinates
-typedef CGAL::AABB_tree<BS::internal::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > > Mesh_tree;
+typedef AABB_tree_of<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > Mesh_tree;
 
 const double tolerance = 1e-9;      // of Shell_map_3, in boxes
 
