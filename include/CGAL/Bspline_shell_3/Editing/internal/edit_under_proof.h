@@ -145,9 +145,8 @@ public:
       if(!frozen.has_facet(f)) continue;
       m_facets.push_back(f);
       m_positions.push_back(n);
-      m_corners.push_back({});
-      std::size_t i = 0;
-      for(auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh)) m_corners.back()[i++] = get(vpm, v);
+      const auto h = halfedge(f, mesh);
+      m_corners.push_back({ get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)) });
     }
   }
 
