@@ -1,0 +1,33 @@
+"""What the gallery draws beside the figures of the manual, and what it measures in colored meshes."""
+import numpy as np
+from vtk.util.numpy_support import vtk_to_numpy
+
+from draw_meshes import FACET, INNER, MESH, OUTER, edges, figure, fit, half, painted, plane, read, render, save, show, surface
+
+
+def draw_layers(shells, picture):
+    """Shells, each of which is taken off layer by layer: the outer surface, the mesh, the inner surface."""
+    size = 650, 520
+    fig, rows = figure(2, 2, 780)
+    for axes, (prefix, title, direction, up, along) in zip(rows.flat, shells):
+        inner, mesh, outer = (read(f"{prefix}_{part}.ply") for part in ("inner", "mesh", "outer"))
+        normal = np.array(along, float)
+        heights = vtk_to_numpy(mesh.GetPoints().GetData()) @ normal
+        first, second = (heights.min() + share * np.ptp(heights) for share in (0.36, 0.62))
+        layer = half(half(mesh, plane(first * normal, normal)), plane(second * normal, -normal))
+        actors = [surface(half(outer, plane(first * normal, -normal)), OUTER, ambient=0.35),
+                  surface(layer, FACET, ambient=0.35), edges(layer, MESH, 0.5),
+                  surface(half(inner, plane(second * normal, normal)), INNER, ambient=0.35)]
+        show(axes, render(actors, size, *fit(outer, size, direction, up)), title)
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.96, 0.02, 0.08)
+    save(fig, picture)
+
+
+def wrong_side(name):
+    """The share of the area of a bowl around the origin that has the color of the other side: it is yellow inside."""
+    data = painted(name)
+    corners = vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)].astype(float)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas, inside = np.linalg.norm(normals, axis=1), np.einsum("ij,ij->i", normals, corners.mean(axis=1)) < 0
+    yellow = vtk_to_numpy(data.GetCellData().GetScalars())[:, 2] < 128
+    return areas[yellow != inside].sum() / areas.sum()

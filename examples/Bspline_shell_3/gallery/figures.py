@@ -1,0 +1,227 @@
+"""The figures of the gallery: what each shows, what the paper says about it, how it is made, and what is measured in it."""
+import json
+import re
+from collections import namedtuple
+
+from making import Failure
+from paths import MESHES, ROOT
+
+# `thumbnail` is the part of the first picture that stands for the figure: how wide the picture is, and where it is, in percent as CSS has them.
+# `programs` are those that `make` runs; it returns Results.
+Figure = namedtuple("Figure", "name title text quotation source thumbnail programs make")
+# `headline`: what is measured, and of what. `pictures`: (file, caption). `rows` of a table: (what, the paper, lines that say what was found here).
+Results = namedtuple("Results", "headline pictures rows")
+
+NOT_GIVEN = "not given"
+
+
+def parsed(pattern, text):
+    found = re.search(pattern, text)
+    if not found:
+        raise Failure(f"The output of a program has changed: there is no “{pattern}” in it.")
+    return found.groups()
+
+
+def count(number):
+    return f"{int(number):,}".replace(",", "\u202f")
+
+
+def percent(number):
+    return f"{float(number):.2g}\u202f%"
+
+
+def make_shells(making):
+    from drawing import draw_layers
+    # direction of view, up, and the direction in which layers are taken off
+    views = {
+        "armadillo": ((0.5, 0.3, -1), (0, 1, 0), (0, 1, 0)),
+        "couplingdown": ((0.5, -1, 0.6), (0, 0, 1), (1, 0, 0)),
+        "elephant": ((0.4, 0.15, 1), (0, 1, 0), (1, 0, 0)),
+        "knot1": ((0.3, -1, 0.5), (0, 0, 1), (1, 0, 0)),
+    }
+    certified, lines, shells = 0, [], []
+    for name, view in views.items():
+        output = making.run("simplify_and_transfer", MESHES / f"{name}.off", "--output", making.folder / name)
+        facets, = parsed(r"mesh +(\d+) facets", output)
+        state, width, cells, seconds = parsed(r"shell +(\w+); (\S+) % of the box thick; (\d+) cells; (\S+) s", output)
+        certified += state == "certified"
+        lines.append(f"{name}: {percent(width)}, {count(cells)} cells, {float(seconds):.1f} s")
+        shells.append((making.folder / name, f"{name}: {facets} facets", *view))
+    making.draw(draw_layers, shells, "shells.png")
+    all_of_them = f"{certified} of {len(views)}"
+    return Results(
+        (all_of_them, "meshes get a proved shell, in seconds each"),
+        [("shells.png", "Taken off layer by layer: the outer surface (red), the mesh, the inner surface (blue).")],
+        [("The mesh is between both surfaces", "sampled at 100K points: 499 of 500 models", [f"proved for every point: {all_of_them}"]),
+         ("The gradient does not vanish", "“no critical points are observed”", [f"proved: {all_of_them}"]),
+         ("Thickness, of the box; cells; seconds, proof included", "Figure 8: plots over the resolution", lines)])
+
+
+def make_simplification(making):
+    from render_shell import main as draw_simplified
+    names = "anchor_dense", "triceratops"
+    meshes = [MESHES / f"{name}.off" for name in names]
+    found = [json.loads(line) for line in making.run("simplify_benchmark", *meshes).splitlines()]
+    for name, mesh in zip(names, meshes):
+        making.run("simplify_and_transfer", mesh, "--output", making.folder / name)
+        making.draw(draw_simplified, making.folder / name, f"{name}.png")
+
+    def lines(text):
+        return [f"{name}: {text(of_mesh, of_mesh['plain'], of_mesh['in_shell'])}" for name, of_mesh in zip(names, found)]
+    pairs = [sum(of_mesh[which]["self_intersections"] for of_mesh in found) for which in ("plain", "in_shell")]
+    return Results(
+        ("{} → {}".format(*pairs), "pairs of facets that intersect: plain edge collapse, and in the shell"),
+        [("anchor_dense.png", "Before; simplified as far as the shell allows, with the colors that the mesh had; a cut through both and the shell."),
+         ("triceratops.png", "The same, of a mesh that is as fine as the paper's.")],
+        [("Facets", f"{count(6494)} → 300", lines(lambda mesh, plain, ours: f"{count(mesh['facets'])} → {count(ours['facets'])}")),
+         ("Plain quadric edge collapse, to as many facets", "“introduces self-intersections”",
+          lines(lambda mesh, plain, ours: f"{plain['self_intersections']} pairs of facets intersect")),
+         ("In the shell", "“significantly reduces the likelihood”",
+          lines(lambda mesh, plain, ours: f"{ours['self_intersections']} pairs; {'proved' if ours['certified'] else 'not proved'}")),
+         ("Hausdorff distance, of the box: plain → in the shell", NOT_GIVEN,
+          lines(lambda mesh, plain, ours: f"{percent(100 * plain['hausdorff'])} → {percent(100 * ours['hausdorff'])}")),
+         ("Seconds: plain → in the shell, proof included", NOT_GIVEN,
+          lines(lambda mesh, plain, ours: f"{plain['seconds']:.2g} → {ours['seconds']['total']:.2g}"))])
+
+
+def make_geodesics(making):
+    from draw_meshes import draw_geodesics
+    # edges along the box, source, direction of view, up
+    meshes = {
+        "rotor": (100, 1, (0.6, 0.9, 0.7), (0, 0, 1)),
+        "dino": (150, 0, (1, -0.7, 0.3), (0, 0, 1)),
+        "elephant": (100, 0, (0.3, 0.15, 1), (0, 1, 0)),
+    }
+    directly, by_proxy, means = [], [], []
+    for name, (edges, source, direction, up) in meshes.items():
+        output = making.run("heat_geodesics", MESHES / f"{name}.off", edges, source, folder=name)
+        for where, lines in (("on the mesh itself", directly), ("on a proxy, and back", by_proxy)):
+            mean, most = parsed(rf"{where}: +(\S+) % off in the mean, (\S+) % at most", output)
+            lines.append(f"{name}: {percent(mean)} ({percent(most)})")
+            means.append(percent(mean))
+        making.draw(draw_geodesics, making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
+    return Results(
+        (f"{means[0]} → {means[1]}", "mean error of the distances on rotor"),
+        [("rotor.png", "Above: the mesh, the heat method on it, exact distances. Below: the proxy, the heat method on it, what the mesh gets back."),
+         ("dino.png", "Dino, with thin legs and neck."),
+         ("elephant.png", "Elephant, whose triangles are not bad to begin with.")],
+        [("Heat method on the mesh: mean error (largest)", "“highly inaccurate”", directly),
+         ("On a proxy in the shell, and carried back", "“better aligns with the exact geodesic computation”", by_proxy)])
+
+
+def make_elasticity(making):
+    from draw_meshes import draw_elasticity
+    mesh = MESHES / "anchor.off"
+    output = making.run("elastic_proxy", mesh, 25)
+    facets, of_proxy, tetrahedra = parsed(r"(\d+) facets, (\d+) of the proxy, all of them facets of (\d+) tetrahedra", output)
+    iterations, steps, least = parsed(r"(\d+) iterations in (\d+) load steps; least J: (\S+)", output)
+    moved, = parsed(r"displacements: up to (\S+) of", output)
+    making.draw(draw_elasticity, mesh, making.folder, "bent.png")
+    return Results(
+        (count(tetrahedra), "tetrahedra fill and bend a solid whose own triangles are needles"),
+        [("bent.png", "A mesh of needles; its proxy; the proxy filled with tetrahedra; the mesh, bent, in the colors of how far it moves.")],
+        [("Facets: mesh → proxy", NOT_GIVEN, [f"{count(facets)} → {count(of_proxy)}"]),
+         ("Tetrahedra (TetGen)", "“conforming tetrahedral mesh”", [f"{count(tetrahedra)}; their border is the proxy, facet by facet"]),
+         ("Solved", "“nonlinear plastic deformation”", [f"nonlinear elasticity: {iterations} iterations in {steps} load steps",
+                                                        f"smallest ratio of volumes: {float(least):.2g}"]),
+         ("Back on the mesh", "“the solution is transferred back”", [f"all vertices move, by up to {percent(100 * float(moved))} of the box"])])
+
+
+def make_booleans(making):
+    from draw_meshes import draw_boolean
+    output = making.run("boolean_colors", MESHES / "bear.off")
+    before, after = parsed(r"(\d+) facets before, (\d+) now", output)
+    curve_before, curve = parsed(r"edges of the curve: (\d+) before, (\d+) now", output)
+    others, = parsed(r"(\d+) facets have most of their image on the other solid", output)
+    making.draw(draw_boolean, making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
+    return Results(
+        (f"{count(before)} → {count(after)}", "facets of a union that keeps its colors"),
+        [("union.png", "Two bears, united; and simplified in the shell of the union. The curve where both meet is drawn black.")],
+        [("Facets", "“low-poly mesh”", [f"{count(before)} → {count(after)}"]),
+         ("Edges of the curve where both solids meet", NOT_GIVEN, [f"{count(curve_before)} → {count(curve)}"]),
+         ("Colors", "“effectively preserves the original color information”",
+          [f"{others} of {count(after)} facets have most of their image on the other solid"])])
+
+
+def make_closest_point(making):
+    from draw_meshes import draw_sides
+    from drawing import wrong_side
+    making.script(ROOT / "benchmark/Bspline_shell_3/Robustness/thin_models.py", making.folder / "thin")
+    making.run("figure_data", "sides", making.folder / "thin/bowl_2.off", making.folder / "bowl", 0.1)
+    making.draw(draw_sides, making.folder / "bowl", "bowl.png")
+    closest, mapped = (percent(100 * wrong_side(f"{making.folder}/bowl_{part}.ply")) for part in ("closest_point", "shell_map"))
+    return Results(
+        (f"{closest} → {mapped}", "of the area gets the color of the wrong side: closest point, and map"),
+        [("bowl.png", "A thin bowl is simplified and painted, inside and outside; the colors are carried back to it. "
+                      "Below, a cut: from inside, the closest point is often the outside.")],
+        [("By the closest point: wrong color", "“artifacts due to discontinuities and a lack of bijectivity”", [f"{closest} of the area"]),
+         ("Along the integral curves: wrong color", "“a unique corresponding point”", [f"{mapped} of the area"])])
+
+
+def make_self_intersections(making):
+    from draw_meshes import draw_soup
+    output = making.run("soup_proxy", "figure")
+    polygons, facets, carried, continued, hidden = parsed(
+        r"(\d+) polygons, (\d+) facets around them; (\S+) % of the area is carried, (\S+) % continued, (\S+) % hidden", output)
+    simplified, = parsed(r"(\d+) facets after simplification", output)
+    parts, texture = parsed(r"; (\d+) without a part, (\d+) without texture", output)
+    making.run("figure_data", "soup", making.folder / "figure")
+    making.draw(draw_soup, making.folder / "figure", "figure.png")
+    of_visible = percent(100 * float(carried) / (100 - float(hidden)))
+    return Results(
+        (of_visible, "of what is visible of a broken model is carried one-to-one"),
+        [("figure.png", "Polygons that run through each other; a clean proxy with their texture; and a cut: what is carried (green), "
+                        "continued (yellow) and hidden inside (gray), and the proxy (red).")],
+        [("Shell", "inner and outer surface differ in topology",
+          [f"certified, of a proxy of {count(facets)} facets around {count(polygons)} polygons"]),
+         ("One-to-one", "“cannot be guaranteed”",
+          [f"carried, one-to-one: {percent(carried)} of the area", f"continued, to the nearest point: {percent(continued)}",
+           f"hidden inside: {percent(hidden)}"]),
+         ("Parts and texture, on the simplified proxy", NOT_GIVEN,
+          [f"{count(simplified)} facets: {parts} without a part, {texture} without texture"])])
+
+
+FIGURES = [
+    Figure(
+        "shells", "Shells around shapes, with a proof",
+        "A smooth function encloses each mesh between two of its level sets. Cells are refined until it is proved, at every point, that the mesh "
+        "is inside and that the curves across the shell are a one-to-one map.",
+        "In all cases, our algorithm successfully generates well-defined implicit shells.", "Figure 6, Section 5.2",
+        (100, 50, 7), ["simplify_and_transfer"], make_shells),
+    Figure(
+        "simplification", "Fewer triangles, and none through another",
+        "Edge collapse that stays in the shell cannot make a mesh intersect itself, and what the mesh carried is found again on the simplified one.",
+        "While QEM successfully reduces the triangle count, it introduces self-intersections.", "Figure 11",
+        (300, 50, 20), ["simplify_benchmark", "simplify_and_transfer"], make_simplification),
+    Figure(
+        "geodesics", "Good distances on bad triangles",
+        "The heat method needs good triangles. It is solved on a remeshed proxy in the shell, and the distances come back along the curves.",
+        "When applying the heat method to a low-quality input mesh, the resulting distance field is highly inaccurate and deviates significantly "
+        "from the exact discrete geodesic distance.", "Figures 1, 9 and 14",
+        (300, 50, 12), ["heat_geodesics"], make_geodesics),
+    Figure(
+        "elasticity", "A solid is bent, and its bad mesh with it",
+        "What is held and what is moved gets to the proxy, the displacement gets back to every vertex. "
+        "No facet of the mesh has to be a good finite element.",
+        "Finally, the solution is transferred back to the original mesh, yielding the final deformed result.", "Figure 13",
+        (205, 100, 90), ["elastic_proxy"], make_elasticity),
+    Figure(
+        "booleans", "A union keeps its colors",
+        "Each facet knows which solid it comes from. Edges of the curve where both meet are collapsed along it, all others as the shell allows.",
+        "The union of two input models with distinct colors undergoes remeshing within our shell, and the resulting low-poly mesh effectively "
+        "preserves the original color information.", "Figure 15",
+        (205, 100, 60), ["boolean_colors"], make_booleans),
+    Figure(
+        "closest_point", "Where the closest point is the wrong one",
+        "Attributes are usually carried to the closest point. That works until a wall is thinner than the other mesh is far away.",
+        "… simple orthogonal, spherical, and cage-based projections, which, despite their efficiency, often introduce artifacts due to "
+        "discontinuities and a lack of bijectivity.", "Section 2.3; no figure",
+        (300, 50, 20), ["figure_data"], make_closest_point),
+    Figure(
+        "self_intersections", "What is no surface gets one",
+        "Polygons that intersect, face both ways or leave gaps get a clean proxy with a certified shell, and a map that says which of their points "
+        "it proves.",
+        "… due to the topological discrepancy between the two surfaces, a bijective projection in the shell space cannot be guaranteed.",
+        "Figure 16, a limitation",
+        (300, 50, 50), ["soup_proxy", "figure_data"], make_self_intersections),
+]

@@ -1,0 +1,10 @@
+"""Where things are, and where modules are imported from."""
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+BUILD = ROOT / "build/gallery"
+RESULTS = ROOT / "results/gallery"
+MESHES = BUILD / "data/meshes"
+
+sys.path += [f"{ROOT}/doc/Bspline_shell_3/figures", f"{ROOT}/examples/Bspline_shell_3"]

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Makes figures of the paper again, on CGAL's meshes, and a page with them: results/gallery/index.html (Debian 12).
+#   bash examples/gallery.sh [--again] [FIGURE...]
+# FIGURE: shells, simplification, geodesics, elasticity, booleans, closest_point, self_intersections; by default, all of them. Installs what is
+# missing and builds the programs. What is complete is not made again, unless with --again, so that a run that was interrupted can be resumed.
+# If a figure fails, the page says why, the others are made, and the exit code is 1; it is 2 if the usage is wrong.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. cmake/install_packages.sh
+install_packages "${BUILD_PACKAGES[@]}" libtet1.5-dev python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth
+
+here=examples/Bspline_shell_3/gallery build=build/gallery page=results/gallery/index.html
+export PYTHONDONTWRITEBYTECODE=1
+gallery() { /usr/bin/python3 "$here/gallery.py" "$@"; }
+mkdir -p results/gallery
+exec 9>results/gallery/.lock
+flock -n 9 || { echo "Figures are being made by another run." >&2; exit 2; }
+pending=$(gallery pending "$@") || exit 2
+if [ -n "$pending" ]; then
+  mapfile -t figures <<<"$pending"
+  mapfile -t programs < <(gallery programs "${figures[@]}")
+  launcher=()
+  command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  echo "Building ${programs[*]} (five minutes, the first time) ..."
+  mkdir -p "$build"
+  # a program that cannot be built keeps no other from it
+  { cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release &&
+    cmake --build "$build" --target "${programs[@]}" -- -k 0; } >"$build/build.log" 2>&1 ||
+    { tail -n 10 "$build/build.log"; echo "Not all could be built; see $build/build.log"; }
+else
+  figures=()
+fi
+
+# 0 if the figure was made, 1 if not, something else if the process died, as it does when it loses the X server
+make_figure() { xvfb-run -a /usr/bin/python3 "$here/gallery.py" make "$1"; }
+status=0
+for figure in "${figures[@]}"; do
+  code=0
+  make_figure "$figure" || code=$?
+  if [ "$code" -gt 1 ]; then
+    echo "$figure: died, and is made once more"
+    code=0
+    make_figure "$figure" || code=$?
+  fi
+  [ "$code" -eq 0 ] || status=1
+done
+gallery page
+echo "$page"
+exit "$status"
