@@ -31,18 +31,9 @@ else
   figures=()
 fi
 
-# 0 if the figure was made, 1 if not, something else if the process died, as it does when it loses the X server
-make_figure() { xvfb-run -a /usr/bin/python3 "$here/gallery.py" make "$1"; }
 status=0
 for figure in "${figures[@]}"; do
-  code=0
-  make_figure "$figure" || code=$?
-  if [ "$code" -gt 1 ]; then
-    echo "$figure: died, and is made once more"
-    code=0
-    make_figure "$figure" || code=$?
-  fi
-  [ "$code" -eq 0 ] || status=1
+  gallery make "$figure" || status=1
 done
 gallery page
 echo "$page"

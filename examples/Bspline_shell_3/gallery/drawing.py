@@ -1,7 +1,15 @@
-"""What the gallery draws beside the figures of the manual, and what it measures in colored meshes."""
+"""What the gallery draws beside the figures of the manual, and what it measures in colored meshes.
+
+Usage: drawing.py MODULE.FUNCTION ARGUMENTS         calls a function that draws; its arguments are a list in JSON
+"""
+import importlib
+import json
+import sys
+
 import numpy as np
 from vtk.util.numpy_support import vtk_to_numpy
 
+import paths        # where the next module is    # noqa: F401
 from draw_meshes import FACET, INNER, MESH, OUTER, edges, figure, fit, half, painted, plane, read, render, save, show, surface
 
 
@@ -31,3 +39,8 @@ def wrong_side(name):
     areas, inside = np.linalg.norm(normals, axis=1), np.einsum("ij,ij->i", normals, corners.mean(axis=1)) < 0
     yellow = vtk_to_numpy(data.GetCellData().GetScalars())[:, 2] < 128
     return areas[yellow != inside].sum() / areas.sum()
+
+
+if __name__ == "__main__":
+    module, function = sys.argv[1].split(".")
+    getattr(importlib.import_module(module), function)(*json.loads(sys.argv[2]))

@@ -31,7 +31,6 @@ def percent(number):
 
 
 def make_shells(making):
-    from drawing import draw_layers
     # direction of view, up, and the direction in which layers are taken off
     views = {
         "armadillo": ((0.5, 0.3, -1), (0, 1, 0), (0, 1, 0)),
@@ -39,18 +38,19 @@ def make_shells(making):
         "elephant": ((0.4, 0.15, 1), (0, 1, 0), (1, 0, 0)),
         "knot1": ((0.3, -1, 0.5), (0, 0, 1), (1, 0, 0)),
     }
-    certified, lines, shells = 0, [], []
+    certified, times, lines, shells = 0, [], [], []
     for name, view in views.items():
         output = making.run("simplify_and_transfer", MESHES / f"{name}.off", "--output", making.folder / name)
         facets, = parsed(r"mesh +(\d+) facets", output)
         state, width, cells, seconds = parsed(r"shell +(\w+); (\S+) % of the box thick; (\d+) cells; (\S+) s", output)
         certified += state == "certified"
-        lines.append(f"{name}: {percent(width)}, {count(cells)} cells, {float(seconds):.1f} s")
-        shells.append((making.folder / name, f"{name}: {facets} facets", *view))
-    making.draw(draw_layers, shells, "shells.png")
+        times.append(float(seconds))
+        lines.append(f"{name}: {percent(width)}, {count(cells)} cells, {times[-1]:.1f} s")
+        shells.append((str(making.folder / name), f"{name}: {facets} facets", *view))
+    making.draw("drawing.draw_layers", shells, "shells.png")
     all_of_them = f"{certified} of {len(views)}"
     return Results(
-        (all_of_them, "meshes get a proved shell, in seconds each"),
+        (f"{min(times):.1f} to {max(times):.1f} s", f"for shells around {len(views)} meshes, the proofs included"),
         [("shells.png", "Taken off layer by layer: the outer surface (red), the mesh, the inner surface (blue).")],
         [("The mesh is between both surfaces", "sampled at 100K points: 499 of 500 models", [f"proved for every point: {all_of_them}"]),
          ("The gradient does not vanish", "“no critical points are observed”", [f"proved: {all_of_them}"]),
@@ -58,13 +58,12 @@ def make_shells(making):
 
 
 def make_simplification(making):
-    from render_shell import main as draw_simplified
     names = "anchor_dense", "triceratops"
     meshes = [MESHES / f"{name}.off" for name in names]
     found = [json.loads(line) for line in making.run("simplify_benchmark", *meshes).splitlines()]
     for name, mesh in zip(names, meshes):
         making.run("simplify_and_transfer", mesh, "--output", making.folder / name)
-        making.draw(draw_simplified, making.folder / name, f"{name}.png")
+        making.draw("render_shell.main", making.folder / name, f"{name}.png")
 
     def lines(text):
         return [f"{name}: {text(of_mesh, of_mesh['plain'], of_mesh['in_shell'])}" for name, of_mesh in zip(names, found)]
@@ -85,7 +84,6 @@ def make_simplification(making):
 
 
 def make_geodesics(making):
-    from draw_meshes import draw_geodesics
     # edges along the box, source, direction of view, up
     meshes = {
         "rotor": (100, 1, (0.6, 0.9, 0.7), (0, 0, 1)),
@@ -99,7 +97,7 @@ def make_geodesics(making):
             mean, most = parsed(rf"{where}: +(\S+) % off in the mean, (\S+) % at most", output)
             lines.append(f"{name}: {percent(mean)} ({percent(most)})")
             means.append(percent(mean))
-        making.draw(draw_geodesics, making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
+        making.draw("draw_meshes.draw_geodesics", making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
     return Results(
         (f"{means[0]} → {means[1]}", "mean error of the distances on rotor"),
         [("rotor.png", "Above: the mesh, the heat method on it, exact distances. Below: the proxy, the heat method on it, what the mesh gets back."),
@@ -110,15 +108,14 @@ def make_geodesics(making):
 
 
 def make_elasticity(making):
-    from draw_meshes import draw_elasticity
     mesh = MESHES / "anchor.off"
     output = making.run("elastic_proxy", mesh, 25)
     facets, of_proxy, tetrahedra = parsed(r"(\d+) facets, (\d+) of the proxy, all of them facets of (\d+) tetrahedra", output)
     iterations, steps, least = parsed(r"(\d+) iterations in (\d+) load steps; least J: (\S+)", output)
     moved, = parsed(r"displacements: up to (\S+) of", output)
-    making.draw(draw_elasticity, mesh, making.folder, "bent.png")
+    making.draw("draw_meshes.draw_elasticity", mesh, making.folder, "bent.png")
     return Results(
-        (count(tetrahedra), "tetrahedra fill and bend a solid whose own triangles are needles"),
+        (count(tetrahedra), "tetrahedra bend a solid whose own triangles are needles"),
         [("bent.png", "A mesh of needles; its proxy; the proxy filled with tetrahedra; the mesh, bent, in the colors of how far it moves.")],
         [("Facets: mesh → proxy", NOT_GIVEN, [f"{count(facets)} → {count(of_proxy)}"]),
          ("Tetrahedra (TetGen)", "“conforming tetrahedral mesh”", [f"{count(tetrahedra)}; their border is the proxy, facet by facet"]),
@@ -128,12 +125,11 @@ def make_elasticity(making):
 
 
 def make_booleans(making):
-    from draw_meshes import draw_boolean
     output = making.run("boolean_colors", MESHES / "bear.off")
     before, after = parsed(r"(\d+) facets before, (\d+) now", output)
     curve_before, curve = parsed(r"edges of the curve: (\d+) before, (\d+) now", output)
     others, = parsed(r"(\d+) facets have most of their image on the other solid", output)
-    making.draw(draw_boolean, making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
+    making.draw("draw_meshes.draw_boolean", making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
     return Results(
         (f"{count(before)} → {count(after)}", "facets of a union that keeps its colors"),
         [("union.png", "Two bears, united; and simplified in the shell of the union. The curve where both meet is drawn black.")],
@@ -144,11 +140,10 @@ def make_booleans(making):
 
 
 def make_closest_point(making):
-    from draw_meshes import draw_sides
     from drawing import wrong_side
     making.script(ROOT / "benchmark/Bspline_shell_3/Robustness/thin_models.py", making.folder / "thin")
     making.run("figure_data", "sides", making.folder / "thin/bowl_2.off", making.folder / "bowl", 0.1)
-    making.draw(draw_sides, making.folder / "bowl", "bowl.png")
+    making.draw("draw_meshes.draw_sides", making.folder / "bowl", "bowl.png")
     closest, mapped = (percent(100 * wrong_side(f"{making.folder}/bowl_{part}.ply")) for part in ("closest_point", "shell_map"))
     return Results(
         (f"{closest} → {mapped}", "of the area gets the color of the wrong side: closest point, and map"),
@@ -159,14 +154,13 @@ def make_closest_point(making):
 
 
 def make_self_intersections(making):
-    from draw_meshes import draw_soup
     output = making.run("soup_proxy", "figure")
     polygons, facets, carried, continued, hidden = parsed(
         r"(\d+) polygons, (\d+) facets around them; (\S+) % of the area is carried, (\S+) % continued, (\S+) % hidden", output)
     simplified, = parsed(r"(\d+) facets after simplification", output)
     parts, texture = parsed(r"; (\d+) without a part, (\d+) without texture", output)
     making.run("figure_data", "soup", making.folder / "figure")
-    making.draw(draw_soup, making.folder / "figure", "figure.png")
+    making.draw("draw_meshes.draw_soup", making.folder / "figure", "figure.png")
     of_visible = percent(100 * float(carried) / (100 - float(hidden)))
     return Results(
         (of_visible, "of what is visible of a broken model is carried one-to-one"),

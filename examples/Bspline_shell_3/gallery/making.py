@@ -3,16 +3,23 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import time
 from pathlib import Path
 
-from paths import BUILD, RESULTS, ROOT
+from paths import BUILD, HERE, RESULTS, ROOT
 
 MAX_SECONDS = 300       # of a program
+ATTEMPTS = 2            # at a picture
 
 
 class Failure(Exception):
     """Has a sentence for the page."""
+
+
+def last_line(done):
+    """Of what a process said before it failed."""
+    return (done.stderr.strip() or done.stdout.strip() or f"It ended with {done.returncode}.").splitlines()[-1]
 
 
 class Making:
@@ -34,11 +41,17 @@ class Making:
         return self._run(["python3", path, *arguments], ".")
 
     def draw(self, function, *arguments):
-        """The last argument is the picture's name."""
-        self._start(f"drawing {arguments[-1]}")
+        """The last argument is the picture's name. VTK needs an X server, and ends the process if it loses it: then another one is tried."""
+        *others, picture = arguments
+        self._start(f"drawing {picture}")
         start = time.monotonic()
-        function(*(str(a) if isinstance(a, Path) else a for a in arguments[:-1]), str(self.folder / arguments[-1]))
-        self._end(start)
+        command = ["xvfb-run", "-a", sys.executable, f"{HERE}/drawing.py", function, json.dumps([*others, self.folder / picture], default=str)]
+        for _ in range(ATTEMPTS):
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            if done.returncode == 0:
+                self._end(start)
+                return
+        raise Failure(f"{picture} could not be drawn: {last_line(done)}")
 
     def _run(self, command, folder):
         command = [c if isinstance(c, Path) else str(c) for c in command]
@@ -50,8 +63,8 @@ class Making:
         except subprocess.TimeoutExpired:
             raise Failure(f"{Path(command[0]).name} took longer than {MAX_SECONDS} s.") from None
         if done.returncode != 0:
-            said = (done.stderr.strip() or done.stdout.strip() or f"It ended with {done.returncode}.").splitlines()[-1]
-            raise Failure(f"{Path(command[0]).name}: {said.removeprefix(f'{Path(command[0]).name}: ')}")
+            name = Path(command[0]).name
+            raise Failure(f"{name}: {last_line(done).removeprefix(f'{name}: ')}")
         shown = " ".join(os.path.relpath(c, ROOT).replace(".part/", "/") if isinstance(c, Path) else c for c in command)
         self.commands.append((shown, self._end(start)))
         return done.stdout
@@ -82,8 +95,8 @@ def make(figure):
     start = time.monotonic()
     try:
         results = figure.make(making)
-    except (Exception, SystemExit) as error:        # functions that draw end with SystemExit if a file is missing
-        sentence = str(error) if isinstance(error, (Failure, SystemExit)) else f"{type(error).__name__}: {error}"
+    except Exception as error:      # whatever it is, other figures are not harmed
+        sentence = str(error) if isinstance(error, Failure) else f"{type(error).__name__}: {error}"
         print(f"{'' if making.step else figure.name + ': '}failed. {sentence}", flush=True)
         write(making.folder / "failure.txt", sentence)
         return False

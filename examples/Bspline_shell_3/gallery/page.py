@@ -5,9 +5,7 @@ from html import escape
 
 from figures import FIGURES
 from making import write
-from paths import RESULTS, ROOT
-
-HERE = os.path.dirname(__file__)
+from paths import HERE, RESULTS, ROOT
 
 
 def is_complete(figure):
@@ -80,6 +78,7 @@ def write_page():
     sections = "\n\n".join(section(figure, results) for figure, results in shown)
     missing = " ".join(figure.name for figure, results in found if results is None)
     more = f"<p>Not made yet: <code>bash examples/gallery.sh {missing}</code></p>" if missing else ""
+    minutes = sum(results.get("seconds", 0) for _, results in shown) / 60
     with open(f"{HERE}/page.css", encoding="utf-8") as style:
         css = style.read()
     write(RESULTS / "index.html", f"""<!DOCTYPE html>
@@ -98,6 +97,7 @@ def write_page():
 can be simplified, remeshed, repaired and computed on, and keep what they carry.</p>
 <p class="links"><a href="{link('README.md')}">README</a> <a href="{link('doc/Bspline_shell_3/Bspline_shell_3.txt')}">User manual</a>
 <a href="{link('doc/Bspline_shell_3/Measurements.txt')}">Measurements</a> <a href="{link('examples/Bspline_shell_3')}">Examples</a></p>
+<p class="try"><code>bash examples/quickstart.sh MESH</code> simplifies a mesh of your own, and draws it.</p>
 </header>
 <main>
 <nav>
@@ -107,9 +107,10 @@ can be simplified, remeshed, repaired and computed on, and keep what they carry.
 </main>
 <footer>
 {more}
+<p>All programs and pictures above took {minutes:.1f} minutes on {os.cpu_count()} processors: <code>bash examples/gallery.sh</code></p>
 <p>The figures are those of the paper <cite>Smooth Bijective Projection of Polygonal Meshes via a Cubic B-Spline Shell</cite> (2025), made again
-on other meshes: those of CGAL's data folder, and models that the programs make. Numbers are read from what the programs print and write; seconds were
-measured on {os.cpu_count()} processors. Commands are to be run in the folder of the package. Quotations leave out references.</p>
+on other meshes: those of CGAL's data folder, and models that the programs make. Numbers are read from what the programs print and write. Commands are to be
+run in the folder of the package. Quotations leave out references.</p>
 </footer>
 </body>
 </html>

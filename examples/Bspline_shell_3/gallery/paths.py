@@ -2,7 +2,8 @@
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
 BUILD = ROOT / "build/gallery"
 RESULTS = ROOT / "results/gallery"
 MESHES = BUILD / "data/meshes"
