@@ -71,7 +71,7 @@ def make_simplification(making):
     return Results(
         ("{} → {}".format(*pairs), "pairs of facets that intersect: plain edge collapse, and in the shell"),
         [("anchor_dense.png", "Before; simplified as far as the shell allows, with the colors that the mesh had; a cut through both and the shell."),
-         ("triceratops.png", "The same, of a mesh that is as fine as the paper's.")],
+         ("triceratops.png", "The same, of a mesh that is about as fine as the paper's.")],
         [("Facets", f"{count(6494)} → 300", lines(lambda mesh, plain, ours: f"{count(mesh['facets'])} → {count(ours['facets'])}")),
          ("Plain quadric edge collapse, to as many facets", "“introduces self-intersections”",
           lines(lambda mesh, plain, ours: f"{plain['self_intersections']} pairs of facets intersect")),
