@@ -216,7 +216,7 @@ void check_sides(const Mesh& mesh)
   for(bool inside_out : { false, true }) {
     const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(mesh) : mesh);
     const BS::Mesh_signed_distance_3 oracle(input);
-    BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+    BS::Mesh_signed_distance_3::Hint hint;
     CGAL::Random random(8);
     const auto direction = [&] { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
     int wrong = 0, negative = 0, positive = 0;
@@ -347,7 +347,7 @@ TEST_CASE("signed distance: where the search starts does not change what it find
   const BS::Input_mesh_3 input = input_of(torus(1, 0.5, 24, 16));
   const BS::Mesh_signed_distance_3 oracle(input);
   CGAL::Random random(6);
-  BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+  BS::Mesh_signed_distance_3::Hint hint;
   Point_3 p(0, 0, 0);
   for(int n = 0; n < 2000; ++n) {
     // short steps, as the samples of a cell make them, and some jumps, for which the hint is poor
@@ -355,8 +355,9 @@ TEST_CASE("signed distance: where the search starts does not change what it find
     p = Point_3(random.get_double(-step, step), random.get_double(-step, step), random.get_double(-step, step))
         + (n % 10 == 0 ? Vector_3(0, 0, 0) : p - CGAL::ORIGIN);
     CHECK(oracle.signed_distance(p, hint) == Approx(oracle(p)).epsilon(0).margin(rounding));
-    // and the new hint is the closest point
-    CHECK(std::sqrt(CGAL::squared_distance(hint.closest, p))
+    // and the new hint is the closest facet
+    const auto t = input.triangle(BS::Input_mesh_3::Face_index(hint.triangle));
+    CHECK(std::sqrt(CGAL::squared_distance(Kernel::Triangle_3(t[0], t[1], t[2]), p))
           == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
   }
 }
@@ -387,7 +388,7 @@ TEST_CASE("signed distance: where a mesh intersects itself, the side is that of 
   const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 oracle(input);
-  BS::Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+  BS::Mesh_signed_distance_3::Hint hint;
   CGAL::Random random(9);
   int differ = 0;
   for(int n = 0; n < 3000; ++n) {

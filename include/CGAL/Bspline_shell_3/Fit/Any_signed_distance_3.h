@@ -39,7 +39,7 @@ public:
   {
     if constexpr(std::is_same<Oracle, Mesh_signed_distance_3>::value)
       m_along = [&oracle](const std::vector<Point_3>& points, double* distances) {
-        Mesh_signed_distance_3::Hint hint = oracle.any_hint();
+        Mesh_signed_distance_3::Hint hint;
         for(const Point_3& p : points) *distances++ = oracle.signed_distance(p, hint);
       };
     else

@@ -35,8 +35,8 @@ class Mesh_signed_distance_3
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef double FT;
-  /// a closest point and its facet, to start the search for the next one from
-  struct Hint { Point_3 closest; std::size_t triangle; };
+  /// the facet that the search for the closest point starts from; the first one by default
+  struct Hint { std::size_t triangle = 0; };
 
   /// \pre `input` is built, and outlives the oracle
   explicit Mesh_signed_distance_3(const Input_mesh_3& input);
@@ -48,9 +48,7 @@ public:
   /// the distance without its sign
   FT distance(const Point_3& p) const;
 
-  /// a hint to start with
-  Hint any_hint() const;
-  /// the signed distance; the search starts from `hint`, which is replaced. Fast if the last point was near. Where the mesh
+  /// the signed distance; the search starts from `hint`, which becomes the closest facet. Fast if the last point was near. Where the mesh
   /// intersects itself, the side is that of the closest facet.
   FT signed_distance(const Point_3& p, Hint& hint) const;
 

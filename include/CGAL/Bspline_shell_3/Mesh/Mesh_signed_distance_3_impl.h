@@ -18,16 +18,50 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+// `Simple_cartesian<double>`, with a faster closest point on a triangle: barycentric coordinates tell which edges see the point.
+struct Distance_kernel : Simple_cartesian<double>
+{
+  struct Construct_projected_point_3
+  {
+    Point_3 operator()(const Triangle_3& t, const Point_3& p) const
+    {
+      const Vector_3 edge[3] = { t[1] - t[0], t[2] - t[1], t[0] - t[2] };
+      const Vector_3 normal = cross_product(edge[0], edge[1]);
+      bool is_outside = false;
+      Point_3 closest = t[0];
+      double least = std::numeric_limits<double>::infinity();
+      for(int i = 0; i < 3; ++i) {
+        const Vector_3 away = p - t[i];
+        if(cross_product(edge[i], away) * normal > 0) continue;
+        is_outside = true;      // or on the edge; or the triangle has no area
+        const double length = edge[i].squared_length();
+        const double along = length > 0 ? (std::min)((std::max)(edge[i] * away / length, 0.), 1.) : 0.;
+        const Point_3 q = along == 1 ? t[(i + 1) % 3] : t[i] + along * edge[i];
+        const double squared = (p - q).squared_length();
+        if(squared < least) { least = squared; closest = q; }
+      }
+      return is_outside ? closest : p - ((p - t[0]) * normal / normal.squared_length()) * normal;
+    }
+  };
+
+  Construct_projected_point_3 construct_projected_point_3_object() const { return Construct_projected_point_3(); }
+};
+
+} // namespace internal
+
 class Mesh_signed_distance_3::Trees
 {
   typedef Exact_predicates_inexact_constructions_kernel Exact_side_kernel;
-  typedef Simple_cartesian<double> Distance_kernel;
+  typedef internal::Distance_kernel Distance_kernel;
   typedef std::vector<Distance_kernel::Triangle_3> Triangles;
   typedef internal::AABB_traits_3<Distance_kernel, internal::AABB_triangle_primitive_3<Distance_kernel, Triangles::const_iterator> > Traits;
   typedef AABB_tree<Traits> Distance_tree;
@@ -63,14 +97,11 @@ public:
     return std::sqrt(m_distance_tree->squared_distance(to_distance(p)));
   }
 
-  Hint any_hint() const { return to_hint(m_distance_tree->any_reference_point_and_id()); }
-
   FT signed_distance(const Point_3& p, Hint& hint) const
   {
     const Distance_kernel::Point_3 q = to_distance(p);
-    const Distance_tree::Point_and_primitive_id start(to_distance(hint.closest), m_triangles.cbegin() + std::ptrdiff_t(hint.triangle));
-    const Distance_tree::Point_and_primitive_id closest = m_distance_tree->closest_point_and_primitive(q, start);
-    hint = to_hint(closest);
+    const Distance_tree::Point_and_primitive_id closest = m_distance_tree->closest_point_and_primitive(q, descend(q, hint.triangle));
+    hint.triangle = std::size_t(closest.second - m_triangles.cbegin());
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
@@ -84,6 +115,26 @@ public:
 
 private:
   typedef Distance_kernel::Vector_3 Vector;
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // From facet to facet as long as the next one is closer: the tree then visits few boxes more than it must.
+  Distance_tree::Point_and_primitive_id descend(const Distance_kernel::Point_3& q, std::size_t facet) const
+  {
+    const auto closest_point = Distance_kernel().construct_projected_point_3_object();
+    Distance_kernel::Point_3 closest = closest_point(m_triangles[facet], q);
+    FT least = squared_distance(closest, q);
+    for(std::size_t from = none, next = facet; next != none; ) {
+      next = none;
+      for(std::size_t neighbor : m_neighbors[facet]) {
+        if(neighbor == from) continue;
+        const Distance_kernel::Point_3 there = closest_point(m_triangles[neighbor], q);
+        const FT squared = squared_distance(there, q);
+        if(squared < least) { least = squared; closest = there; next = neighbor; }
+      }
+      if(next != none) { from = facet; facet = next; }
+    }
+    return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
+  }
 
   // the normals of a facet, its edges and its vertices; edge `i` begins at vertex `i`. Zero for a facet so thin that rounding
   // hides where in it a point lies, and for its edges.
@@ -125,11 +176,13 @@ private:
       ++n;
     }
     // facets are not removed from the mesh: their numbers are consecutive
+    m_neighbors.resize(m_triangles.size());
     n = 0;
     for(auto f : mesh.faces()) {
       auto h = mesh.halfedge(f);
       for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
         const std::size_t other = std::size_t(mesh.face(mesh.opposite(h)));
+        m_neighbors[n][i] = other;
         m_normals[n].edge[i] = thin[n] || thin[other] ? Vector(NULL_VECTOR) : unit(m_normals[n].facet + m_normals[other].facet);
         m_normals[n].vertex[i] = unit(vertex[std::size_t(mesh.source(h))]);
       }
@@ -162,12 +215,8 @@ private:
 
   static Distance_kernel::Point_3 to_distance(const Point_3& p) { return Distance_kernel::Point_3(p.x(), p.y(), p.z()); }
 
-  Hint to_hint(const Distance_tree::Point_and_primitive_id& closest) const
-  {
-    return { Point_3(closest.first.x(), closest.first.y(), closest.first.z()), std::size_t(closest.second - m_triangles.cbegin()) };
-  }
-
   Triangles m_triangles;
+  std::vector<std::array<std::size_t, 3> > m_neighbors;     // across the edges
   std::vector<Normals> m_normals;
   std::unique_ptr<Distance_tree> m_distance_tree;
   std::unique_ptr<Side_tree> m_side_tree;
@@ -183,8 +232,6 @@ CGAL_BSPLINE_SHELL_3_INLINE Mesh_signed_distance_3::Mesh_signed_distance_3(const
 CGAL_BSPLINE_SHELL_3_INLINE int Mesh_signed_distance_3::sign(const Point_3& p) const { return m_trees->sign(p); }
 
 CGAL_BSPLINE_SHELL_3_INLINE double Mesh_signed_distance_3::distance(const Point_3& p) const { return m_trees->distance(p); }
-
-CGAL_BSPLINE_SHELL_3_INLINE Mesh_signed_distance_3::Hint Mesh_signed_distance_3::any_hint() const { return m_trees->any_hint(); }
 
 CGAL_BSPLINE_SHELL_3_INLINE double Mesh_signed_distance_3::signed_distance(const Point_3& p, Hint& hint) const
 {

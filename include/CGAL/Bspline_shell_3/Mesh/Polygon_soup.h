@@ -41,7 +41,7 @@ std::vector<std::size_t> merge_points(Polygon_soup& soup);
 std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon);
 // Turns polygons round where they do not agree with their neighbors, and counts them. Without success, offenders are what keeps the soup from being a mesh.
 Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned);
-// false if triangles would share edges that polygons do not
+// of a soup that is a mesh; false if triangles would share edges that polygons do not
 bool triangulate(Polygon_soup& soup);
 
 } // namespace internal

@@ -11,12 +11,14 @@
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -67,16 +69,25 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::array<std::size_t, 3> > triangles_o
 CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> merge_points(Polygon_soup& soup)
 {
   Polygon_soup::Points& points = soup.points;
-  std::map<Polygon_soup::Points::value_type, std::size_t> positions;
-  std::vector<std::size_t> first, merged;
-  merged.reserve(points.size());
+  std::vector<std::size_t> sorted(points.size()), first_at(points.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t(0));
+  std::sort(sorted.begin(), sorted.end(), [&](std::size_t v, std::size_t w) {
+    const Comparison_result order = CGAL::compare_xyz(points[v], points[w]);
+    return order == SMALLER || (order == EQUAL && v < w);
+  });
+  for(std::size_t n = 0; n < sorted.size(); ++n) {
+    const bool is_new = n == 0 || points[sorted[n]] != points[sorted[n-1]];
+    first_at[sorted[n]] = is_new ? sorted[n] : first_at[sorted[n-1]];
+  }
+  std::vector<std::size_t> first, merged(points.size());
   for(std::size_t v = 0; v < points.size(); ++v) {
-    const auto inserted = positions.emplace(points[v], first.size());
-    if(inserted.second) {
+    if(first_at[v] == v) {
+      merged[v] = first.size();
       points[first.size()] = points[v];
       first.push_back(v);
+    } else {
+      merged[v] = merged[first_at[v]];
     }
-    merged.push_back(inserted.first->second);
   }
   points.resize(first.size());
   for(auto& polygon : soup.polygons)
@@ -95,37 +106,67 @@ struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
   std::size_t& turned;
 };
 
-// What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
-// them are turned round; a parity that contradicts itself around the surface makes it one-sided.
-inline Shell_status diagnose_polygons(const Polygon_soup::Polygons& polygons, Offending_simplices& offenders)
+// an edge of a polygon, which walks it from the lower vertex to the upper one if `is_forward`; corners are numbered polygon by polygon
+struct Edge_use
 {
-  struct Use { std::size_t polygon; bool forward; };
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<Use> > edges;
+  std::size_t lower, upper, polygon, lower_corner, upper_corner;
+  bool is_forward;
+
+  bool has_same_edge(const Edge_use& other) const { return lower == other.lower && upper == other.upper; }
+  bool operator<(const Edge_use& other) const { return std::tie(lower, upper, polygon) < std::tie(other.lower, other.upper, other.polygon); }
+};
+
+// The edges of all polygons, sorted. Polygons of less than three corners, or with a vertex twice, are offenders.
+inline std::vector<Edge_use> edge_uses(const Polygon_soup::Polygons& polygons, std::vector<std::size_t>& offenders)
+{
+  std::vector<Edge_use> uses;
+  std::vector<std::size_t> sorted;
+  std::size_t first = 0;      // corner of the polygon
   for(std::size_t p = 0; p < polygons.size(); ++p) {
     const std::vector<std::size_t>& polygon = polygons[p];
-    std::vector<std::size_t> sorted = polygon;
+    const std::size_t size = polygon.size();
+    sorted = polygon;
     std::sort(sorted.begin(), sorted.end());
-    if(polygon.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      offenders.facets.push_back(p);
-      continue;
+    if(size < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      offenders.push_back(p);
+    } else {
+      for(std::size_t i = 0; i < size; ++i) {
+        const std::size_t next = (i + 1) % size, a = polygon[i], b = polygon[next];
+        if(a < b) uses.push_back({ a, b, p, first + i, first + next, true });
+        else uses.push_back({ b, a, p, first + next, first + i, false });
+      }
     }
-    for(std::size_t i = 0; i < polygon.size(); ++i) {
-      const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      edges[std::minmax(a, b)].push_back({ p, a < b });
-    }
+    first += size;
   }
-  if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
-  for(const auto& edge : edges)
-    if(edge.second.size() > 2)
-      for(const Use& use : edge.second) offenders.facets.push_back(use.polygon);
-  if(!offenders.facets.empty()) {
-    sort_and_remove_repetitions(offenders.facets);
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+// calls f(first, last) for the uses of each edge
+template <typename Function>
+inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
+{
+  for(auto first = uses.begin(), last = first; first != uses.end(); first = last) {
+    while(last != uses.end() && last->has_same_edge(*first)) ++last;
+    f(first, last);
+  }
+}
+
+// What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
+// them are turned round; a parity that contradicts itself around the surface makes it one-sided.
+inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::size_t number_of_polygons, std::vector<std::size_t>& offenders)
+{
+  for_each_edge(uses, [&](auto first, auto last) {
+    if(last - first > 2) std::for_each(first, last, [&](const Edge_use& use) { offenders.push_back(use.polygon); });
+  });
+  if(!offenders.empty()) {
+    sort_and_remove_repetitions(offenders);
     return Shell_status::NON_MANIFOLD;
   }
   // union-find with parities
-  std::vector<std::size_t> parent(polygons.size());
-  std::vector<char> turned(polygons.size(), 0);     // relative to the parent
-  for(std::size_t p = 0; p < parent.size(); ++p) parent[p] = p;
+  std::vector<std::size_t> parent(number_of_polygons);
+  std::vector<char> turned(number_of_polygons, 0);      // relative to the parent
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
   const auto root = [&](std::size_t p, char& parity) {
     parity = 0;
     for(; parent[p] != p; p = parent[p]) {
@@ -135,29 +176,66 @@ inline Shell_status diagnose_polygons(const Polygon_soup::Polygons& polygons, Of
     }
     return p;
   };
-  for(const auto& edge : edges) {
-    if(edge.second.size() != 2) continue;
-    const Use &a = edge.second[0], &b = edge.second[1];
+  for_each_edge(uses, [&](auto a, auto last) {
+    if(last - a != 2) return;
+    const auto b = a + 1;
     char pa, pb;
-    const std::size_t ra = root(a.polygon, pa), rb = root(b.polygon, pb);
-    const char differ = char(a.forward == b.forward);
+    const std::size_t ra = root(a->polygon, pa), rb = root(b->polygon, pb);
+    const char differ = char(a->is_forward == b->is_forward);
     if(ra == rb) {
-      if((pa ^ pb) != differ) { offenders.facets.push_back(a.polygon); offenders.facets.push_back(b.polygon); }
+      if((pa ^ pb) != differ) { offenders.push_back(a->polygon); offenders.push_back(b->polygon); }
     } else {
       parent[ra] = rb;
       turned[ra] = char(pa ^ pb ^ differ);
     }
-  }
-  sort_and_remove_repetitions(offenders.facets);
-  return offenders.facets.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
+  });
+  sort_and_remove_repetitions(offenders);
+  return offenders.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
+}
+
+// Whether polygons are a mesh as they are: two at an edge walk it in opposite directions, and those around a vertex form one fan.
+inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup)
+{
+  // union-find of corners that are at the same vertex and at a common edge
+  std::size_t corners = 0;
+  for(const auto& polygon : soup.polygons) corners += polygon.size();
+  std::vector<std::size_t> parent(corners);
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t c) {
+    for(; parent[c] != c; c = parent[c]) parent[c] = parent[parent[c]];
+    return c;
+  };
+  bool agree = true;
+  for_each_edge(uses, [&](auto first, auto last) {
+    if(last - first == 1) return;
+    const auto second = first + 1;
+    agree = agree && last - first == 2 && first->is_forward != second->is_forward;
+    parent[root(first->lower_corner)] = root(second->lower_corner);
+    parent[root(first->upper_corner)] = root(second->upper_corner);
+  });
+  if(!agree) return false;
+  std::vector<char> has_fan(soup.points.size(), 0);
+  std::size_t c = 0;
+  for(const auto& polygon : soup.polygons)
+    for(std::size_t v : polygon) {
+      if(parent[c] == c) {
+        if(has_fan[v]) return false;
+        has_fan[v] = 1;
+      }
+      ++c;
+    }
+  return true;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   turned = 0;
-  const Shell_status status = diagnose_polygons(soup.polygons, offenders);
+  const std::vector<Edge_use> uses = edge_uses(soup.polygons, offenders.facets);
+  if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
+  const Shell_status status = diagnose_polygons(uses, soup.polygons.size(), offenders.facets);
   if(status != Shell_status::SUCCESS) return status;
+  if(are_mesh(uses, soup)) return Shell_status::SUCCESS;      // most are
   PMP::orient_polygon_soup(soup.points, soup.polygons, CGAL::parameters::visitor(Orientation_notes(offenders.vertices, turned)));
   sort_and_remove_repetitions(offenders.vertices);
   return offenders.vertices.empty() && PMP::is_polygon_soup_a_polygon_mesh(soup.polygons) ? Shell_status::SUCCESS : Shell_status::NON_MANIFOLD;
@@ -165,9 +243,11 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offendi
 
 CGAL_BSPLINE_SHELL_3_INLINE bool triangulate(Polygon_soup& soup)
 {
+  const auto is_triangle = [](const std::vector<std::size_t>& polygon) { return polygon.size() == 3; };
+  if(std::all_of(soup.polygons.begin(), soup.polygons.end(), is_triangle)) return true;
   Polygon_soup::Polygons triangles;
   for(std::vector<std::size_t>& polygon : soup.polygons)
-    if(polygon.size() == 3) triangles.push_back(std::move(polygon));
+    if(is_triangle(polygon)) triangles.push_back(std::move(polygon));
     else {
       Polygon_soup::Points corners;
       for(std::size_t v : polygon) corners.push_back(soup.points[v]);
