@@ -10,7 +10,9 @@ import numpy as np
 from vtk.util.numpy_support import vtk_to_numpy
 
 import paths        # where the next module is    # noqa: F401
-from draw_meshes import FACET, INNER, MESH, OUTER, edges, figure, fit, half, painted, plane, read, render, save, show, surface
+from palette import FACET, INNER, MESH, OUTER, figure, save
+from render_shell import half, read
+from rendering import edges, fit, painted, plane, render, show, surface
 
 
 def draw_layers(shells, picture):

@@ -97,7 +97,7 @@ def make_geodesics(making):
             mean, most = parsed(rf"{where}: +(\S+) % off in the mean, (\S+) % at most", output)
             lines.append(f"{name}: {percent(mean)} ({percent(most)})")
             means.append(percent(mean))
-        making.draw("draw_meshes.draw_geodesics", making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
+        making.draw("draw_geodesics.draw_geodesics", making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
     return Results(
         (f"{means[0]} → {means[1]}", "mean error of the distances on rotor"),
         [("rotor.png", "Above: the mesh, the heat method on it, exact distances. Below: the proxy, the heat method on it, what the mesh gets back."),
@@ -113,7 +113,7 @@ def make_elasticity(making):
     facets, of_proxy, tetrahedra = parsed(r"(\d+) facets, (\d+) of the proxy, all of them facets of (\d+) tetrahedra", output)
     iterations, steps, least = parsed(r"(\d+) iterations in (\d+) load steps; least J: (\S+)", output)
     moved, = parsed(r"displacements: up to (\S+) of", output)
-    making.draw("draw_meshes.draw_elasticity", mesh, making.folder, "bent.png")
+    making.draw("draw_elasticity.draw_elasticity", mesh, making.folder, "bent.png")
     return Results(
         (count(tetrahedra), "tetrahedra bend a solid whose own triangles are needles"),
         [("bent.png", "A mesh of needles; its proxy; the proxy filled with tetrahedra; the mesh, bent, in the colors of how far it moves.")],
@@ -129,7 +129,7 @@ def make_booleans(making):
     before, after = parsed(r"(\d+) facets before, (\d+) now", output)
     curve_before, curve = parsed(r"edges of the curve: (\d+) before, (\d+) now", output)
     others, = parsed(r"(\d+) facets have most of their image on the other solid", output)
-    making.draw("draw_meshes.draw_boolean", making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
+    making.draw("draw_colors.draw_boolean", making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
     return Results(
         (f"{count(before)} → {count(after)}", "facets of a union that keeps its colors"),
         [("union.png", "Two bears, united; and simplified in the shell of the union. The curve where both meet is drawn black.")],
@@ -143,7 +143,7 @@ def make_closest_point(making):
     from drawing import wrong_side
     making.script(ROOT / "benchmark/Bspline_shell_3/Robustness/thin_models.py", making.folder / "thin")
     making.run("figure_data", "sides", making.folder / "thin/bowl_2.off", making.folder / "bowl", 0.1)
-    making.draw("draw_meshes.draw_sides", making.folder / "bowl", "bowl.png")
+    making.draw("draw_colors.draw_sides", making.folder / "bowl", "bowl.png")
     closest, mapped = (percent(100 * wrong_side(f"{making.folder}/bowl_{part}.ply")) for part in ("closest_point", "shell_map"))
     return Results(
         (f"{closest} → {mapped}", "of the area gets the color of the wrong side: closest point, and map"),
@@ -160,7 +160,7 @@ def make_self_intersections(making):
     simplified, = parsed(r"(\d+) facets after simplification", output)
     parts, texture = parsed(r"; (\d+) without a part, (\d+) without texture", output)
     making.run("figure_data", "soup", making.folder / "figure")
-    making.draw("draw_meshes.draw_soup", making.folder / "figure", "figure.png")
+    making.draw("draw_textures.draw_soup", making.folder / "figure", "figure.png")
     of_visible = percent(100 * float(carried) / (100 - float(hidden)))
     return Results(
         (of_visible, "of what is visible of a broken model is carried one-to-one"),
@@ -173,6 +173,34 @@ def make_self_intersections(making):
            f"hidden inside: {percent(hidden)}"]),
          ("Parts and texture, on the simplified proxy", NOT_GIVEN,
           [f"{count(simplified)} facets: {parts} without a part, {texture} without texture"])])
+
+
+def make_fields(making):
+    # directions, facets of the simplified mesh (0: as few as the shell allows), direction of view, up
+    meshes = {
+        "elephant": (1, 0, (0.4, 0.15, 1), (0, 1, 0)),
+        "bunny00": (4, 2000, (0.2, 0.2, 1), (0, 1, 0)),
+    }
+    found, facets, singularities, sums, angles, panels = [], [], [], [], [], []
+    for name, (directions, number, *view) in meshes.items():
+        output = making.run("transfer_direction_field", MESHES / f"{name}.off", directions, number, folder=name)
+        kind = f"{name}, {'vectors' if directions == 1 else 'crosses'}"
+        facets.append("{}: {} → {}".format(kind, *map(count, parsed(r"facets: (\d+) before, (\d+) now", output))))
+        before, after, same = parsed(r"singularities: (\d+) before, (\d+) now; (\d+) of them at their images", output)
+        found.append(f"{same} of {before}")
+        singularities.append(f"{kind}: {before} → {after}, {same} of them at their images")
+        sums.append("{}: {} → {}".format(kind, *parsed(r"sum of indices: (\S+) before, (\S+) now", output)))
+        angle, = parsed(r"there and back: (\S+) degrees", output)
+        angles.append(f"{kind}: {float(angle):.1f}°")
+        panels.append((directions, str(making.folder / name), *view))
+    making.draw("draw_fields.draw_fields", panels, "fields.png")
+    return Results(
+        (", ".join(found), "singularities of a vector field and a cross field are where they were"),
+        [("fields.png", "Smoothest fields on meshes, and on the meshes simplified in their shells: vectors above, crosses below.")],
+        [("Facets", NOT_GIVEN, facets),
+         ("Singularities", "“smooth and consistent data propagation”", singularities),
+         ("Sum of their indices", NOT_GIVEN, sums),
+         ("There and back, mean angle", "“bidirectional field mapping”", angles)])
 
 
 FIGURES = [
@@ -205,6 +233,12 @@ FIGURES = [
         "The union of two input models with distinct colors undergoes remeshing within our shell, and the resulting low-poly mesh effectively "
         "preserves the original color information.", "Figure 15",
         (205, 100, 60), ["boolean_colors"], make_booleans),
+    Figure(
+        "fields", "Directions go along",
+        "Vectors and crosses are carried to the simplified mesh by the differential of the map, and back. Where a field is singular on the mesh, it is "
+        "singular on the simplified one.",
+        "This operator ensures seamless transfer of both vector fields and cross-field, enabling smooth and consistent data propagation.", "Figure 12",
+        (205, 100, 85), ["transfer_direction_field"], make_fields),
     Figure(
         "closest_point", "Where the closest point is the wrong one",
         "Attributes are usually carried to the closest point. That works until a wall is thinner than the other mesh is far away.",
