@@ -7,9 +7,9 @@ from vtk.util.numpy_support import numpy_to_vtk
 from palette import FACET, INNER, OUTER, figure, save
 from rendering import balls, edges, fit, polydata, render, show, surface, tubes
 
-LINE, EDGE = "#2f5f73", "#b9b4a8"
-DISTANCE, LENGTH = 0.014, 0.35      # of streamlines from each other, and of their halves, of the box
-SEEDS = 6000
+LINE, EDGE = "#1f5a78", "#a39d90"
+DISTANCE, LENGTH = 0.016, 0.35      # of streamlines from each other, and of their halves, of the box
+SEEDS = 8000
 SEED = 1                # of random numbers
 
 
@@ -220,12 +220,12 @@ def draw_fields(rows_of_panels, picture):
             view = view or fit(mesh, size, direction, up)
             box = np.ptp(points, axis=0).max()
             lines = streamlines(Flow(points, triangles, vectors, directions), box)
-            actors = [surface(mesh, FACET, ambient=0.3), tubes(lines, LINE, 0.0016 * box)]
+            actors = [surface(mesh, FACET, ambient=0.4), tubes(lines, LINE, 0.0014 * box)]
             if part:
-                actors.append(edges(mesh, EDGE, 0.6))
+                actors.append(edges(mesh, EDGE, 0.8))
             if directions == 1:
-                actors.append(arrows(lines, LINE, 0.016 * box))
-            actors += [balls(places[chosen], color, 0.011 * box) for chosen, color in ((indices > 0, OUTER), (indices < 0, INNER)) if chosen.any()]
+                actors.append(arrows(lines, LINE, 0.02 * box))
+            actors += [balls(places[chosen], color, 0.012 * box) for chosen, color in ((indices > 0, OUTER), (indices < 0, INNER)) if chosen.any()]
             show(ax, render(actors, size, *view), f"{what}: {len(triangles)} facets, {len(indices)} singularities")
     fig.subplots_adjust(0.005, 0.05, 0.995, 0.965, 0.02, 0.08)
     fig.legend(handles=[Line2D([], [], color=LINE, lw=2, label="streamlines"),

@@ -28,7 +28,7 @@ run texture elephant 0.02 800
 (cd "$data" && ../heat_geodesics ../data/meshes/rotor.off 100 1)
 (cd "$data" && ../boolean_colors ../data/meshes/bear.off)
 mkdir "$data"/fields_{1,4}
-(cd "$data/fields_1" && ../../transfer_direction_field ../../data/meshes/elephant.off 1)
+(cd "$data/fields_1" && ../../transfer_direction_field ../../data/meshes/elephant.off 1 1200)
 (cd "$data/fields_4" && ../../transfer_direction_field ../../data/meshes/bunny00.off 4 2000)
 python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
 "$build/figure_data" sides "$data/thin/bowl_2.off" "$data/bowl" 0.1

@@ -176,9 +176,9 @@ def make_self_intersections(making):
 
 
 def make_fields(making):
-    # directions, facets of the simplified mesh (0: as few as the shell allows), direction of view, up
+    # directions, facets of the simplified mesh, direction of view, up
     meshes = {
-        "elephant": (1, 0, (0.4, 0.15, 1), (0, 1, 0)),
+        "elephant": (1, 1200, (0.4, 0.15, 1), (0, 1, 0)),
         "bunny00": (4, 2000, (0.2, 0.2, 1), (0, 1, 0)),
     }
     found, facets, singularities, sums, angles, panels = [], [], [], [], [], []
