@@ -8,6 +8,9 @@
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
