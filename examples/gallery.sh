@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes figures of the paper again, on CGAL's meshes, and a page with them: results/gallery/index.html (Debian 12).
 #   bash examples/gallery.sh [--again] [FIGURE...]
-# FIGURE: shells, simplification, geodesics, elasticity, booleans, fields, closest_point, self_intersections; by default, all of them. Installs what
-# is missing and builds the programs. What is complete is not made again, unless with --again, so that a run that was interrupted can be resumed.
+# FIGURE: shells, gamma, gamma_impact, mu, simplification, geodesics, elasticity, booleans, fields, closest_point, self_intersections; by default,
+# all of them. Installs what is missing and builds the programs. What is complete is not made again, unless with --again, so that a run that was
+# interrupted can be resumed.
 # If a figure fails, the page says why, the others are made, and the exit code is 1; it is 2 if the usage is wrong.
 set -euo pipefail
 cd "$(dirname "$0")/.."

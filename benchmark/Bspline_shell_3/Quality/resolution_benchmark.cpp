@@ -15,8 +15,10 @@
 //   certificate, certified   verdicts about the mesh, and whether all claims are proved
 //   certificate_seconds      of equal cells
 //
-// --output writes the surfaces PREFIX_{G,certified}_{inner,outer}.ply, and PREFIX_{G,certified}_slice.vtk, values on the plane where the coordinate
-// AXIS (0, 1 or 2) has come to this PART (0 to 1) of its way through the mesh's box: f, and where between the thresholds it is, from 0 to 1.
+// --output writes PREFIX_mesh.ply, the surfaces PREFIX_{G,certified}_{inner,outer}.ply, and PREFIX_{G,certified}_slice.txt, a grid on the plane
+// where the coordinate AXIS (0, 1 or 2) has come to this PART (0 to 1) of its way through the mesh's box. The first line is: columns, rows, the first
+// point, the step; one line follows for each point, row by row: f, and where between the thresholds it is, from 0 to 1. Both are nan where the shell
+// has no cells.
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -29,6 +31,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <locale>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -62,27 +65,20 @@ bool write_slice(const std::string& file, const Shell_& shell, const Mesh& mesh,
     origin[a] = a == axis ? (1 - part) * (box.min)(a) + part * (box.max)(a) : (box.min)(a) - margin * unit;
     size[a] = a == axis ? 1 : int(((box.max)(a) - (box.min)(a) + 2 * margin * unit) / step) + 1;
   }
-  std::ostringstream values, places;
-  values.precision(5);
-  places.precision(5);
-  for(int k = 0; k < size[2]; ++k)
-    for(int j = 0; j < size[1]; ++j)
-      for(int i = 0; i < size[0]; ++i) {
-        const typename Shell_::Point_3 p(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
-        const auto f = shell.field().value(p);
-        double place = std::numeric_limits<double>::quiet_NaN();
-        if(f) {
-          const double inner = shell.inner_threshold().value(p);
-          place = (*f - inner) / (shell.outer_threshold().value(p) - inner);
-        }
-        values << (f ? *f / unit : place) << "\n";
-        places << place << "\n";
-      }
   return BS::write_file(file, [&](std::ostream& out) {
-    out << "# vtk DataFile Version 3.0\nslice\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS " << size[0] << " " << size[1] << " " << size[2]
-        << "\nORIGIN " << origin[0] << " " << origin[1] << " " << origin[2] << "\nSPACING " << step << " " << step << " " << step
-        << "\nPOINT_DATA " << size[0] * size[1] * size[2] << "\nSCALARS f double\nLOOKUP_TABLE default\n" << values.str()
-        << "SCALARS place double\nLOOKUP_TABLE default\n" << places.str();
+    out.imbue(std::locale::classic());
+    out << size[axis == 0 ? 1 : 0] << " " << size[axis == 2 ? 1 : 2];
+    for(double x : origin) out << " " << x;
+    out << " " << step << "\n";
+    for(int k = 0; k < size[2]; ++k)
+      for(int j = 0; j < size[1]; ++j)
+        for(int i = 0; i < size[0]; ++i) {
+          const typename Shell_::Point_3 p(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
+          const auto f = shell.field().value(p);
+          if(!f) { out << "nan nan\n"; continue; }
+          const double inner = shell.inner_threshold().value(p);
+          out << *f / unit << " " << (*f - inner) / (shell.outer_threshold().value(p) - inner) << "\n";
+        }
     return bool(out);
   });
 }
@@ -93,7 +89,7 @@ bool write_output(const Options& options, const std::string& name, const Shell_&
   const std::string prefix = options.prefix + "_" + name + "_";
   return write_surface(prefix + "inner.ply", shell, shell.inner_threshold()) == 0
       && write_surface(prefix + "outer.ply", shell, shell.outer_threshold()) == 0
-      && write_slice(prefix + "slice.vtk", shell, mesh, options.axis, options.part);
+      && write_slice(prefix + "slice.txt", shell, mesh, options.axis, options.part);
 }
 
 // what both kinds of shells have in common
@@ -129,7 +125,6 @@ void print_shell(const Shell_& shell, const Mesh& mesh, double seconds, const BS
 bool measure(const std::string& file, const Options& options)
 {
   Mesh mesh;
-  bool written = true;
   CGAL::Real_timer timer;
   timer.start();
   const auto time = [&] {
@@ -146,6 +141,7 @@ bool measure(const std::string& file, const Options& options)
     give_up("no mesh");
     return false;
   }
+  bool written = options.prefix.empty() || write_mesh(options.prefix + "_mesh.ply", mesh);
   for(double gamma : options.gammas) {
     std::ostringstream number;
     number << gamma;

@@ -3,8 +3,8 @@
 //
 //   weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] [MESH ...]
 //
-// Default: 20 cells along the longest side of the mesh's box, as in the figure, and 100000 random points on fandisk; mu from 1e-7 to 100; a certified
-// shell of 0.02. Lengths are in units of that side. Points, and distances along the mesh from its first vertex by the heat method, go to a second
+// Default: 20 cells along the longest side of the mesh's box, as in the figure, and 100000 random points on fandisk; mu from 1e-6 to 100; a certified
+// shell of 0.05. Lengths are in units of that side. Points, and distances along the mesh from its first vertex by the heat method, go to a second
 // mesh and back: the mesh with its vertices moved along the flow, by 40 % of the way to a level at most. In the certified shell, it is moved as far
 // as its certificate allows: by 80 %, or half as much, and so on.
 //
@@ -18,7 +18,8 @@
 //   distances        that come back: the mean of what they are off by, and the most; the number of points that are off by 0.03 to 0.06, and so on, by
 //                    more than 0.3 in the end, and those that get no distance
 //
-// --output writes PREFIX_{M,certified}.ply, the mesh with the distances at its vertices before and after; those that get none have -1.
+// --output writes PREFIX_mesh.ply, the mesh with the distances, and PREFIX_{M,certified}.txt, points where what comes back is off by more than 0.03,
+// and by how much: x y z error, of which the last is -1 where nothing comes back.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
@@ -47,8 +48,8 @@ typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance;
 
 struct Options
 {
-  double gamma = 20, thickness = 0.02;
-  std::vector<double> mus = { 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 0.1, 1, 10, 100 };
+  double gamma = 20, thickness = 0.05;
+  std::vector<double> mus = { 1e-6, 1e-5, 1e-4, 1e-2, 0.1, 1, 10, 100 };
   std::size_t points = 100000;
   std::string prefix;
 };
@@ -95,15 +96,15 @@ double interpolated(const Mesh& mesh, Distance values, const Location& location)
   return value;
 }
 
-// the rest of a line; false if the mesh with its distances cannot be written
+// the rest of a line; false if the points cannot be written
 template <typename Shell_>
-bool measure_map(const Shell_& shell, Mesh& mesh, Mesh& second, Distance distance, std::size_t kept, const Options& options, const std::string& mu)
+bool measure_map(const Shell_& shell, const Mesh& mesh, Mesh& second, Distance distance, std::size_t kept, const Options& options,
+                 const std::string& mu)
 {
   const BS::Shell_map_3<Shell_, Mesh> map(shell, mesh, second), inverse = map.inverse();
-  const auto missing = BS::parameters::default_value(std::numeric_limits<double>::quiet_NaN());
-  const Distance on_second = second.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
-                 returned = mesh.add_property_map<Mesh::Vertex_index, double>("v:returned").first;
-  BS::transfer_vertex_attribute(map, distance, on_second, missing);
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  const Distance on_second = second.add_property_map<Mesh::Vertex_index, double>("v:distance_there").first;
+  BS::transfer_vertex_attribute(map, distance, on_second, BS::parameters::default_value(missing));
 
   const auto locations = random_locations(mesh, options.points, 3);
   const auto images = map.project(locations);
@@ -111,6 +112,7 @@ bool measure_map(const Shell_& shell, Mesh& mesh, Mesh& second, Distance distanc
   std::array<std::size_t, 4> histogram = {};
   std::array<std::size_t, 10> errors = {};
   double least_cosine = 1, sum = 0, most = 0;
+  std::ostringstream failures;
   for(std::size_t n = 0; n < locations.size(); ++n) {
     const auto c = map.point(locations[n]);
     const Kernel::Point_3 p(c[0], c[1], c[2]);
@@ -126,9 +128,10 @@ bool measure_map(const Shell_& shell, Mesh& mesh, Mesh& second, Distance distanc
       ++histogram[way < 1e-6 ? 0 : way < 1e-3 ? 1 : way < threshold ? 2 : 3];
     }
     else ++lost;
-    const double carried = images[n] ? interpolated(second, on_second, images[n].location) : std::numeric_limits<double>::quiet_NaN();
-    if(!std::isfinite(carried)) { ++without; continue; }
-    const double error = std::abs(carried - interpolated(mesh, distance, locations[n])) / shell.report().unit;
+    const double carried = images[n] ? interpolated(second, on_second, images[n].location) : missing,
+                 error = std::abs(carried - interpolated(mesh, distance, locations[n])) / shell.report().unit;
+    if(!(error <= threshold)) failures << p << " " << (std::isfinite(error) ? error : -1) << "\n";
+    if(!std::isfinite(error)) { ++without; continue; }
     sum += error;
     most = (std::max)(most, error);
     if(error > threshold) ++errors[(std::min)(std::size_t(error / threshold) - 1, errors.size() - 1)];
@@ -144,17 +147,12 @@ bool measure_map(const Shell_& shell, Mesh& mesh, Mesh& second, Distance distanc
   for(std::size_t n = 0; n < errors.size(); ++n) std::cout << (n == 0 ? "" : ",") << errors[n];
   std::cout << "],\"missing\":" << without << "}}" << std::endl;
 
-  if(options.prefix.empty()) return true;
-  BS::transfer_vertex_attribute(inverse, on_second, returned, missing);
-  for(Mesh::Vertex_index v : mesh.vertices())
-    if(!std::isfinite(returned[v])) returned[v] = -1;
-  return BS::write_file(options.prefix + "_" + mu + ".ply", [&](std::ostream& out) { return CGAL::IO::write_PLY(out, mesh); });
+  return options.prefix.empty() || BS::write_file(options.prefix + "_" + mu + ".txt", [&](std::ostream& out) { return bool(out << failures.str()); });
 }
 
 bool measure(const std::string& file, const Options& options)
 {
   Mesh mesh;
-  bool written = true;
   const auto begin = [&](const std::string& mu) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"gamma\":" << options.gamma << ",\"mu\":" << mu;
   };
@@ -166,6 +164,8 @@ bool measure(const std::string& file, const Options& options)
   }
   const Distance distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distance, *mesh.vertices().begin());
+  bool written = options.prefix.empty()
+              || BS::write_file(options.prefix + "_mesh.ply", [&](std::ostream& out) { return CGAL::IO::write_PLY(out, mesh); });
   for(double mu : options.mus) {
     std::ostringstream number;
     number << mu;

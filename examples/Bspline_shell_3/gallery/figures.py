@@ -1,33 +1,14 @@
 """The figures of the gallery: what each shows, what the paper says about it, how it is made, and what is measured in it."""
 import json
-import re
 from collections import namedtuple
 
-from making import Failure
 from paths import MESHES, ROOT
+from results import NOT_GIVEN, Results, count, parsed, percent
+from studies import make_gamma, make_gamma_impact, make_mu
 
 # `thumbnail` is the part of the first picture that stands for the figure: how wide the picture is, and where it is, in percent as CSS has them.
 # `programs` are those that `make` runs; it returns Results.
 Figure = namedtuple("Figure", "name title text quotation source thumbnail programs make")
-# `headline`: what is measured, and of what. `pictures`: (file, caption). `rows` of a table: (what, the paper, lines that say what was found here).
-Results = namedtuple("Results", "headline pictures rows")
-
-NOT_GIVEN = "not given"
-
-
-def parsed(pattern, text):
-    found = re.search(pattern, text)
-    if not found:
-        raise Failure(f"The output of a program has changed: there is no “{pattern}” in it.")
-    return found.groups()
-
-
-def count(number):
-    return f"{int(number):,}".replace(",", "\u202f")
-
-
-def percent(number):
-    return f"{float(number):.2g}\u202f%"
 
 
 def make_shells(making):
@@ -214,6 +195,24 @@ FIGURES = [
         "is inside and that the curves across the shell are a one-to-one map.",
         "In all cases, our algorithm successfully generates well-defined implicit shells.", "Figure 6, Section 5.2",
         (100, 50, 7), ["simplify_and_transfer"], make_shells),
+    Figure(
+        "gamma", "What the resolution does",
+        "Cells of one size lose what is smaller than they are: the shell gets thick, and its surfaces lose their hands and feet. Cells that are "
+        "small where the proof needs it keep both.",
+        "A larger γ results in shells that better preserve the geometric features of the input model, whereas a smaller γ leads to a loss of "
+        "geometric details.", "Figure 7, Section 5.2",
+        (500, 0, 30), ["resolution_benchmark"], make_gamma),
+    Figure(
+        "gamma_impact", "Thin shells cost time, and prove nothing",
+        "The finer cells of one size are, the thinner is the shell, and the longer it takes. Whether its map is one-to-one is another question.",
+        "… highlighting its dual impact on geometric fidelity (shell thickness) and computational efficiency.", "Figure 8, Section 5.2",
+        (300, 0, 40), ["resolution_benchmark"], make_gamma_impact),
+    Figure(
+        "mu", "What the weight does",
+        "Distances go to another mesh in the shell and back. With a small weight, the gradient faces the wrong way and they come back wrong; with a "
+        "large one, the shell gets thick, and curves do not arrive.",
+        "… proper tuning of μ is essential for preserving bijectivity and ensuring accurate attribute transfer.", "Figure 10, Section 5.4",
+        (500, 0, 10), ["weights_benchmark"], make_mu),
     Figure(
         "simplification", "Fewer triangles, and none through another",
         "Edge collapse that stays in the shell cannot make a mesh intersect itself, and what the mesh carried is found again on the simplified one.",
