@@ -20,7 +20,6 @@ from slices import section
 
 CERTIFIED = "certified"
 LOST = "#5a5f66"
-ARMADILLO = (0.5, 0.3, -1), (0, 1, 0)       # direction of view, up
 
 
 def label(parameter):
@@ -154,4 +153,4 @@ if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     with open(f"{sys.argv[1]}.jsonl") as lines:
-        draw_surfaces(sys.argv[1], [json.loads(line) for line in lines], *ARMADILLO, sys.argv[2])
+        draw_surfaces(sys.argv[1], [json.loads(line) for line in lines], (0.5, 0.3, -1), (0, 1, 0), sys.argv[2])

@@ -30,6 +30,8 @@ run texture elephant 0.02 800
 mkdir "$data"/fields_{1,4}
 (cd "$data/fields_1" && ../../transfer_direction_field ../../data/meshes/elephant.off 1 1200)
 (cd "$data/fields_4" && ../../transfer_direction_field ../../data/meshes/bunny00.off 4 2000)
+echo "resolution_benchmark armadillo.off"
+"$build/resolution_benchmark" --gamma 30,50,90,130 --output "$data/armadillo" 2 0.5 "$build/data/meshes/armadillo.off" >"$data/armadillo.jsonl"
 python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
 "$build/figure_data" sides "$data/thin/bowl_2.off" "$data/bowl" 0.1
 mkdir "$data/bent"
@@ -42,3 +44,4 @@ export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # fo
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
 /usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
+xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"

@@ -63,7 +63,7 @@ def make_gamma_impact(making):
     return Results(
         (f"{certified(finest)} → {certified(ours)} of {len(names)}",
          f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]}, and ours"),
-        [("impact.png", f"Seconds, thickness and proofs of {len(names)} meshes. Seconds are without the proof, if cells are equal; ours are with it.")],
+        [("impact.png", f"Seconds, thickness and proofs of {len(names)} meshes. Seconds of equal cells are without the proof, ours are with it.")],
         [("Seconds, mean", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
          ("Thickness, of the box, mean", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
          ("Samples in the shell", "100K points on each model: all, on 499 of 500 models",
@@ -86,12 +86,14 @@ def make_mu(making):
     return Results(
         (f"{of_points(sum(worst['distances']['errors']), worst)} → {of_points(sum(found[-1]['distances']['errors']), found[-1])}",
          f"of the points get a wrong distance back: μ = {worst['mu']:g}, and ours"),
-        [("rotor.png", "Lines of equal distance on rotor; points whose distance comes back wrong (purple) or not at all (gray), and how many.")],
+        [("rotor.png", "Lines of equal distance on rotor; points whose distance comes back wrong (purple) or not at all (gray), and how many. "
+                       "The vertices of the other mesh are up to 40\u202f% of the way to a level away, and in our shell "
+                       f"{percent(100 * found[-1]['moved'])}: as far as is certified.")],
         [("Distances off by more than 0.03 of the box", "shown as histograms",
           lines(lambda shell: of_points(sum(shell["distances"]["errors"]), shell))),
          ("Points without one, as a corner of their facet there has none", NOT_GIVEN,
           lines(lambda shell: of_points(shell["distances"]["missing"], shell))),
-         ("Points that do not come back themselves; that come back elsewhere", NOT_GIVEN,
+         ("Points that do not come back; that come back more than 0.001 away", NOT_GIVEN,
           lines(lambda shell: f"{of_points(shell['round_trip']['lost'], shell)}; "
                               f"{of_points(shell['round_trip']['0.03'] + shell['round_trip']['more'], shell)}")),
          ("Points where the gradient faces the wrong way", "“local gradient directions deviate”, if μ is small",
