@@ -35,7 +35,6 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 typedef CGAL::Bspline_shell_3<> Uniform_shell;

@@ -95,7 +95,7 @@ def draw_impact(found, picture):
     """What resolution_benchmark printed about some meshes."""
     equal, ours = [f for f in found if f["gamma"]], [f for f in found if not f["gamma"]]
     gammas = sorted({f["gamma"] for f in equal})
-    fig, ((time, thickness, proved),) = figure(1, 3, 330)
+    fig, ((time, thickness, proved),) = figure(1, 3, 340)
     for axes, name, scale in ((time, "seconds", 1), (thickness, "thickness", 100)):
         for mesh in {f["mesh"] for f in equal}:
             axes.plot(*np.transpose([(f["gamma"], scale * f[name]) for f in equal if f["mesh"] == mesh]), color=CELL, lw=1)
@@ -105,13 +105,13 @@ def draw_impact(found, picture):
     proved.bar(gammas, [100 * np.mean([f["certified"] for f in equal if f["gamma"] == g]) for g in gammas], 12, color=MESH)
     proved.axhline(100 * np.mean([f["certified"] for f in ours]), color=CURVE, lw=2.4, ls="--")
     proved.set_ylim(0, 105)
-    for axes, name in ((time, "seconds"), (thickness, "thickness, % of the box"), (proved, "one-to-one: proved, % of meshes")):
-        axes.set_title(name, pad=5)
+    for axes, name in ((time, "seconds"), (thickness, "thickness, % of the box"), (proved, "proved one-to-one, % of meshes")):
+        axes.set_title(name, pad=5, fontsize=11)
         axes.set_xticks(gammas)
         axes.set_xlabel("γ", labelpad=1)
         for side in ("top", "right"):
             axes.spines[side].set_visible(False)
-    fig.subplots_adjust(0.035, 0.22, 0.995, 0.92, 0.16)
+    fig.subplots_adjust(0.035, 0.24, 0.995, 0.92, 0.16)
     fig.legend(handles=[Line2D([], [], color=CELL, lw=1, label="equal cells, each mesh"),
                         Line2D([], [], color=MESH, marker="o", ms=5, lw=2.4, label="equal cells, mean"),
                         Line2D([], [], color=CURVE, lw=2.4, ls="--", label="ours, mean: cells as the proof needs them")],

@@ -203,7 +203,7 @@ FIGURES = [
         "geometric details.", "Figure 7, Section 5.2",
         (500, 0, 30), ["resolution_benchmark"], make_gamma),
     Figure(
-        "gamma_impact", "Thin shells cost time, and prove nothing",
+        "gamma_impact", "What the resolution costs",
         "The finer cells of one size are, the thinner is the shell, and the longer it takes. Whether its map is one-to-one is another question.",
         "… highlighting its dual impact on geometric fidelity (shell thickness) and computational efficiency.", "Figure 8, Section 5.2",
         (300, 0, 40), ["resolution_benchmark"], make_gamma_impact),
