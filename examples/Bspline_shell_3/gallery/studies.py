@@ -64,7 +64,7 @@ def make_gamma_impact(making):
         (f"{certified(finest)} → {certified(ours)} of {len(names)}",
          f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]}, and ours"),
         [("impact.png", f"Seconds, thickness and proofs of {len(names)} meshes. Seconds of equal cells are without the proof, ours are with it. The "
-                        "thickness of ours is the one asked for; equal cells get thin shells where the mesh is smooth, and thick ones where it is not.")],
+                        "thickness of ours is the one asked for; equal cells get thin shells of smooth meshes, and thick ones of others.")],
         [("Seconds, mean", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
          ("Thickness, of the box, mean", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
          ("Samples in the shell", "100K points on each model: all, on 499 of 500 models",
