@@ -201,7 +201,7 @@ FIGURES = [
         "small where the proof needs it keep both.",
         "A larger γ results in shells that better preserve the geometric features of the input model, whereas a smaller γ leads to a loss of "
         "geometric details.", "Figure 7, Section 5.2",
-        (500, 0, 30), ["resolution_benchmark"], make_gamma),
+        (300, 0, 18), ["resolution_benchmark"], make_gamma),
     Figure(
         "gamma_impact", "What the resolution costs",
         "The finer cells of one size are, the thinner is the shell, and the longer it takes. Whether its map is one-to-one is another question.",
@@ -212,7 +212,7 @@ FIGURES = [
         "Distances go to another mesh in the shell and back. With a small weight, the gradient faces the wrong way and they come back wrong; with a "
         "large one, the shell gets thick, and curves do not arrive.",
         "… proper tuning of μ is essential for preserving bijectivity and ensuring accurate attribute transfer.", "Figure 10, Section 5.4",
-        (500, 0, 10), ["weights_benchmark"], make_mu),
+        (320, 5, 14), ["weights_benchmark"], make_mu),
     Figure(
         "simplification", "Fewer triangles, and none through another",
         "Edge collapse that stays in the shell cannot make a mesh intersect itself, and what the mesh carried is found again on the simplified one.",
