@@ -14,8 +14,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from vtk.util.numpy_support import vtk_to_numpy
 
-from draw_meshes import balls, fit, read, render, show, surface, vertex_values, with_isolines
+from draw_geodesics import vertex_values, with_isolines
 from palette import CELL, CURVE, FAILURE, INNER, MESH, OUTER, figure, save
+from render_shell import read
+from rendering import balls, fit, render, show, surface
 from slices import section
 
 CERTIFIED = "certified"

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # Remakes the figures of the manual that this folder has scripts for, in doc/Bspline_shell_3/fig (Debian 12):
 #   bash doc/Bspline_shell_3/figures/make_figures.sh
-# Installs what is missing, builds figure_data.cpp and examples, runs them on meshes of the Debian package libcgal-demo, and draws what they write.
+# Installs what is missing, builds the programs of the gallery, runs them on meshes of the Debian package libcgal-demo, and draws what they write.
 # The pictures of shells of the elephant are drawn by examples/Bspline_shell_3/render_shell.py.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
 install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev
 
-here=doc/Bspline_shell_3/figures build=build/figures data=build/figures/out fig=doc/Bspline_shell_3/fig
+here=doc/Bspline_shell_3/figures build=$PWD/build/gallery data=build/figures fig=doc/Bspline_shell_3/fig
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}"
+cmake -S examples/Bspline_shell_3/gallery -B "$build" -DCMAKE_BUILD_TYPE=Release -G Ninja -Wno-dev "${launcher[@]}"
 cmake --build "$build"
 
 rm -rf "$data"
@@ -25,11 +25,11 @@ run open three_peaks 0.01 0
 run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
-(cd "$data" && ../heat_geodesics ../data/meshes/rotor.off 100 1)
-(cd "$data" && ../boolean_colors ../data/meshes/bear.off)
+(cd "$data" && "$build/heat_geodesics" "$build/data/meshes/rotor.off" 100 1)
+(cd "$data" && "$build/boolean_colors" "$build/data/meshes/bear.off")
 mkdir "$data"/fields_{1,4}
-(cd "$data/fields_1" && ../../transfer_direction_field ../../data/meshes/elephant.off 1 1200)
-(cd "$data/fields_4" && ../../transfer_direction_field ../../data/meshes/bunny00.off 4 2000)
+(cd "$data/fields_1" && "$build/transfer_direction_field" "$build/data/meshes/elephant.off" 1 1200)
+(cd "$data/fields_4" && "$build/transfer_direction_field" "$build/data/meshes/bunny00.off" 4 2000)
 echo "resolution_benchmark armadillo.off"
 "$build/resolution_benchmark" --gamma 30,50,90,130 --output "$data/armadillo" 2 0.5 "$build/data/meshes/armadillo.off" >"$data/armadillo.jsonl"
 python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
@@ -37,8 +37,7 @@ python3 benchmark/Bspline_shell_3/Robustness/thin_models.py "$data/thin"
 mkdir "$data/bent"
 cp "$build/data/meshes/anchor.off" "$data/bent"
 echo "elastic_proxy anchor.off 25"
-program=$(realpath "$build/elastic_proxy")
-(cd "$data/bent" && "$program" anchor.off 25)
+(cd "$data/bent" && "$build/elastic_proxy" anchor.off 25)
 
 export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
