@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -71,7 +72,7 @@ class Mesh_signed_distance_3::Trees
 
 public:
   explicit Trees(const Input_mesh_3& input)
-    : m_size(input.unit()), m_flip(!input.faces_outwards())
+    : m_mesh(input.mesh()), m_size(input.unit()), m_flip(!input.faces_outwards())
   {
     for(auto f : input.mesh().faces()) {
       const auto t = input.triangle(f);
@@ -80,13 +81,15 @@ public:
     compute_normals(input);
     m_distance_tree = std::make_unique<Distance_tree>(m_triangles.cbegin(), m_triangles.cend());
     m_distance_tree->build();
-    m_side_tree = std::make_unique<Side_tree>(faces(input.mesh()).begin(), faces(input.mesh()).end(), input.mesh());
-    m_side_tree->build();
-    m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
   }
 
   int sign(const Point_3& p) const
   {
+    std::call_once(m_side_is_built, [&] {      // few are in doubt, and often none
+      m_side_tree = std::make_unique<Side_tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
+      m_side_tree->build();
+      m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
+    });
     const Bounded_side side = (*m_side)(p);
     if(side == ON_BOUNDARY) return 0;
     return (side == ON_BOUNDED_SIDE) != m_flip ? -1 : 1;
@@ -219,8 +222,10 @@ private:
   std::vector<std::array<std::size_t, 3> > m_neighbors;     // across the edges
   std::vector<Normals> m_normals;
   std::unique_ptr<Distance_tree> m_distance_tree;
-  std::unique_ptr<Side_tree> m_side_tree;
-  std::unique_ptr<Side_of_mesh> m_side;
+  const Input_mesh_3::Triangle_mesh& m_mesh;
+  mutable std::once_flag m_side_is_built;
+  mutable std::unique_ptr<Side_tree> m_side_tree;
+  mutable std::unique_ptr<Side_of_mesh> m_side;
   FT m_size;
   bool m_flip;
 };
