@@ -14,21 +14,30 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iomanip>
+#include <locale>
+#include <optional>
+#include <vector>
 
 typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 
 const char* const usage =
-  "Usage: simplify_and_transfer FILE [--facets FACETS] [--output PREFIX]\n"
+  "Usage: simplify_and_transfer FILE [--facets FACETS] [--output PREFIX] [--time-limit SECONDS] [--memory-limit MB] [--threads N]\n"
   "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
   "  simplified if not given. mesh is that of the file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why.\n"
-  "  detail is the simplified mesh, cut into small triangles that show the color of every point.\n"
+  "  detail is the simplified mesh, cut into small triangles that show the color of every point. PREFIX_simplified.json has the\n"
+  "  numbers of facets, and how far points arrive from where they started, there and back. The limits, by default 60 s and\n"
+  "  4000 MB, are those of the shell; N is by default the number of processors.\n"
   "  If the shell is not certified, writes PREFIX_{mesh,places}.ply instead: the mesh, and points that stand in the way.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
   "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
@@ -95,19 +104,54 @@ bool carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& n
   return bool(report);
 }
 
+struct Round_trip
+{
+  std::size_t points = 0, lost = 0;
+  double farthest = 0;      // from where one started
+};
+
+// Takes vertices and centroids of the source to the target and back.
+template <typename Map_>
+void travel(const Map_& map, Round_trip& trip)
+{
+  std::vector<typename Map_::Source_location> starts;
+  for(auto v : map.source().vertices()) starts.push_back(CGAL::Polygon_mesh_processing::locate_vertex<double>(v, map.source()));
+  for(auto f : map.source().faces()) starts.push_back({ f, { 1 / 3., 1 / 3., 1 / 3. } });
+  const auto images = map.project(starts);
+  const auto back = map.inverse();
+  for(std::size_t n = 0; n < starts.size(); ++n) {
+    ++trip.points;
+    const auto end = images[n] ? back(images[n].location) : typename Map_::Source_image();
+    if(!images[n] || !end) { ++trip.lost; continue; }
+    const auto start = map.point(starts[n]);
+    trip.farthest = (std::max)(trip.farthest, std::sqrt(CGAL::squared_distance(Kernel::Point_3(start[0], start[1], start[2]), end.point)));
+  }
+}
+
 int main(int argc, char** argv)
 {
   std::string file, output = "simplified";
-  std::size_t facets = 0;
+  std::size_t facets = 0, threads = 0;
+  double seconds = 60, megabytes = 4000;
   bool usable = true;
   for(int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
-    if(arg == "--facets" && i + 1 < argc) {
+    const bool has_value = i + 1 < argc;
+    const auto number = [&](std::size_t& n) {
       char* end;
-      facets = std::strtoul(argv[++i], &end, 10);
-      usable = usable && *end == '\0' && facets > 0 && argv[i][0] != '-';
-    }
-    else if(arg == "--output" && i + 1 < argc) output = argv[++i];
+      n = std::strtoul(argv[++i], &end, 10);
+      usable = usable && *end == '\0' && n > 0 && argv[i][0] != '-';
+    };
+    const auto positive = [&](double& x) {
+      char* end;
+      x = std::strtod(argv[++i], &end);
+      usable = usable && *end == '\0' && std::isfinite(x) && x > 0;
+    };
+    if(arg == "--facets" && has_value) number(facets);
+    else if(arg == "--threads" && has_value) number(threads);
+    else if(arg == "--time-limit" && has_value) positive(seconds);
+    else if(arg == "--memory-limit" && has_value) positive(megabytes);
+    else if(arg == "--output" && has_value) output = argv[++i];
     else if(file.empty() && arg[0] != '-') file = arg;
     else usable = false;
   }
@@ -117,8 +161,13 @@ int main(int argc, char** argv)
   }
   const std::string mesh_file = output + "_mesh.ply", simplified_file = output + "_simplified.ply", detail_file = output + "_detail.ply",
                     inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", places_file = output + "_places.ply",
-                    report_file = output + ".json";
-  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file, report_file })) return code;
+                    report_file = output + ".json", simplified_report_file = output + "_simplified.json";
+  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file, report_file,
+                                              simplified_report_file })) return code;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> control;
+  if(threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, threads);
+#endif
 
   BS::Polygon_soup soup;
   BS::Offending_simplices offenders;
@@ -129,7 +178,8 @@ int main(int argc, char** argv)
   Step_printer printer;
   CGAL::Real_timer timer;
   timer.start();
-  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(soup, BS::parameters::time_limit(60.).visitor(std::ref(printer)));
+  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
+    soup, BS::parameters::time_limit(seconds).memory_limit(1e6 * megabytes).visitor(std::ref(printer)));
   const Shell& shell = found.shell();
   Mesh mesh = found.mesh();
   printer.clear();
@@ -166,10 +216,21 @@ int main(int argc, char** argv)
      || !carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color"))
     return POINTS_LOST;
   const double transfer_seconds = timer.time();
+  Round_trip trip;
+  travel(to_coarse, trip);
+  travel(to_coarse.inverse(), trip);
 
   if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
   if(!write_mesh(simplified_file, coarse)) return cannot_write(simplified_file);
   if(!write_mesh(detail_file, detail)) return cannot_write(detail_file);
+  const auto write_simplified_report = [&](std::ostream& out) {
+    out.imbue(std::locale::classic());
+    out << "{\n  \"facets_before\": " << simplified.facets_before << ",\n  \"facets\": " << simplified.facets << ",\n  \"seconds\": "
+        << simplified.total_seconds() << ",\n  \"round_trip\": { \"points\": " << trip.points << ", \"lost\": " << trip.lost
+        << ", \"farthest\": " << trip.farthest << " }\n}\n";
+    return bool(out);
+  };
+  if(!BS::write_file(simplified_report_file, write_simplified_report)) return cannot_write(simplified_report_file);
   const int inner = write_surface(inner_file, shell, shell.inner_threshold());
   const int outer = write_surface(outer_file, shell, shell.outer_threshold());
 
@@ -185,5 +246,7 @@ int main(int argc, char** argv)
   if(facets > 0 && simplified.facets > facets) row("") << "the shell allows no fewer\n";
   row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
                       << " points; none is lost; " << transfer_seconds << " s\n";
+  row("round trip") << trip.points << " points, " << trip.lost << " lost; at most " << trip.farthest / shell.report().unit
+                        << " of the box from where they started\n";
   return (std::max)(inner, outer);
 }

@@ -1,0 +1,77 @@
+"""What a data set is: its meshes, their names, the batches they are dealt to, and the options they are processed with."""
+import hashlib
+from collections import Counter
+from pathlib import Path
+
+FORMATS = {".off", ".obj", ".ply", ".stl"}
+DEFAULTS = {
+    "results": "results/data_set",
+    "program": "build/data_set/examples/Bspline_shell_3/simplify_and_transfer",
+    "facets": 0,                # of the simplified meshes; 0: as few as the shell allows
+    "time_limit": 300,          # seconds for a mesh, without its picture; the shell gets half of them
+    "memory_limit": 4000,       # megabytes for a mesh; the shell is to be content with two thirds of them
+    "pictures": True,
+    "keep": "mesh simplified places inner outer",       # PLY files
+    "batch": 20,                # meshes for a job
+}
+
+
+def options(config):
+    """Those of the configuration, and defaults for the others, each of the type of its default."""
+    if not config.get("meshes"):
+        raise ValueError("Name a folder or a list: --config meshes=FOLDER")
+    unknown = set(config) - set(DEFAULTS) - {"meshes"}
+    if unknown:
+        raise ValueError(f"There is no option {', '.join(sorted(unknown))}.")
+    chosen = {**DEFAULTS, **config}
+    for name in ("facets", "time_limit", "memory_limit", "batch"):
+        chosen[name] = int(chosen[name])
+        if chosen[name] < (0 if name == "facets" else 1):
+            raise ValueError(f"{name} must be a positive integer.")
+    chosen["pictures"] = str(chosen["pictures"]).lower() in ("true", "1", "yes")
+    return chosen
+
+
+def files_of(meshes):
+    """All meshes in a folder and the folders in it, or those that a file lists, one a line, relative to its own folder."""
+    meshes = Path(meshes).absolute()
+    if meshes.is_dir():
+        return sorted(path for path in meshes.rglob("*") if path.suffix.lower() in FORMATS and path.is_file())
+    lines = (line.strip() for line in meshes.read_text(encoding="utf-8").splitlines())
+    return list(dict.fromkeys(meshes.parent / line for line in lines if line and not line.startswith("#")))
+
+
+def plain(text):
+    """Without characters that shells, snakemake or links could take for something else."""
+    return "".join(c if c.isalnum() or c in "-_+=" else "_" for c in text)
+
+
+def name_of(path, stems):
+    """The file's name; where several have the same, with the format, and with a part that belongs to this path alone."""
+    if stems[plain(path.stem)] == 1:
+        return plain(path.stem)
+    return f"{plain(path.stem)}_{path.suffix[1:].lower()}_{hashlib.sha256(str(path).encode()).hexdigest()[:6]}"
+
+
+def batches_of(files, size):
+    """Lists of (name, file). Meshes are dealt out by size, so that all batches take about as long."""
+    stems = Counter(plain(path.stem) for path in files)
+    by_size = sorted(files, key=lambda path: (-path.stat().st_size if path.exists() else 0, path))
+    number = -(-len(files) // size)
+    return [[(name_of(path, stems), path) for path in by_size[n::number]] for n in range(number)]
+
+
+def state(file):
+    """What tells a file from a changed one."""
+    try:
+        return [str(file), file.stat().st_size, file.stat().st_mtime_ns]
+    except OSError:
+        return [str(file)]
+
+
+def checksum_of(batch):
+    return hashlib.sha256(repr([(name, state(file)) for name, file in batch]).encode()).hexdigest()
+
+
+def checksum(file):
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()

@@ -1,0 +1,247 @@
+"""Writes what became of a data set: table.csv, index.html, and a page for each mesh. They need no network.
+
+Usage: pages.py RESULTS BATCHES     (BATCHES: how many files batches/N.jsonl there are)
+"""
+import csv
+import io
+import json
+import sys
+from collections import Counter
+from html import escape
+from pathlib import Path
+from statistics import median
+from urllib.parse import quote
+
+import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
+
+# columns: key, title, format, and what it is
+COLUMNS = (
+    ("kind", "Kind", str, "what the shell is of: the mesh itself, closed or not, or a proxy of what is no mesh"),
+    ("facets", "Facets", "{:,}", "of the mesh, or of the proxy"),
+    ("simplified_facets", "Simplified", "{:,}", "facets of the simplified mesh"),
+    ("thickness", "Thickness", "{:.2f} %", "of the shell, in percent of the longest side of the box"),
+    ("cells", "Cells", "{:,}", "of the field that the shell is made of"),
+    ("round_trip", "Round trip", "{:.1e}", "how far points arrive from where they started, there and back, at most; in lengths of the box"),
+    ("seconds", "Time", "{:.1f} s", "without the picture"),
+    ("peak_mb", "Memory", "{:,.0f} MB", "at most"),
+)
+EXTRA = "file", "exit", "reason", "cpu_seconds", "points", "points_lost", "drawing_seconds"
+
+
+def write(path, text):
+    """Completely or not at all."""
+    part = Path(f"{path}.part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(path)
+
+
+def row(record):
+    """A record's line in the table."""
+    report, simplified = record.get("report") or {}, record.get("simplified") or {}
+    shell, trip = report.get("shell", {}), simplified.get("round_trip", {})
+    unit = shell.get("unit")
+    certified = report.get("status") == "certified"
+    return {
+        "name": record["name"], "outcome": record["outcome"], "kind": report.get("kind"), "facets": shell.get("facets"),
+        "simplified_facets": simplified.get("facets"), "thickness": 100 * shell["thickness"] / unit if certified else None,
+        "cells": shell.get("cells"), "round_trip": trip["farthest"] / unit if trip else None, "seconds": record.get("seconds"),
+        "peak_mb": record.get("peak_mb"), "file": record["file"], "exit": record["exit"], "reason": record["reason"],
+        "cpu_seconds": record.get("cpu_seconds"), "points": trip.get("points"), "points_lost": trip.get("lost"),
+        "drawing_seconds": record.get("drawing_seconds")}
+
+
+def write_table(path, rows):
+    text = io.StringIO()
+    writer = csv.DictWriter(text, ["name", "outcome", *(column[0] for column in COLUMNS), *EXTRA], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    write(path, text.getvalue())
+
+
+def shown(value, form):
+    if value is None:
+        return ""
+    return escape(value) if form is str else form.format(value)
+
+
+def plot(draw, title):
+    """A drawing in the page itself."""
+    figure, axes = plt.subplots(figsize=(4.2, 2.4), layout="constrained")
+    draw(axes)
+    axes.set_title(title, loc="left", fontsize=10, color="#1d2129")
+    for side in ("top", "right", "left"):
+        axes.spines[side].set_visible(False)
+    axes.tick_params(colors=SOFT, labelsize=8, left=False)
+    out = io.StringIO()
+    figure.savefig(out, format="svg", transparent=True, metadata={"Date": None})
+    plt.close(figure)
+    return out.getvalue()[out.getvalue().index("<svg"):]
+
+
+def histogram(rows, key, title):
+    values = np.array([r[key] for r in rows if r[key] is not None and r[key] > 0])
+    if not len(values):
+        return ""
+
+    def draw(axes):
+        low, high = values.min(), values.max()
+        if high > 20 * low:
+            axes.set_xscale("log")
+            bins = np.geomspace(low, high, 25)
+        else:
+            bins = np.linspace(low, high if high > low else low * 1.01, 25)
+        axes.hist(values, bins, color=BLUE)
+        axes.yaxis.get_major_locator().set_params(integer=True)
+    return plot(draw, f"{title}; median {median(values.tolist()):,.3g}")
+
+
+def refusals(rows):
+    counts = Counter(r["reason"] if r["outcome"] == "refused" else r["outcome"] for r in rows if r["outcome"] != "done").most_common(8)
+    if not counts:
+        return ""
+
+    def draw(axes):
+        names = [name if len(name) < 44 else name[:42] + " ..." for name, _ in counts]
+        bars = axes.barh(range(len(counts)), [n for _, n in counts], 0.4, color=RED)
+        axes.bar_label(bars, padding=3, fontsize=8)
+        for n, name in enumerate(names):
+            axes.text(0, n - 0.32, name, fontsize=8, color=SOFT)
+        axes.set_yticks([])
+        axes.set_ylim(max(len(counts), 3) - 0.5, -0.7)
+        axes.xaxis.get_major_locator().set_params(integer=True)
+    return plot(draw, "No result, by reason; meshes")
+
+
+def page(path, title, lead, body):
+    style = "".join((HERE / css).read_text(encoding="utf-8") for css in ("../gallery/page.css", "data_set.css"))
+    write(path, f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title)}</title>
+<style>
+{style}</style>
+</head>
+<body>
+<header>
+<h1>{escape(title)}</h1>
+{lead}
+</header>
+<main>
+{body}
+</main>
+</body>
+</html>
+""")
+
+
+def badge(record):
+    return f"<span class=\"{'good' if record['outcome'] == 'done' else 'bad'}\">{escape(record['outcome'])}</span>"
+
+
+def obstacles(report):
+    places = report.get("obstacles", [])
+    if not places:
+        return ""
+    rows = "\n".join(f"<tr><td>{' '.join(f'{x:.6g}' for x in place['point'])}</td><td>{escape(place['message'])}</td></tr>" for place in places)
+    return f"""<section><h2>Places of failure</h2>
+<table class="places"><thead><tr><th scope="col">Where</th><th scope="col">What stands in the way</th></tr></thead>
+<tbody>
+{rows}
+</tbody></table></section>"""
+
+
+def offenders(report):
+    """Facets and vertices that the mesh itself is refused for."""
+    return [(f"Offending {what}", ", ".join(map(str, found[:10])) + (" ..." if len(found) > 10 else ""))
+            for what in ("facets", "vertices") if (found := report.get("mesh_itself", {}).get(what))]
+
+
+def write_mesh_page(folder, record, line, before, after):
+    report, name = record.get("report") or {}, record["name"]
+    facts = [("File", record["file"]), *((title, shown(line[key], form)) for key, title, form, _ in COLUMNS)]
+    if line["points"]:
+        facts.append(("Points lost on the round trip", f"{line['points_lost']} of {line['points']:,}"))
+    if "mesh_itself" in report:
+        facts.append(("The mesh itself", report["mesh_itself"]["message"]))
+    facts += offenders(report)
+    facts += [(claim.capitalize(), verdict) for claim, verdict in report.get("claims", {}).items()]
+    facts += [(f"Repairs: {what.replace('_', ' ')}", str(number)) for what, number in report.get("repairs", {}).items() if number]
+    table = "\n".join(f"<tr><th scope=\"row\">{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in facts if value)
+    picture = "<figure><a href=\"picture.png\"><img src=\"picture.png\" alt=\"\"></a></figure>" if record.get("picture") else ""
+    if record.get("picture") is False:
+        picture = "<p class=\"failure\">The picture could not be drawn; <a href=\"log.txt\">log.txt</a> says why.</p>"
+    reason = f"<p class=\"failure\">{escape(record['reason'])}</p>" if record["reason"] else ""
+    files = " ".join(f"<a href=\"{quote(file.name)}\">{escape(file.name)}</a>" for file in sorted(folder.iterdir())
+                     if file.name not in ("index.html", "thumbnail.png", "running"))
+    neighbors = " ".join(f"<a href=\"../{quote(other)}/index.html\">{text}</a>" for other, text in ((before, "Previous"), (after, "Next")) if other)
+    page(folder / "index.html", name, f"<p class=\"links\">{badge(record)} <a href=\"../../index.html\">All meshes</a> {neighbors}</p>",
+         f"{reason}\n{picture}\n<table class=\"facts\"><tbody>\n{table}\n</tbody></table>\n{obstacles(report)}\n"
+         f"<section><h2>Files</h2><p class=\"links\">{files}</p></section>")
+
+
+def write_index(results, records, rows):
+    done = [r for r in rows if r["outcome"] == "done"]
+    kinds = Counter(r["kind"] for r in done)
+    hours = sum(r["seconds"] or 0 for r in rows) / 3600
+    lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
+    facts = [(f"{len(done):,} of {len(rows):,}", "meshes have a certified shell and are simplified in it" + "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())),
+             (f"{len(rows) - len(done):,}", "have no result; their pages say why, and where"),
+             (f"{lost:,} of {points:,}", "points lost on the way to the simplified mesh and back"),
+             (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of work for the meshes, without pictures")]
+    cards = "\n".join(f"<div class=\"card\"><strong>{number}</strong><span>{escape(what)}</span></div>" for number, what in facts)
+    plots = "\n".join(f"<figure>{svg}</figure>" for svg in (
+        histogram(rows, "seconds", "Time, seconds"), histogram(done, "cells", "Cells"),
+        histogram(done, "thickness", "Thickness, % of the box"), refusals(rows)) if svg)
+    heads = "".join(f"<th scope=\"col\" title=\"{escape(what)}\"><button>{title}</button></th>" for _, title, _, what in COLUMNS)
+    lines = []
+    for record, r in zip(records, rows):
+        folder = f"meshes/{quote(r['name'])}"
+        image = f"<img src=\"{folder}/thumbnail.png\" alt=\"\" loading=\"lazy\">" if record.get("picture") else ""
+        cells = "".join(f"<td data-value=\"{'' if r[key] is None else escape(str(r[key]))}\">{shown(r[key], form)}</td>" for key, _, form, _ in COLUMNS)
+        lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\"><a href=\"{folder}/index.html\">{escape(r['name'])}</a></th>"
+                     f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
+    script = (HERE / "table.js").read_text(encoding="utf-8")
+    rows_of_table = "\n".join(lines)
+    page(results / "index.html", "Data set", f"""<p class="lead">{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not.</p>
+<p class="links"><a href="table.csv">table.csv</a> <a href="options.json">options.json</a></p>""", f"""<nav>
+{cards}
+</nav>
+<div class="plots">
+{plots}
+</div>
+<p class="filter"><input type="search" placeholder="Only rows with ..." aria-label="Only rows with"> <span id="count"></span></p>
+<table class="meshes"><thead><tr><th></th><th scope="col"><button>Mesh</button></th><th scope="col"><button>Outcome</button></th>{heads}</tr></thead>
+<tbody>
+{rows_of_table}
+</tbody></table>
+<script>
+{script}</script>""")
+
+
+def main(results, batches):
+    results = Path(results)
+    records = []
+    for n in range(int(batches)):
+        with open(results / f"batches/{n}.jsonl", encoding="utf-8") as lines:
+            records += map(json.loads, lines)
+    records.sort(key=lambda record: record["name"])
+    rows = [row(record) for record in records]
+    matplotlib.rcParams.update({"font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "svg.fonttype": "none", "svg.hashsalt": "data set"})
+    names = [record["name"] for record in records]
+    for record, line, before, after in zip(records, rows, [None, *names], [*names[1:], None]):
+        write_mesh_page(results / "meshes" / record["name"], record, line, before, after)
+    write_table(results / "table.csv", rows)
+    write_index(results, records, rows)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

@@ -1,0 +1,204 @@
+"""Makes one batch of a data set: runs the program on each of its meshes, within limits, draws the result, and records what became of it.
+
+Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: a JSON file; RECORDS: what is written when the batch is complete)
+
+Every mesh has a folder, in which record.json is written last. A mesh that has a record for the same file and options is not made again. Whatever is
+wrong with a mesh ends up in its record: this script fails only if it cannot write.
+"""
+import json
+import multiprocessing
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import data_set
+
+PARTS = "mesh", "simplified", "detail", "inner", "outer", "places"
+OUTCOMES = {2: "wrong usage", 3: "a file cannot be written", 5: "not certified", 6: "not simplified", 7: "points are lost"}
+DRAWING_SECONDS, ATTEMPTS = 120, 2
+THUMBNAIL = 320, 120
+
+
+def write(path, text):
+    """Completely or not at all."""
+    part = path.with_name(path.name + ".part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(path)
+
+
+def limit_memory(megabytes):
+    resource.setrlimit(resource.RLIMIT_DATA, (megabytes * 10**6, megabytes * 10**6))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Drawing:
+    """Pictures are drawn in forks of this process, which may lose the X server; Python, VTK and the server are started but once."""
+
+    def __init__(self):
+        self.server = None
+
+    def start(self):
+        from PIL import Image
+        sys.path.append(str(Path(__file__).resolve().parents[1]))
+        os.environ["LP_NUM_THREADS"] = "1"      # of the software that renders
+        import render_shell
+        self.renderer, self.image = render_shell, Image
+        read, write_end = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x1024x24"], pass_fds=[write_end],
+                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read) as number:
+            os.environ["DISPLAY"] = ":" + number.readline().strip()
+
+    def stop(self):
+        if self.server:
+            self.server.terminate()
+            self.server.wait()
+            self.server = None
+
+    def _draw(self, prefix, picture, megabytes, log):
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        with open(log, "ab", buffering=0) as out:
+            os.dup2(out.fileno(), 1)
+            os.dup2(out.fileno(), 2)
+        limit_memory(megabytes)
+        self.renderer.main(str(prefix), str(picture))
+        with self.image.open(picture) as image:
+            small = image.convert("RGB")
+            small.thumbnail(THUMBNAIL)
+            small.save(picture.with_name("thumbnail.png"))
+
+    def __call__(self, prefix, picture, megabytes, log):
+        """Whether it was drawn."""
+        for _ in range(ATTEMPTS):
+            if not self.server or self.server.poll() is not None:
+                self.start()
+            process = multiprocessing.get_context("fork").Process(target=self._draw, args=(prefix, picture, megabytes, log))
+            process.start()
+            try:
+                process.join(DRAWING_SECONDS)
+            finally:
+                process.kill()
+                process.join()
+            if process.exitcode == 0:
+                return True
+        return False
+
+
+def run(command, seconds, megabytes, log):
+    """The exit code, negative for a signal, whether time was over, and what it took."""
+    start = time.monotonic()
+    over = threading.Event()
+    with open(log, "wb") as out:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, preexec_fn=lambda: limit_memory(megabytes))
+
+        def end():
+            over.set()
+            process.kill()
+        timer = threading.Timer(seconds, end)
+        timer.start()
+        try:
+            _, status, usage = os.wait4(process.pid, 0)
+        except BaseException:
+            process.kill()
+            raise
+        finally:
+            timer.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)      # it is waited for here, as only this tells how much memory it took
+    return process.returncode, over.is_set(), {
+        "seconds": round(time.monotonic() - start, 3), "cpu_seconds": round(usage.ru_utime + usage.ru_stime, 3), "peak_mb": round(usage.ru_maxrss / 1000, 1)}
+
+
+def first_line(log):
+    with open(log, encoding="utf-8", errors="replace") as text:
+        return next((line.strip() for line in text if line.strip()), "")
+
+
+def outcome(code, over, log, options):
+    """In two or three words, which are counted, and in a sentence."""
+    said = first_line(log)
+    if over:
+        return "time limit", f"It was ended after {options['time_limit']} s."
+    if "std::bad_alloc" in log.read_text(encoding="utf-8", errors="replace"):
+        return "memory limit", f"It needs more than {options['memory_limit']} MB."
+    if code < 0:
+        return "crashed", f"It ended with {signal.Signals(-code).name}. {said}".strip()
+    if code in (0, 4):
+        return "done", "" if code == 0 else "A bounding surface could not be extracted."
+    return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"It ended with {code}."
+
+
+def read_json(path):
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def make(name, file, options, folder, draw):
+    """The record of a mesh, which is made unless it is complete."""
+    made_from = data_set.state(file)
+    made_with = {key: options[key] for key in ("checksum", "facets", "time_limit", "memory_limit", "pictures", "keep")}
+    old = read_json(folder / "record.json")
+    if old and old["made_from"] == made_from and old["made_with"] == made_with:
+        return old
+    # a mesh that takes this process with it, as some limits of clusters do, is not tried for ever
+    mark = folder / "running"
+    deaths = int(mark.read_text() or 0) if mark.exists() else 0
+    if deaths < ATTEMPTS:
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        mark.write_text(str(deaths + 1))
+
+    prefix, log, picture = folder / name, folder / "log.txt", folder / "picture.png"
+    record = {"name": name, "file": str(file), "made_from": made_from, "made_with": made_with}
+    try:
+        if deaths >= ATTEMPTS:
+            record |= {"outcome": "killed", "reason": "The job died while it was made, twice.", "exit": None}
+        else:
+            command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(options["time_limit"] / 2),
+                       "--memory-limit", str(options["memory_limit"] / 1.5)]
+            command += ["--facets", str(options["facets"])] if options["facets"] else []
+            code, over, spent = run(command, options["time_limit"], options["memory_limit"], log)
+            record["outcome"], record["reason"] = outcome(code, over, log, options)
+            record |= {"exit": code, **spent}
+            is_drawable = code in (0, 5) and any(Path(f"{prefix}_{part}.ply").exists() for part in ("outer", "places"))
+            if options["pictures"] and is_drawable:
+                start = time.monotonic()
+                record["picture"] = draw(prefix, picture, options["memory_limit"], log)
+                record["drawing_seconds"] = round(time.monotonic() - start, 3)
+            for part in set(PARTS) - set(options["keep"].split()):
+                Path(f"{prefix}_{part}.ply").unlink(missing_ok=True)
+        for key, path in ("report", Path(f"{prefix}.json")), ("simplified", Path(f"{prefix}_simplified.json")):
+            record[key] = read_json(path)
+    except BaseException:       # this run was ended, which is not the mesh's fault
+        mark.unlink(missing_ok=True)
+        raise
+    write(folder / "record.json", json.dumps(record, indent=1))
+    mark.unlink(missing_ok=True)
+    return record
+
+
+def main(options_file, number, output):
+    options = json.loads(Path(options_file).read_text(encoding="utf-8"))
+    options["checksum"] = data_set.checksum(options["program"])
+    batch = data_set.batches_of(data_set.files_of(options["meshes"]), options["batch"])[int(number)]
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended"))
+    draw = Drawing()
+    try:
+        records = [make(name, file, options, Path(options["results"]) / "meshes" / name, draw) for name, file in batch]
+    finally:
+        draw.stop()
+    write(Path(output), "".join(json.dumps(record) + "\n" for record in records))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
