@@ -1,6 +1,6 @@
 """Writes what became of a data set: table.csv, index.html, and a page for each mesh. They need no network.
 
-Usage: pages.py RESULTS BATCHES     (BATCHES: how many files batches/N.jsonl there are)
+Usage: pages.py BATCHES     (BATCHES: how many files batches/N.jsonl there are)
 """
 import csv
 import io
@@ -10,6 +10,7 @@ from collections import Counter
 from html import escape
 from pathlib import Path
 from statistics import median
+from textwrap import shorten
 from urllib.parse import quote
 
 import matplotlib
@@ -78,7 +79,7 @@ def plot(draw, title):
         axes.spines[side].set_visible(False)
     axes.tick_params(colors=SOFT, labelsize=8, left=False)
     out = io.StringIO()
-    figure.savefig(out, format="svg", transparent=True, metadata={"Date": None})
+    figure.savefig(out, format="svg", transparent=True, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     plt.close(figure)
     return out.getvalue()[out.getvalue().index("<svg"):]
 
@@ -106,7 +107,7 @@ def refusals(rows):
         return ""
 
     def draw(axes):
-        names = [name if len(name) < 44 else name[:42] + " ..." for name, _ in counts]
+        names = [shorten(name, 62, placeholder=" ...") for name, _ in counts]
         bars = axes.barh(range(len(counts)), [n for _, n in counts], 0.4, color=RED)
         axes.bar_label(bars, padding=3, fontsize=8)
         for n, name in enumerate(names):
@@ -171,7 +172,7 @@ def write_mesh_page(folder, record, line, before, after):
     if "mesh_itself" in report:
         facts.append(("The mesh itself", report["mesh_itself"]["message"]))
     facts += offenders(report)
-    facts += [(claim.capitalize(), verdict) for claim, verdict in report.get("claims", {}).items()]
+    facts += [(claim.replace("_", " ").capitalize(), verdict) for claim, verdict in report.get("claims", {}).items()]
     facts += [(f"Repairs: {what.replace('_', ' ')}", str(number)) for what, number in report.get("repairs", {}).items() if number]
     table = "\n".join(f"<tr><th scope=\"row\">{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in facts if value)
     picture = "<figure><a href=\"picture.png\"><img src=\"picture.png\" alt=\"\"></a></figure>" if record.get("picture") else ""
@@ -186,7 +187,7 @@ def write_mesh_page(folder, record, line, before, after):
          f"<section><h2>Files</h2><p class=\"links\">{files}</p></section>")
 
 
-def write_index(results, records, rows):
+def write_index(records, rows):
     done = [r for r in rows if r["outcome"] == "done"]
     kinds = Counter(r["kind"] for r in done)
     hours = sum(r["seconds"] or 0 for r in rows) / 3600
@@ -205,11 +206,12 @@ def write_index(results, records, rows):
         folder = f"meshes/{quote(r['name'])}"
         image = f"<img src=\"{folder}/thumbnail.png\" alt=\"\" loading=\"lazy\">" if record.get("picture") else ""
         cells = "".join(f"<td data-value=\"{'' if r[key] is None else escape(str(r[key]))}\">{shown(r[key], form)}</td>" for key, _, form, _ in COLUMNS)
-        lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\"><a href=\"{folder}/index.html\">{escape(r['name'])}</a></th>"
+        reason = f"<small>{escape(shorten(r['reason'], 120, placeholder=' ...'))}</small>" if r["reason"] else ""
+        lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\"><a href=\"{folder}/index.html\">{escape(r['name'])}</a>{reason}</th>"
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
     script = (HERE / "table.js").read_text(encoding="utf-8")
     rows_of_table = "\n".join(lines)
-    page(results / "index.html", "Data set", f"""<p class="lead">{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not.</p>
+    page("index.html", "Data set", f"""<p class="lead">{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not.</p>
 <p class="links"><a href="table.csv">table.csv</a> <a href="options.json">options.json</a></p>""", f"""<nav>
 {cards}
 </nav>
@@ -225,23 +227,22 @@ def write_index(results, records, rows):
 {script}</script>""")
 
 
-def main(results, batches):
-    results = Path(results)
+def main(batches):
     records = []
     for n in range(int(batches)):
-        with open(results / f"batches/{n}.jsonl", encoding="utf-8") as lines:
+        with open(f"batches/{n}.jsonl", encoding="utf-8") as lines:
             records += map(json.loads, lines)
     records.sort(key=lambda record: record["name"])
     rows = [row(record) for record in records]
     matplotlib.rcParams.update({"font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "svg.fonttype": "none", "svg.hashsalt": "data set"})
     names = [record["name"] for record in records]
     for record, line, before, after in zip(records, rows, [None, *names], [*names[1:], None]):
-        write_mesh_page(results / "meshes" / record["name"], record, line, before, after)
-    write_table(results / "table.csv", rows)
-    write_index(results, records, rows)
+        write_mesh_page(Path("meshes") / record["name"], record, line, before, after)
+    write_table("table.csv", rows)
+    write_index(records, rows)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -192,7 +192,7 @@ def main(options_file, number, output):
     signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended"))
     draw = Drawing()
     try:
-        records = [make(name, file, options, Path(options["results"]) / "meshes" / name, draw) for name, file in batch]
+        records = [make(name, file, options, Path("meshes") / name, draw) for name, file in batch]
     finally:
         draw.stop()
     write(Path(output), "".join(json.dumps(record) + "\n" for record in records))
