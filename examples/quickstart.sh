@@ -37,7 +37,7 @@ fi
 name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
-rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name".{png,json}
+rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name"{,_simplified}.json "results/$name.png"
 status=0
 "$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name" || status=$?
 draw() {
@@ -61,6 +61,7 @@ fi
 cat <<END
 Results:
   results/${name}.json             what was done with the file, and why
+  results/${name}_simplified.json  how far it is simplified, and how far points arrive from where they started, there and back
   results/${name}_mesh.ply         the mesh, or a proxy of what is none, with colors and a distance at its vertices
   results/${name}_simplified.ply   the simplified mesh, with what was carried over
   results/${name}_detail.ply       the same surface in small triangles, with the color at every vertex

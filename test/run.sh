@@ -5,7 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev libopenmesh-dev libtet1.5-dev doxygen libjs-mathjax python3 python3-vtk9 xvfb xauth
+install_packages "${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev libopenmesh-dev libtet1.5-dev doxygen libjs-mathjax python3 python3-matplotlib python3-pil \
+                 python3-vtk9 snakemake xvfb xauth
 
 # Assertions are on. More optimization would take longer to compile than it saves.
 options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DBUILD_TESTING=ON)

@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev
+install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev chromium
 
 here=doc/Bspline_shell_3/figures build=$PWD/build/gallery data=build/figures fig=doc/Bspline_shell_3/fig
 launcher=()
@@ -44,3 +44,11 @@ export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # fo
 /usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"
+
+# the page of a data set, with a mesh that is cut off
+printf "$build/data/meshes/%s.off\n" anchor bear bull cow eight elephant fandisk homer joint lion-head rotor three_peaks triceratops >"$data/data_set.txt"
+head -c 1000 "$build/data/meshes/cow.off" >"$data/cut_off.off"
+echo cut_off.off >>"$data/data_set.txt"
+bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" batch=3
+chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1300,1560 \
+         --screenshot="$fig/data_set.png" "file://$PWD/$data/data_set/index.html"

@@ -192,7 +192,8 @@ def write_index(records, rows):
     kinds = Counter(r["kind"] for r in done)
     hours = sum(r["seconds"] or 0 for r in rows) / 3600
     lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
-    facts = [(f"{len(done):,} of {len(rows):,}", "meshes have a certified shell and are simplified in it" + "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())),
+    of_kinds = "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())
+    facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and are simplified in it{of_kinds}"),
              (f"{len(rows) - len(done):,}", "have no result; their pages say why, and where"),
              (f"{lost:,} of {points:,}", "points lost on the way to the simplified mesh and back"),
              (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of work for the meshes, without pictures")]
@@ -205,13 +206,16 @@ def write_index(records, rows):
     for record, r in zip(records, rows):
         folder = f"meshes/{quote(r['name'])}"
         image = f"<img src=\"{folder}/thumbnail.png\" alt=\"\" loading=\"lazy\">" if record.get("picture") else ""
-        cells = "".join(f"<td data-value=\"{'' if r[key] is None else escape(str(r[key]))}\">{shown(r[key], form)}</td>" for key, _, form, _ in COLUMNS)
+        cells = "".join(f"<td data-value=\"{'' if r[key] is None else escape(str(r[key]))}\">{shown(r[key], form)}</td>"
+                        for key, _, form, _ in COLUMNS)
         reason = f"<small>{escape(shorten(r['reason'], 120, placeholder=' ...'))}</small>" if r["reason"] else ""
-        lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\"><a href=\"{folder}/index.html\">{escape(r['name'])}</a>{reason}</th>"
+        lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\">"
+                     f"<a href=\"{folder}/index.html\">{escape(r['name'])}</a>{reason}</th>"
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
     script = (HERE / "table.js").read_text(encoding="utf-8")
     rows_of_table = "\n".join(lines)
-    page("index.html", "Data set", f"""<p class="lead">{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not.</p>
+    lead = f"{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not."
+    page("index.html", "Data set", f"""<p class="lead">{lead}</p>
 <p class="links"><a href="table.csv">table.csv</a> <a href="options.json">options.json</a></p>""", f"""<nav>
 {cards}
 </nav>

@@ -96,7 +96,8 @@ def run(command, seconds, megabytes, log):
     start = time.monotonic()
     over = threading.Event()
     with open(log, "wb") as out:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, preexec_fn=lambda: limit_memory(megabytes))
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+                                   preexec_fn=lambda: limit_memory(megabytes))
 
         def end():
             over.set()
@@ -112,7 +113,8 @@ def run(command, seconds, megabytes, log):
             timer.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)      # it is waited for here, as only this tells how much memory it took
     return process.returncode, over.is_set(), {
-        "seconds": round(time.monotonic() - start, 3), "cpu_seconds": round(usage.ru_utime + usage.ru_stime, 3), "peak_mb": round(usage.ru_maxrss / 1000, 1)}
+        "seconds": round(time.monotonic() - start, 3), "cpu_seconds": round(usage.ru_utime + usage.ru_stime, 3),
+        "peak_mb": round(usage.ru_maxrss * 1024 / 10**6, 1)}
 
 
 def first_line(log):
