@@ -61,7 +61,7 @@ by_workflow() {
             --config meshes="$work/meshes" program="$program" pictures="$pictures" batch="$batch" >"$work/log" 2>&1 || { tail "$work/log" >&2; exit 1; }
 }
 run() {
-  rm -rf "$work/xargs" "$work/workflow"
+  rm -rf "${work:?}/$1"
   local wall user system TIMEFORMAT="%R %U %S"
   read -r wall user system < <({ time "by_$1"; } 2>&1)
   printf '{"by":"%s","meshes":%d,"processes":%d,"batch":%d,"pictures":%s,"seconds":%s,"cpu_seconds":%s}\n' \

@@ -49,6 +49,6 @@ xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/res
 printf "$build/data/meshes/%s.off\n" anchor bear bull cow eight elephant fandisk homer joint lion-head rotor three_peaks triceratops >"$data/data_set.txt"
 head -c 1000 "$build/data/meshes/cow.off" >"$data/cut_off.off"
 echo cut_off.off >>"$data/data_set.txt"
-bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" batch=3
+bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" time_limit=120 batch=3
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1300,1560 \
          --screenshot="$fig/data_set.png" "file://$PWD/$data/data_set/index.html"

@@ -208,7 +208,7 @@ def write_index(records, rows):
         image = f"<img src=\"{folder}/thumbnail.png\" alt=\"\" loading=\"lazy\">" if record.get("picture") else ""
         cells = "".join(f"<td data-value=\"{'' if r[key] is None else escape(str(r[key]))}\">{shown(r[key], form)}</td>"
                         for key, _, form, _ in COLUMNS)
-        reason = f"<small>{escape(shorten(r['reason'], 120, placeholder=' ...'))}</small>" if r["reason"] else ""
+        reason = f"<small>{escape(shorten(r['reason'], 70, placeholder=' ...'))}</small>" if r["reason"] else ""
         lines.append(f"<tr><td>{image}</td><th scope=\"row\" data-value=\"{escape(r['name'])}\">"
                      f"<a href=\"{folder}/index.html\">{escape(r['name'])}</a>{reason}</th>"
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
