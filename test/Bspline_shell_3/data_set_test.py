@@ -91,6 +91,9 @@ with tempfile.TemporaryDirectory() as folder:
     done = good.run()
     assert done.returncode == 0 and good.table()["broken"]["outcome"] == "done", done
     assert {name for name, time in good.times().items() if time != times[name]} == {"broken"}
+    good.options["time_limit"] = 100
+    times = good.times()
+    assert good.run().returncode == 0 and not set(times.items()) & set(good.times().items()), "an option does not count"
     os.remove(good.folder / "line.off")
     assert good.run().returncode == 0 and "line" not in good.table()
 

@@ -216,7 +216,7 @@ def write_index(records, rows):
     rows_of_table = "\n".join(lines)
     lead = f"{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not."
     page("index.html", "Data set", f"""<p class="lead">{lead}</p>
-<p class="links"><a href="table.csv">table.csv</a> <a href="options.json">options.json</a></p>""", f"""<nav>
+<p class="links"><a href="table.csv">table.csv</a></p>""", f"""<nav>
 {cards}
 </nav>
 <div class="plots">

@@ -1,6 +1,6 @@
 """Makes one batch of a data set: runs the program on each of its meshes, within limits, draws the result, and records what became of it.
 
-Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: a JSON file; RECORDS: what is written when the batch is complete)
+Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: in JSON; RECORDS: what is written when the batch is complete)
 
 Every mesh has a folder, in which record.json is written last. A mesh that has a record for the same file and options is not made again. Whatever is
 wrong with a mesh ends up in its record: this script fails only if it cannot write.
@@ -187,8 +187,8 @@ def make(name, file, options, folder, draw):
     return record
 
 
-def main(options_file, number, output):
-    options = json.loads(Path(options_file).read_text(encoding="utf-8"))
+def main(options, number, output):
+    options = json.loads(options)
     options["checksum"] = data_set.checksum(options["program"])
     batch = data_set.batches_of(data_set.files_of(options["meshes"]), options["batch"])[int(number)]
     signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended"))
