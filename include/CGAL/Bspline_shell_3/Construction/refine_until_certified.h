@@ -398,11 +398,13 @@ private:
     lap(BOUNDS);
   }
 
-  // at the corners and in the middle of the clipped mesh's pieces
+  // in the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells. Across small ones gradients
+  // hardly vary; where that is not enough, failing_facets() finds the place.
   std::vector<Slope_condition> slope_conditions() const
   {
-    constexpr double nearly = 0.95;
+    constexpr double nearly = 0.95, small = 0.25;
     std::vector<Slope_condition> conditions;
+    conditions.reserve(2 * m_clipped->pieces().size());
     Index last = Field::npos;
     double largest = 0;
     const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
@@ -415,12 +417,17 @@ private:
         last = piece.cell;
         largest = nearly * half_thickness(last) / m_field->cells().lattice().spacing();
       }
-      std::array<double, 3> middle = {};
+      std::array<double, 3> middle = {}, least = m_clipped->point(piece.first), most = least;
       for(std::uint32_t v = 0; v < piece.size; ++v) {
         const std::array<double, 3>& p = m_clipped->point(piece.first + v);
-        add(cell, piece.cell, piece.facet, p);
-        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+        for(int a = 0; a < 3; ++a) {
+          middle[a] += p[a] / piece.size;
+          least[a] = (std::min)(least[a], p[a]);
+          most[a] = (std::max)(most[a], p[a]);
+        }
       }
+      if((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * cell.width())
+        for(std::uint32_t v = 0; v < piece.size; ++v) add(cell, piece.cell, piece.facet, m_clipped->point(piece.first + v));
       add(cell, piece.cell, piece.facet, middle);
     }
     return conditions;

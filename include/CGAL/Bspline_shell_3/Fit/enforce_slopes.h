@@ -100,18 +100,24 @@ public:
   }
 
   /// adds conditions
-  void insert(const std::vector<Slope_condition>& conditions)
+  void insert(std::vector<Slope_condition> conditions)
   {
-    m_conditions.insert(m_conditions.end(), conditions.begin(), conditions.end());
-    std::stable_sort(m_conditions.begin(), m_conditions.end(),
-                     [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; });
-    m_points.resize(0);
-    m_first.assign(m_field.number_of_cells() + 1, 0);
-    for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
+    const auto by_cell = [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; };
+    if(!std::is_sorted(conditions.begin(), conditions.end(), by_cell)) std::stable_sort(conditions.begin(), conditions.end(), by_cell);
     for(const Slope_condition& c : conditions) {
       m_hopeless[c.cell] = 0;
       m_is_known[c.cell] = 0;
     }
+    if(m_conditions.empty()) {
+      m_conditions = std::move(conditions);
+    } else {
+      const auto middle = std::ptrdiff_t(m_conditions.size());
+      m_conditions.insert(m_conditions.end(), conditions.begin(), conditions.end());
+      std::inplace_merge(m_conditions.begin(), m_conditions.begin() + middle, m_conditions.end(), by_cell);
+    }
+    m_points.resize(0);
+    m_first.assign(m_field.number_of_cells() + 1, 0);
+    for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
     for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
   }
 
