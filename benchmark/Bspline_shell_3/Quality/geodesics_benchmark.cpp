@@ -201,8 +201,7 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     solve(HM::Direct(), Half_time_step(), half_errors);
     std::cout << ",\"direct\":" << plain << ",\"intrinsic\":" << intrinsic << ",\"proxy\":{\"facets\":" << proxy.number_of_faces() << ",\"direct\":"
               << direct_errors << ",\"intrinsic\":" << intrinsic_errors << ",\"half_time_step\":" << half_errors << "}"
-              << ",\"seconds\":{\"shell\":" << shell_seconds << ",\"remeshing\":"
-              << remeshing_seconds << "}}" << std::endl;
+              << ",\"seconds\":{\"shell\":" << shell_seconds << ",\"remeshing\":" << remeshing_seconds << "}}" << std::endl;
   };
   for(double edges : all_edges)
     for(const auto& [name, sizing] : sizings(*shell, mesh, shell->report().unit / edges, grading)) measure_proxy(edges, name, sizing);
