@@ -6,8 +6,10 @@
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
+#include <CGAL/Random.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <vector>
@@ -102,6 +104,24 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
   REQUIRE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15)));
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15))->size() == 1);
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, std::nextafter(1., 0.)))->empty());
+}
+
+TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a tree, cross the same facets")
+{
+  Mesh mesh = sphere(2);
+  CGAL::copy_face_graph(sphere(1, 0.5), mesh);
+  const BS::Crossing_counter_3 many(mesh);
+  for(int n = 0; n < 100; ++n) many.crossings(Point_3(0, 0, 0.01), Point_3(3, 1, 0.5));
+  CGAL::Random random(7);
+  const auto point = [&] { return Point_3(random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2)); };
+  for(int n = 0; n < 200; ++n) {
+    const Point_3 p = point(), q = point();
+    const BS::Crossing_counter_3 few(mesh);
+    const auto crossings = few.crossings(p, q);
+    CHECK(crossings == many.crossings(p, q));
+    REQUIRE(crossings);
+    CHECK(std::is_sorted(crossings->begin(), crossings->end()));
+  }
 }
 
 TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, which it leaves alone")

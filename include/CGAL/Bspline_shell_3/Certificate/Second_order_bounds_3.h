@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/second_derivatives.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
@@ -112,27 +113,8 @@ public:
 
 private:
   typedef std::array<double, 3> Coordinates;
-  typedef std::array<double, 6> Symmetric_matrix;      // xx, yy, zz, yz, xz, xy
-
-  struct Matrix_range
-  {
-    Symmetric_matrix least, most;
-
-    void include(const Matrix_range& other)
-    {
-      for(int m = 0; m < 6; ++m) {
-        least[m] = (std::min)(least[m], other.least[m]);
-        most[m] = (std::max)(most[m], other.most[m]);
-      }
-    }
-    // sum of the absolute entries
-    double size() const
-    {
-      double sum = 0;
-      for(int m = 0; m < 6; ++m) sum += (m < 3 ? 1 : 2) * (std::max)(-least[m], most[m]);
-      return sum;
-    }
-  };
+  typedef Symmetric_matrix_3 Symmetric_matrix;
+  typedef Symmetric_matrix_range_3 Matrix_range;
 
   // What is known of all of a cell, per user unit. Margins: the field minus the inner threshold, the outer one minus the field.
   struct Cell_bounds
@@ -176,47 +158,6 @@ private:
       s.below = (bounds.has_flat_thresholds ? bounds.outer : m_outer.value(x, c)) - value - bounds.value_error;
     }
     return s;
-  }
-
-  // encloses the second derivatives on a cell, by second differences of the coefficients
-  static Matrix_range second_derivatives(const Enclosed_tricubic& f, double width)
-  {
-    constexpr int stride[3] = { 1, 4, 16 };
-    const std::array<double, 64>& b = f.coefficients;
-    double largest = 0;
-    for(double x : b) largest = (std::max)(largest, std::abs(x));
-    // a difference of four coefficients, and three roundings of at most four times the largest
-    const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
-    Matrix_range h;
-    for(int m = 0; m < 6; ++m) {
-      double least = std::numeric_limits<double>::infinity(), most = -least;
-      const auto include = [&](double x) {
-        least = (std::min)(least, x);
-        most = (std::max)(most, x);
-      };
-      if(m < 3) {
-        const int s = stride[m], t = stride[(m + 1) % 3], u = stride[(m + 2) % 3];
-        for(int k = 0; k < 4; ++k)
-          for(int j = 0; j < 4; ++j) {
-            const double* p = &b[k * u + j * t];
-            include(p[2*s] - 2 * p[s] + p[0]);
-            include(p[3*s] - 2 * p[2*s] + p[s]);
-          }
-      } else {
-        const int s = stride[(m + 1) % 3], t = stride[(m + 2) % 3], u = stride[m % 3];
-        for(int k = 0; k < 4; ++k)
-          for(int j = 0; j < 3; ++j)
-            for(int i = 0; i < 3; ++i) {
-              const double* p = &b[k * u + j * t + i * s];
-              include((p[s + t] - p[s]) - (p[t] - p[0]));
-            }
-      }
-      // divided twice: the square of a width may be no finite number, or zero
-      const double factor = m < 3 ? 6 : 9, rounded = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most));
-      h.least[m] = factor * (least - error - rounded) / width / width - internal::underflow;
-      h.most[m] = factor * (most + error + rounded) / width / width + internal::underflow;
-    }
-    return h;
   }
 
   struct Slopes { Coordinates least, most; };
@@ -509,22 +450,10 @@ private:
         below.include(cell.below);
         field.include(cell.field);
       }
-      region.above = form(above);
-      region.below = form(below);
+      region.above = above.largest_form();
+      region.below = below.largest_form();
       for(int m = 0; m < 6; ++m) region.radius[m] = (field.most[m] - field.least[m]) / 2;
       return region;
-    }
-
-    // q
-    static Symmetric_matrix form(const Matrix_range& h)
-    {
-      Symmetric_matrix q, radius;
-      for(int m = 0; m < 6; ++m) {
-        q[m] = (h.most[m] + h.least[m]) / 2;
-        radius[m] = (h.most[m] - h.least[m]) / 2;
-      }
-      for(int a = 0; a < 3; ++a) q[a] += radius[a] + radius[3 + (a + 1) % 3] + radius[3 + (a + 2) % 3];
-      return q;
     }
 
     // a part that meets no cells but those of a region

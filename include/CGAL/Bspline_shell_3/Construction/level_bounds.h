@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
 #include <CGAL/Bspline_shell_3/Spline/bernstein_range.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/second_derivatives.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <Eigen/Core>
@@ -18,7 +19,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,28 +31,70 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// A piece of the mesh, the cell that it lies in, and what rounding can do to bounds there.
+// A cell with pieces of the mesh, and what rounding can do to bounds on them.
 template <typename Field>
-struct Piece_in_cell
+struct Cell_with_pieces
 {
   typename Field::Cell cell;
-  std::vector<std::array<double, 3> > corner;    // in the cell
-  double error;                                  // bounds how far a Bernstein coefficient on the piece is from that of f on the facet
+  double shift;       // bounds how far corners of pieces are off, in the cell
+  double error;       // bounds how far a Bernstein coefficient on a piece is from that of f on the facet
 
-  Piece_in_cell(const Field& field, const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece)
-    : cell(field.cell(piece.cell))
+  Cell_with_pieces(const Field& field, typename Field::Cell_index c) : cell(field.cell(c))
   {
     double reach = 0;
-    for(std::uint32_t v = 0; v < piece.size; ++v) {
-      const Clipped_mesh_3::Point& p = clipped.point(piece.first + v);
-      corner.push_back(cell.local_coordinates(p));
-      for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(p[a]));
-    }
+    for(double x : cell.corner()) reach = (std::max)(reach, std::abs(x) + cell.width());
     // Corners of a piece: six cuts one after the other, each off by at most ten roundings of the coordinates, and the
     // local coordinates with their bisections.
-    const double shift = rounding * (64 * (reach + cell.width()) / cell.width() + 32);
+    shift = rounding * (64 * (reach + cell.width()) / cell.width() + 32);
     error = Form_error(shift)(enclosed_value(cell));
   }
+
+  void get_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
+  {
+    corners.clear();
+    for(std::uint32_t v = 0; v < piece.size; ++v) corners.push_back(cell.local_coordinates(clipped.point(piece.first + v)));
+  }
+};
+
+// Bounds a field on pieces by its values at their corners v and its second derivatives on their cell. By Taylor's formula at x = sum_i l_i v_i for each
+// corner,
+//   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2 >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i - v_j))
+// for n corners, where the form q is at least that of all second derivatives; and the same for -f.
+class Corner_bounds
+{
+public:
+  explicit Corner_bounds(const Enclosed_tricubic& f)
+  {
+    const Symmetric_matrix_range_3 h = second_derivatives(f, 1);
+    m_upwards = h.largest_form();
+    m_downwards = (-h).largest_form();
+    m_curvature = 2 * h.size();
+  }
+
+  // how far the field may be below the least value at a corner, and above the largest one
+  std::pair<double, double> excess(const std::vector<std::array<double, 3> >& corners, double shift) const
+  {
+    double up = 0, down = 0;
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j) {
+        const double x = corners[i][0] - corners[j][0], y = corners[i][1] - corners[j][1], z = corners[i][2] - corners[j][2];
+        const Symmetric_matrix_3 products = { x*x, y*y, z*z, 2*y*z, 2*x*z, 2*x*y };
+        double q_up = 0, q_down = 0;
+        for(int m = 0; m < 6; ++m) {
+          q_up += m_upwards[m] * products[m];
+          q_down += m_downwards[m] * products[m];
+        }
+        up = (std::max)(up, q_up);
+        down = (std::max)(down, q_down);
+      }
+    // Corners are off by the shift, differences by twice that, and both are shorter than two; it is more than what rounding does to products.
+    const double n = double(corners.size()), part = (n - 1) / (4 * n), error = 4 * m_curvature * shift;
+    return { (1 + 8 * rounding) * (part * up + error), (1 + 8 * rounding) * (part * down + error) };
+  }
+
+private:
+  Symmetric_matrix_3 m_upwards, m_downwards;
+  double m_curvature;
 };
 
 } // namespace internal
@@ -69,11 +116,12 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
   std::vector<Level_range> ranges((pieces.size() + chunk - 1) / chunk);
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Level_range& range = ranges[begin / chunk];
+    std::vector<std::array<double, 3> > corner;
     for(std::size_t n = begin; n < end; ++n) {
-      const internal::Piece_in_cell<Field> piece(field, clipped, pieces[n]);
-      for(std::size_t v = 0; v < piece.corner.size(); ++v) {
-        const std::array<double, 10> b = segment_bernstein_form<double>(
-          piece.cell.coefficients(), piece.corner[v], piece.corner[(v + 1) % piece.corner.size()]);
+      const internal::Cell_with_pieces<Field> in(field, pieces[n].cell);
+      in.get_corners(clipped, pieces[n], corner);
+      for(std::size_t v = 0; v < corner.size(); ++v) {
+        const std::array<double, 10> b = segment_bernstein_form<double>(in.cell.coefficients(), corner[v], corner[(v + 1) % corner.size()]);
         range.include(b.front());
         const auto hull = std::minmax_element(b.begin(), b.end());
         if(*hull.first < range.min || *hull.second > range.max) range.include(bernstein_range(b));
@@ -92,16 +140,16 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
  */
 struct Facet_ranges
 {
-  std::vector<Level_range> facet;     ///< encloses the field on each triangle; not refined
-  std::vector<Level_range> cell;      ///< encloses the field on the part of the mesh in each cell; not refined, empty without mesh
+  std::vector<Level_range> facet;     ///< encloses the field on each triangle; coarsely
+  std::vector<Level_range> cell;      ///< encloses the field on the part of the mesh in each cell; coarsely, empty without mesh
   Level_range mesh;                   ///< encloses the field on the mesh, to within the tolerance
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief encloses a field on the facets: Bernstein coefficients of degree nine on triangles, with a derived allowance
- * for rounding.
+ * \brief encloses a field on the facets: by its values at corners and its second derivatives, where these say enough, and by Bernstein coefficients
+ * of degree nine on triangles otherwise, with a derived allowance for rounding.
  *
  * The enclosure of the mesh is refined by subdivision, where it decides, until it exceeds values that the field takes by
  * at most `tolerance` times their range.
@@ -112,6 +160,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
   typedef std::array<double, 3> Local_point;
   constexpr std::size_t chunk = 1024;
   constexpr int max_depth = 20;
+  constexpr double good = 0.002;        // excess of a bound that is not to be improved, relative to the range of values
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const std::size_t chunks = (pieces.size() + chunk - 1) / chunk;
 
@@ -132,19 +181,36 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
     Level_range found = values;           // grows by what this chunk finds
     Level_range& bound = enclosure[begin / chunk];
     std::vector<Triangle> stack;
+    std::vector<Local_point> corner;
+    std::optional<internal::Cell_with_pieces<Field> > in;
+    std::optional<internal::Corner_bounds> corner_bounds;
     for(std::size_t n = begin; n < end; ++n) {
-      const internal::Piece_in_cell<Field> piece(field, clipped, pieces[n]);
-      for(std::size_t v = 1; v + 1 < piece.corner.size(); ++v)
-        stack.push_back({ piece.corner[0], piece.corner[v], piece.corner[v+1], 0 });
+      if(n == begin || pieces[n].cell != pieces[n-1].cell) {
+        in.emplace(field, pieces[n].cell);
+        corner_bounds.emplace(enclosed_value(in->cell));
+      }
+      in->get_corners(clipped, pieces[n], corner);
+      const std::pair<double, double> excess = corner_bounds->excess(corner, in->shift);
+      if((std::max)(excess.first, excess.second) <= good * (values.max - values.min)) {
+        Level_range range;
+        for(std::uint32_t v = 0; v < pieces[n].size; ++v) range.include(in->cell.value(clipped.point(pieces[n].first + v)));
+        range = { range.min - excess.first - in->error, range.max + excess.second + in->error };
+        if(range.min >= found.min && range.max <= found.max) {
+          piece_range[n] = range;
+          bound.include(range);
+          continue;
+        }
+      }
+      for(std::size_t v = 1; v + 1 < corner.size(); ++v) stack.push_back({ corner[0], corner[v], corner[v+1], 0 });
       while(!stack.empty()) {
         const Triangle t = stack.back();
         stack.pop_back();
-        const std::array<double, 55> b = triangle_bernstein_form<double>(piece.cell.coefficients(), t.p, t.q, t.r);
+        const std::array<double, 55> b = triangle_bernstein_form<double>(in->cell.coefficients(), t.p, t.q, t.r);
         for(int corner : { 0, 45, 54 }) found.include(b[corner]);
         const auto hull = std::minmax_element(b.begin(), b.end());
-        const Level_range range = { *hull.first - piece.error, *hull.second + piece.error };
+        const Level_range range = { *hull.first - in->error, *hull.second + in->error };
         if(t.depth == 0) piece_range[n].include(range);
-        const double slack = tolerance * (found.max - found.min) + 2 * piece.error;
+        const double slack = tolerance * (found.max - found.min) + 2 * in->error;
         // so written that bounds that are not numbers end the search
         if(!(range.max > found.max + slack || range.min < found.min - slack) || t.depth == max_depth) {
           bound.include(range);

@@ -190,9 +190,16 @@ private:
 
   void find_wanted_slopes()
   {
+    constexpr std::size_t chunk = 1024;
     const auto& mesh = m_input->mesh();
-    std::vector<double> margin;
-    for(auto v : mesh.vertices()) margin.push_back(mesh.is_isolated(v) ? 1 : vertex_cone_margin(mesh, v));
+    std::vector<double> margin(mesh.number_of_vertices(), 1);
+    internal::for_each_chunk<ConcurrencyTag>(margin.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const Input_mesh_3::Triangle_mesh::Vertex_index v(static_cast<unsigned int>(n));
+        if(!mesh.is_isolated(v)) margin[n] = vertex_cone_margin(mesh, v);
+      }
+    });
+    m_wanted.reserve(mesh.number_of_faces());
     for(auto f : mesh.faces()) {
       double least = 1;
       for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) least = (std::min)(least, margin[v]);
@@ -403,31 +410,40 @@ private:
   std::vector<Slope_condition> slope_conditions() const
   {
     constexpr double nearly = 0.95, small = 0.25;
+    const auto number = [&](const Clipped_mesh_3::Piece& piece) -> std::size_t {
+      if(!(m_wanted[piece.facet] > 0)) return 0;        // at a singular vertex nothing helps
+      std::array<double, 3> least = m_clipped->point(piece.first), most = least;
+      for(std::uint32_t v = 1; v < piece.size; ++v)
+        for(int a = 0; a < 3; ++a) {
+          least[a] = (std::min)(least[a], m_clipped->point(piece.first + v)[a]);
+          most[a] = (std::max)(most[a], m_clipped->point(piece.first + v)[a]);
+        }
+      const bool is_small = !((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * m_field->cells().width(piece.cell));
+      return is_small ? 1 : piece.size + 1;       // the middle, and the corners
+    };
+    std::size_t size = 0;
+    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) size += number(piece);
     std::vector<Slope_condition> conditions;
-    conditions.reserve(2 * m_clipped->pieces().size());
+    conditions.reserve(size);
     Index last = Field::npos;
     double largest = 0;
     const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
       conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet], largest });
     };
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) {
-      if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
+      const std::size_t wanted = number(piece);
+      if(wanted == 0) continue;
       const Tricubic_cell_3 cell = m_field->cell(piece.cell);
       if(piece.cell != last) {
         last = piece.cell;
         largest = nearly * half_thickness(last) / m_field->cells().lattice().spacing();
       }
-      std::array<double, 3> middle = {}, least = m_clipped->point(piece.first), most = least;
+      std::array<double, 3> middle = {};
       for(std::uint32_t v = 0; v < piece.size; ++v) {
         const std::array<double, 3>& p = m_clipped->point(piece.first + v);
-        for(int a = 0; a < 3; ++a) {
-          middle[a] += p[a] / piece.size;
-          least[a] = (std::min)(least[a], p[a]);
-          most[a] = (std::max)(most[a], p[a]);
-        }
+        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
+        if(wanted > 1) add(cell, piece.cell, piece.facet, p);
       }
-      if((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * cell.width())
-        for(std::uint32_t v = 0; v < piece.size; ++v) add(cell, piece.cell, piece.facet, m_clipped->point(piece.first + v));
       add(cell, piece.cell, piece.facet, middle);
     }
     return conditions;
@@ -594,6 +610,8 @@ private:
   bool certify()
   {
     m_examined.reset();       // the certificate finds out for itself
+    m_enforcement.reset();    // with what it refers to: the field stays as it is now
+    m_A = Fit_energy<Field>::Matrix();
     m_certificate.emplace(*m_field, *m_inner, *m_outer);
     m_certificate->template verify<ConcurrencyTag>(m_input);
     for(const Certificate_witness& w : m_certificate->witnesses())

@@ -123,7 +123,7 @@ public:
         m_sample_basis[s][1][a] = Cubic_bspline<>::first_derivatives(t);
         m_sample_basis[s][2][a] = Cubic_bspline<>::second_derivatives(t);
       }
-    group_points();
+    find_pieces();
   }
 
   /// the weight of a term in cell units
@@ -160,15 +160,14 @@ public:
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
     const Vector points = m_field.extend(x);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-      if(m_first_point[c] == m_first_point[c+1]) continue;
+      if(m_first_piece[c] == m_first_piece[c+1]) continue;
       const std::array<double, 64> local = gather(points, c);
-      for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
-        const std::array<double, 3>& t = m_points[p].t;
+      for_each_surface_point(c, [&](const std::array<double, 3>& t, double, std::uint32_t) {
         const double f = internal::contract(local.data(), Cubic_bspline<>::values(t[0]), Cubic_bspline<>::values(t[1]),
                                             Cubic_bspline<>::values(t[2]));
         range.first = (std::min)(range.first, f / scale(c));
         range.second = (std::max)(range.second, f / scale(c));
-      }
+      });
     }
     return range;
   }
@@ -304,33 +303,30 @@ private:
   // root cells per cell: what turns coefficients into those of cell units
   double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
 
-  // a quadrature point on a facet
-  struct Surface_point
+  void find_pieces()
   {
-    std::array<double, 3> t;    // position in the cell
-    double weight;              // share of the area, cell units
-    std::uint32_t facet;
-  };
+    m_first_piece.assign(m_field.number_of_cells() + 1, 0);
+    for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) ++m_first_piece[piece.cell + 1];
+    for(std::size_t c = 0; c + 1 < m_first_piece.size(); ++c) m_first_piece[c+1] += m_first_piece[c];
+  }
 
-  void group_points()
+  // calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a cell
+  template <typename Function>
+  void for_each_surface_point(Cell_index c, const Function& f) const
   {
-    m_first_point.assign(m_field.number_of_cells() + 1, 0);
-    Cell_index filled = 0;      // cells below have their first point set
-    for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) {
-      for(; filled <= piece.cell; ++filled) m_first_point[filled] = m_points.size();
-      const double width = m_field.cells().width(piece.cell);
-      const std::array<double, 3> corner = m_field.cells().corner(piece.cell);
+    const double width = m_field.cells().width(c);
+    const std::array<double, 3> corner = m_field.cells().corner(c);
+    for(std::size_t n = m_first_piece[c]; n < m_first_piece[c+1]; ++n) {
+      const Clipped_mesh_3::Piece& piece = m_clipped.pieces()[n];
       const auto local = [&](std::uint32_t v) {
         const Clipped_mesh_3::Point& p = m_clipped.point(piece.first + v);
         return std::array<double, 3>{ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width };
       };
-      const auto add_triangle = [&](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
-        internal::for_each_quadrature_point(p, q, r, [&](const std::array<double, 3>& t, double w) {
-          m_points.push_back({ t, w, piece.facet });
-        });
+      const auto visit_triangle = [&](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
+        internal::for_each_quadrature_point(p, q, r, [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
       };
       if(piece.size == 3) {
-        add_triangle(local(0), local(1), local(2));
+        visit_triangle(local(0), local(1), local(2));
         continue;
       }
       // from the middle: a mirrored or turned mesh gets the mirrored or turned points
@@ -339,9 +335,8 @@ private:
         const std::array<double, 3> p = local(v);
         for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
       }
-      for(std::uint32_t v = 0; v < piece.size; ++v) add_triangle(middle, local(v), local((v + 1) % piece.size));
+      for(std::uint32_t v = 0; v < piece.size; ++v) visit_triangle(middle, local(v), local((v + 1) % piece.size));
     }
-    for(; filled < m_first_point.size(); ++filled) m_first_point[filled] = m_points.size();
   }
 
   static Local_vector outer(const Weights& x, const Weights& y, const Weights& z)
@@ -442,31 +437,30 @@ private:
       case Energy_term::SURFACE:
       case Energy_term::ANGLE:
       case Energy_term::NORMAL: {
-        if(m_first_point[c] == m_first_point[c+1]) return;
+        if(m_first_piece[c] == m_first_piece[c+1]) return;
         const std::array<double, 64> local = gather(points, c);
-        for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
-          const Surface_point& point = m_points[p];
+        for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
           internal::Basis_jet<double, 2> basis;
           for(int a = 0; a < 3; ++a) {
-            basis[0][a] = Cubic_bspline<>::values(point.t[a]);
-            basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+            basis[0][a] = Cubic_bspline<>::values(t[a]);
+            basis[1][a] = Cubic_bspline<>::first_derivatives(t[a]);
           }
           const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local.data(), basis);
           if(term == Energy_term::SURFACE) {
-            visit(jet.value, point.weight, [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
-            continue;
+            visit(jet.value, w, [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
+            return;
           }
           const std::array<double, 3>& g = jet.gradient;
-          const std::array<double, 3>& n = m_clipped.normal(point.facet);
+          const std::array<double, 3>& n = m_clipped.normal(facet);
           if(term == Energy_term::NORMAL)
-            visit(internal::dot(n, g) - 1, point.weight, [&]() { return directional_row(basis, n); });
+            visit(internal::dot(n, g) - 1, w, [&]() { return directional_row(basis, n); });
           else
             for(int a = 0; a < 3; ++a) {
               std::array<double, 3> axis = {};
               axis[a] = 1;
-              visit(g[a] - n[a], point.weight, [&]() { return directional_row(basis, axis); });
+              visit(g[a] - n[a], w, [&]() { return directional_row(basis, axis); });
             }
-        }
+        });
         return;
       }
       case Energy_term::SINGULAR_HESSIAN: {
@@ -513,23 +507,22 @@ private:
     };
     const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
     const double surface = weight(Energy_term::SURFACE);
-    for(std::size_t p = m_first_point[c]; p < m_first_point[c+1]; ++p) {
-      const Surface_point& point = m_points[p];
+    for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
       internal::Basis_jet<double, 2> basis;
       for(int a = 0; a < 3; ++a) {
-        basis[0][a] = Cubic_bspline<>::values(point.t[a]);
-        basis[1][a] = Cubic_bspline<>::first_derivatives(point.t[a]);
+        basis[0][a] = Cubic_bspline<>::values(t[a]);
+        basis[1][a] = Cubic_bspline<>::first_derivatives(t[a]);
       }
-      std::array<double, 3> frame[3] = { m_clipped.normal(point.facet) };
+      std::array<double, 3> frame[3] = { m_clipped.normal(facet) };
       tangent_frame(frame);
       const Local_vector along_normal = directional_row(basis, frame[0]);
-      rhs += point.weight * both * along_normal;
-      rows.col(used++) = std::sqrt(point.weight * both) * along_normal;
-      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[1]);
-      rows.col(used++) = std::sqrt(point.weight * angle) * directional_row(basis, frame[2]);
-      if(surface > 0) rows.col(used++) = std::sqrt(point.weight * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
+      rhs += w * both * along_normal;
+      rows.col(used++) = std::sqrt(w * both) * along_normal;
+      rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[1]);
+      rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[2]);
+      if(surface > 0) rows.col(used++) = std::sqrt(w * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
       if(used > 4 * (batch - 1)) flush();
-    }
+    });
     if(used > 0) flush();
   }
 
@@ -549,8 +542,7 @@ private:
   double m_gamma;
   internal::Normal_equations<Field> m_equations;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
-  std::vector<Surface_point> m_points;        // by cell
-  std::vector<std::size_t> m_first_point;     // of each cell, and the end
+  std::vector<std::size_t> m_first_piece;     // of each cell, and the end
   std::vector<char> m_hessian_domain;         // by cell, or empty
 };
 

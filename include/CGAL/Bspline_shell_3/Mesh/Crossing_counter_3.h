@@ -24,8 +24,9 @@ namespace Bspline_shells {
  *
  * \brief counts, exactly, how often a segment passes through a mesh from the back of its facets to their front.
  *
- * The mesh is closed; otherwise the count means nothing. Const member functions may be called from several threads at
- * once, after `build()`.
+ * The mesh is closed; otherwise the count means nothing. Const member functions may be called from several threads at once.
+ *
+ * \cgalHeading{Cost} the first segments are compared with all facets, which is less work than a tree of them; when there are more, the tree is built.
  */
 class Crossing_counter_3
 {
@@ -38,13 +39,12 @@ public:
   explicit Crossing_counter_3(const Triangle_mesh& mesh);
 
   /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1 if it
-  /// goes in. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.
+  /// goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;
 
 private:
-  class Tree;
-  const Triangle_mesh* m_mesh;
-  std::shared_ptr<const Tree> m_tree;
+  class Facets;
+  std::shared_ptr<const Facets> m_facets;
 };
 
 } // namespace Bspline_shells

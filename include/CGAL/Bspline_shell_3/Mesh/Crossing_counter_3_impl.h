@@ -12,40 +12,74 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/FPU.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
 #include <iterator>
+#include <mutex>
 
 namespace CGAL {
 namespace Bspline_shells {
 
-class Crossing_counter_3::Tree
-  : public AABB_tree<internal::AABB_traits_3<Exact_predicates_inexact_constructions_kernel, AABB_face_graph_triangle_primitive<Triangle_mesh> > >
+class Crossing_counter_3::Facets
 {
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef AABB_tree<internal::AABB_traits_3<Kernel, AABB_face_graph_triangle_primitive<Triangle_mesh> > > Tree;
+
 public:
-  explicit Tree(const Triangle_mesh& mesh)
-    : AABB_tree(faces(mesh).begin(), faces(mesh).end(), mesh)
+  explicit Facets(const Triangle_mesh& mesh) : m_mesh(mesh) {}
+
+  // those that a segment meets, in their order
+  std::vector<Face_index> met(const Point_3& p, const Point_3& q) const
   {
-    build();
+    std::vector<Face_index> met;
+    const Kernel::Segment_3 segment(p, q);
+    if(m_queries++ < most_scans) {
+      const Bbox_3 box = segment.bbox();
+      for(Face_index f : m_mesh.faces()) {
+        const std::array<Point_3, 3> t = corners(f);
+        if(do_overlap(box, t[0].bbox() + t[1].bbox() + t[2].bbox()) && do_intersect(segment, Kernel::Triangle_3(t[0], t[1], t[2])))
+          met.push_back(f);
+      }
+    } else {
+      std::call_once(m_is_built, [&] {
+        m_tree = std::make_unique<Tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
+        m_tree->build();
+      });
+      m_tree->all_intersected_primitives(segment, std::back_inserter(met));
+      std::sort(met.begin(), met.end());
+    }
+    return met;
   }
+
+  std::array<Point_3, 3> corners(Face_index f) const
+  {
+    const auto h = m_mesh.halfedge(f);
+    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))) };
+  }
+
+private:
+  static constexpr std::size_t most_scans = 32;       // a tree takes about as long
+  const Triangle_mesh& m_mesh;
+  mutable std::atomic<std::size_t> m_queries{0};
+  mutable std::once_flag m_is_built;
+  mutable std::unique_ptr<Tree> m_tree;
 };
 
-CGAL_BSPLINE_SHELL_3_INLINE Crossing_counter_3::Crossing_counter_3(const Triangle_mesh& mesh)
-  : m_mesh(&mesh), m_tree(std::make_shared<const Tree>(mesh))
-{}
+CGAL_BSPLINE_SHELL_3_INLINE Crossing_counter_3::Crossing_counter_3(const Triangle_mesh& mesh) : m_facets(std::make_shared<const Facets>(mesh)) {}
 
 CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
 Crossing_counter_3::crossings(const Point_3& p, const Point_3& q) const
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
-  std::vector<Face_index> hit;
-  m_tree->all_intersected_primitives(Exact_predicates_inexact_constructions_kernel::Segment_3(p, q), std::back_inserter(hit));
   std::vector<std::pair<Face_index, int> > crossed;
-  for(Face_index f : hit) {
-    const auto h = m_mesh->halfedge(f);
-    const Point_3 &a = m_mesh->point(m_mesh->source(h)), &b = m_mesh->point(m_mesh->target(h)),
-                  &c = m_mesh->point(m_mesh->target(m_mesh->next(h)));
-    const std::optional<int> crossing = facet_crossing(p, q, a, b, c);
+  for(Face_index f : m_facets->met(p, q)) {
+    const std::array<Point_3, 3> t = m_facets->corners(f);
+    const std::optional<int> crossing = facet_crossing(p, q, t[0], t[1], t[2]);
     if(!crossing) return std::nullopt;
     if(*crossing != 0) crossed.emplace_back(f, *crossing);
   }

@@ -179,6 +179,7 @@ private:
   Shell_status check_orientation();
   std::optional<std::vector<std::size_t> > components_around_front(Face_index f, const Crossing_counter_3& counter) const;
   Shell_status check_volume();
+  template <typename ConcurrencyTag>
   Shell_status check_vertices();
   Shell_status refuse_facets(Shell_status status, std::vector<std::size_t>& facets);
   Shell_status refuse_vertices(Shell_status status, std::vector<std::size_t>& vertices);

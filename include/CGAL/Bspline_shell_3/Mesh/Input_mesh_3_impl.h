@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
@@ -44,7 +45,7 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   if(status == Shell_status::SUCCESS) find_components();
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
     status = tolerated.self_intersections ? check_volume() : check_orientation();
-  if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices();
+  if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices<ConcurrencyTag>();
   return status;
 }
 
@@ -285,11 +286,17 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_volume()
   return Shell_status::SUCCESS;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_vertices()
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::check_vertices()
 {
-  std::vector<std::size_t> singular;
-  for(auto v : m_mesh.vertices())
-    if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) singular.push_back(m_vertex_origin[v]);
+  constexpr std::size_t chunk = 1024;
+  std::vector<std::size_t> singular = internal::collect_from_chunks<ConcurrencyTag, std::size_t>(
+    m_mesh.number_of_vertices(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const Triangle_mesh::Vertex_index v(static_cast<unsigned int>(n));
+        if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) found.push_back(m_vertex_origin[n]);
+      }
+    });
   return singular.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::SINGULAR_VERTEX, singular);
 }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -74,11 +75,12 @@ public:
   explicit Trees(const Input_mesh_3& input)
     : m_mesh(input.mesh()), m_size(input.unit()), m_flip(!input.faces_outwards())
   {
-    for(auto f : input.mesh().faces()) {
+    m_triangles.reserve(m_mesh.number_of_faces());
+    for(auto f : m_mesh.faces()) {
       const auto t = input.triangle(f);
       m_triangles.emplace_back(to_distance(t[0]), to_distance(t[1]), to_distance(t[2]));
     }
-    compute_normals(input);
+    compute_normals(m_mesh);
     m_distance_tree = std::make_unique<Distance_tree>(m_triangles.cbegin(), m_triangles.cend());
     m_distance_tree->build();
   }
@@ -120,6 +122,13 @@ private:
   typedef Distance_kernel::Vector_3 Vector;
   static constexpr std::size_t none = std::size_t(-1);
 
+  struct Facet
+  {
+    Vector normal;
+    std::array<std::uint32_t, 3> neighbor, vertex;      // across edge `i`; where that begins
+    bool is_thin;
+  };
+
   // From facet to facet as long as the next one is closer: the tree then visits few boxes more than it must.
   Distance_tree::Point_and_primitive_id descend(const Distance_kernel::Point_3& q, std::size_t facet) const
   {
@@ -128,7 +137,7 @@ private:
     FT least = squared_distance(closest, q);
     for(std::size_t from = none, next = facet; next != none; ) {
       next = none;
-      for(std::size_t neighbor : m_neighbors[facet]) {
+      for(std::size_t neighbor : m_facets[facet].neighbor) {
         if(neighbor == from) continue;
         const Distance_kernel::Point_3 there = closest_point(m_triangles[neighbor], q);
         const FT squared = squared_distance(there, q);
@@ -139,10 +148,6 @@ private:
     return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
   }
 
-  // the normals of a facet, its edges and its vertices; edge `i` begins at vertex `i`. Zero for a facet so thin that rounding
-  // hides where in it a point lies, and for its edges.
-  struct Normals { Vector facet; std::array<Vector, 3> edge, vertex; };
-
   // a unit vector, or zero for a facet too flat for doubles
   static Vector unit(Vector v)
   {
@@ -152,75 +157,63 @@ private:
     return v / std::sqrt(v.squared_length());
   }
 
-  void compute_normals(const Input_mesh_3& input)
+  // facets are not removed from the mesh: their numbers are consecutive
+  void compute_normals(const Input_mesh_3::Triangle_mesh& mesh)
   {
-    const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
-    std::vector<Vector> vertex(mesh.num_vertices(), Vector(NULL_VECTOR));
-    m_normals.resize(m_triangles.size());
-    std::vector<char> thin(m_triangles.size());
+    m_facets.reserve(m_triangles.size());
+    m_vertex_normals.assign(mesh.num_vertices(), Vector(NULL_VECTOR));
     constexpr FT thinnest = 1e-6;       // relative to coordinates, as rounding is
-    std::size_t n = 0;
     for(auto f : mesh.faces()) {
-      const Distance_kernel::Triangle_3& t = m_triangles[n];
+      const Distance_kernel::Triangle_3& t = m_triangles[std::size_t(f)];
       const FT scale = std::sqrt((std::max)((t[1] - t[0]).squared_length(), (t[2] - t[0]).squared_length()));
       const Vector normal = cross_product((t[1] - t[0]) / scale, (t[2] - t[0]) / scale);
-      m_normals[n].facet = unit(normal);
       FT largest = 0;
       for(int i = 0; i < 3; ++i)
         for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(t[i][a]));
-      thin[n] = !(std::sqrt(normal.squared_length()) * scale > thinnest * largest);
+      Facet facet = { unit(normal), {}, {}, !(std::sqrt(normal.squared_length()) * scale > thinnest * largest) };
       auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
-        const Vector u = unit(t[(i + 1) % 3] - t[i]), v = unit(t[(i + 2) % 3] - t[i]);
+      for(std::size_t i = 0; i < 3; ++i, h = mesh.next(h)) {
+        facet.neighbor[i] = std::uint32_t(mesh.face(mesh.opposite(h)));
+        facet.vertex[i] = std::uint32_t(mesh.source(h));
+        const Vector u = unit(t[int(i + 1) % 3] - t[int(i)]), v = unit(t[int(i + 2) % 3] - t[int(i)]);
         const FT angle = std::atan2(std::sqrt(cross_product(u, v).squared_length()), u * v);
-        Vector& sum = vertex[std::size_t(mesh.source(h))];
-        sum = sum + angle * m_normals[n].facet;
+        Vector& sum = m_vertex_normals[facet.vertex[i]];
+        sum = sum + angle * facet.normal;
       }
-      ++n;
+      m_facets.push_back(facet);
     }
-    // facets are not removed from the mesh: their numbers are consecutive
-    m_neighbors.resize(m_triangles.size());
-    n = 0;
-    for(auto f : mesh.faces()) {
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
-        const std::size_t other = std::size_t(mesh.face(mesh.opposite(h)));
-        m_neighbors[n][i] = other;
-        m_normals[n].edge[i] = thin[n] || thin[other] ? Vector(NULL_VECTOR) : unit(m_normals[n].facet + m_normals[other].facet);
-        m_normals[n].vertex[i] = unit(vertex[std::size_t(mesh.source(h))]);
-      }
-      ++n;
-    }
-    for(n = 0; n < thin.size(); ++n)
-      if(thin[n]) m_normals[n].facet = NULL_VECTOR;
+    for(Vector& n : m_vertex_normals) n = unit(n);
   }
 
-  // at a point of a facet
-  const Vector& normal_at(std::size_t facet, const Distance_kernel::Point_3& p) const
+  // At a point of a facet. Zero on a facet so thin that rounding hides where in it a point lies, and on its edges.
+  Vector normal_at(std::size_t n, const Distance_kernel::Point_3& p) const
   {
-    const Distance_kernel::Triangle_3& t = m_triangles[facet];
-    const Normals& normals = m_normals[facet];
-    if(normals.facet == NULL_VECTOR) return normals.facet;
+    const Distance_kernel::Triangle_3& t = m_triangles[n];
+    const Facet& facet = m_facets[n];
+    if(facet.is_thin) return NULL_VECTOR;
     // how far the point is from edge i, relative to the vertex opposite to it
     constexpr FT at_edge = 1e-8;
     bool on_edge[3];
     for(int i = 0; i < 3; ++i) {
-      const Vector e = t[(i + 1) % 3] - t[i], across = cross_product(normals.facet, e);
+      const Vector e = t[(i + 1) % 3] - t[i], across = cross_product(facet.normal, e);
       const FT height = across * (t[(i + 2) % 3] - t[i]);
       on_edge[i] = !(across * (p - t[i]) > at_edge * height);
     }
-    for(int i = 0; i < 3; ++i)
-      if(on_edge[i] && on_edge[(i + 2) % 3]) return normals.vertex[i];
-    for(int i = 0; i < 3; ++i)
-      if(on_edge[i]) return normals.edge[i];
-    return normals.facet;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(on_edge[i] && on_edge[(i + 2) % 3]) return m_vertex_normals[facet.vertex[i]];
+    for(std::size_t i = 0; i < 3; ++i)
+      if(on_edge[i]) {
+        const Facet& other = m_facets[facet.neighbor[i]];
+        return other.is_thin ? Vector(NULL_VECTOR) : unit(facet.normal + other.normal);
+      }
+    return facet.normal;
   }
 
   static Distance_kernel::Point_3 to_distance(const Point_3& p) { return Distance_kernel::Point_3(p.x(), p.y(), p.z()); }
 
   Triangles m_triangles;
-  std::vector<std::array<std::size_t, 3> > m_neighbors;     // across the edges
-  std::vector<Normals> m_normals;
+  std::vector<Facet> m_facets;
+  std::vector<Vector> m_vertex_normals;
   std::unique_ptr<Distance_tree> m_distance_tree;
   const Input_mesh_3::Triangle_mesh& m_mesh;
   mutable std::once_flag m_side_is_built;

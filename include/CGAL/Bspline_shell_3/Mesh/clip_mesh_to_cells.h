@@ -178,17 +178,12 @@ private:
   std::deque<std::array<std::array<Polygon_cutter::Polygon, 2>, 3> > m_halves;    // by level; references stay valid
 };
 
+// facets are numbered consecutively
 template <typename InputMesh>
-std::vector<std::array<Clip_point, 3> > triangles_to_clip(const InputMesh& input)
+std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n)
 {
-  std::vector<std::array<Clip_point, 3> > triangles;
-  triangles.reserve(input.mesh().number_of_faces());
-  for(auto f : input.mesh().faces()) {
-    const auto t = input.triangle(f);
-    triangles.push_back({ Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() },
-                          Clip_point{ t[2].x(), t[2].y(), t[2].z() } });
-  }
-  return triangles;
+  const auto t = input.triangle(typename InputMesh::Face_index(static_cast<unsigned int>(n)));
+  return { Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() }, Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
 }
 
 // the unit normal; zero for a facet too flat for doubles
@@ -302,18 +297,19 @@ private:
 template <typename ConcurrencyTag, typename InputMesh>
 std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const Lattice_3& lattice)
 {
-  const auto triangles = internal::triangles_to_clip(input);
   constexpr std::size_t chunk = 512;
   typedef std::vector<std::uint64_t> Keys;
   const auto find = [&](std::size_t begin, std::size_t end, Keys& found) {
     internal::Polygon_cutter cutter(lattice);
-    for(std::size_t n = begin; n < end; ++n)
-      cutter.cut(triangles[n], internal::unit_normal(triangles[n]), [&](const Lattice_3::Point& p, const auto&) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto triangle = internal::triangle_to_clip(input, n);
+      cutter.cut(triangle, internal::unit_normal(triangle), [&](const Lattice_3::Point& p, const auto&) {
         found.push_back(Lattice_key::encode(p[0], p[1], p[2]));
       });
+    }
     sort_unique(found);
   };
-  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(triangles.size(), chunk, find);
+  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(input.mesh().number_of_faces(), chunk, find);
   sort_unique(keys);
   return keys;
 }
@@ -331,26 +327,28 @@ template <typename ConcurrencyTag, typename InputMesh, typename Cells>
 Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
 {
   typedef Clipped_mesh_3::Point Point;
-  const auto triangles = internal::triangles_to_clip(input);
+  const std::size_t size = input.mesh().number_of_faces();
   Clipped_mesh_3 clipped;
-  clipped.m_normals.reserve(triangles.size());
-  for(const auto& t : triangles) clipped.m_normals.push_back(internal::unit_normal(t));
+  clipped.m_normals.resize(size);
 
   constexpr std::size_t chunk = 512;
-  std::vector<std::vector<Clipped_mesh_3::Piece> > pieces((triangles.size() + chunk - 1) / chunk);
+  std::vector<std::vector<Clipped_mesh_3::Piece> > pieces((size + chunk - 1) / chunk);
   std::vector<std::vector<Point> > points(pieces.size());
-  internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
     internal::Polygon_cutter cutter(cells.lattice());
     internal::Leaf_cutter leaf_cutter(cutter);
     std::vector<Clipped_mesh_3::Piece>& chunk_pieces = pieces[begin / chunk];
     std::vector<Point>& chunk_points = points[begin / chunk];
-    for(std::size_t n = begin; n < end; ++n)
-      cutter.cut(triangles[n], clipped.m_normals[n], [&](const Lattice_3::Point& p, const std::vector<Point>& in_cell) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto triangle = internal::triangle_to_clip(input, n);
+      clipped.m_normals[n] = internal::unit_normal(triangle);
+      cutter.cut(triangle, clipped.m_normals[n], [&](const Lattice_3::Point& p, const std::vector<Point>& in_cell) {
         leaf_cutter.cut(cells, 0, p, in_cell, [&](std::uint32_t leaf, const std::vector<Point>& polygon) {
           chunk_pieces.push_back({ leaf, std::uint32_t(n), std::uint32_t(polygon.size()), chunk_points.size() });
           chunk_points.insert(chunk_points.end(), polygon.begin(), polygon.end());
         });
       });
+    }
   });
 
   std::size_t number_of_pieces = 0, number_of_points = 0;
