@@ -97,6 +97,14 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   CHECK(energy.weight(Term::SINGULAR_HESSIAN) == 0.25 * 8 * 25);
   CHECK(cube_problem().energy(Energy_weights::paper()).weight(Term::SURFACE) == 0);
   CHECK(Energy_weights().surface == 0);
+  CHECK(Energy_weights().normal == 0);
+  weights.normal = 5;
+  CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 261);
+  weights.mu = 0;
+  CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 5);
+  CHECK(weights.are_valid());
+  weights.normal = -1;
+  CHECK_FALSE(weights.are_valid());
 }
 
 TEST_CASE("E_SDF is the sum of squared differences at the samples")
@@ -251,7 +259,11 @@ TEST_CASE("Gradients are the derivatives of the values")
 TEST_CASE("The normal equations are those of the four quadratic terms")
 {
   const Fit_problem problem(sphere(1), 4.3, 1);
-  const Energy energy = problem.energy(all_terms_weighted());
+  Energy_weights without_angle;
+  without_angle.mu = 0;
+  without_angle.normal = 10;
+  without_angle.surface = 100;
+  const Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
   const std::size_t size = problem.field.number_of_coefficients();
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;

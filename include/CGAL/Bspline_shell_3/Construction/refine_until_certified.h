@@ -73,7 +73,8 @@ struct Refinement_parameters
 
   Refinement_parameters()
   {
-    weights.zeta = 100;
+    weights.mu = 0;
+    weights.normal = 10;
     weights.surface = 100;
   }
 };

@@ -45,8 +45,8 @@ enum class Energy_term
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
- * (Eq. 4.6, where \f$\beta = 0\f$).
+ * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
+ * (Eq. 4.6, where \f$\beta = \nu = 0\f$).
  */
 struct Energy_weights
 {
@@ -57,11 +57,14 @@ struct Energy_weights
   double singular_hessian = 0;
   /// \f$\beta\f$: the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It thins the shell.
   double surface = 0;
+  /// \f$\nu\f$: \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term keeps the field from varying along the facets, what
+  /// \f$E_{angle}\f$ adds is little, and half of the work.
+  double normal = 0;
 
   /// whether all are finite and not negative
   bool are_valid() const
   {
-    for(double w : { mu, zeta, singular_hessian, surface })
+    for(double w : { mu, zeta, singular_hessian, surface, normal })
       if(!(std::isfinite(w) && w >= 0)) return false;
     return true;
   }
@@ -83,7 +86,7 @@ struct Energy_weights
  * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
  * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
  * per unit, the energy divided by the squared width is
- * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
+ * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
  *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
  * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
  * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
@@ -133,7 +136,7 @@ public:
       case Energy_term::DISTANCE: return 1;
       case Energy_term::SURFACE: return m_weights.surface;
       case Energy_term::ANGLE: return m_weights.mu;
-      case Energy_term::NORMAL: return m_weights.mu * m_weights.zeta;
+      case Energy_term::NORMAL: return m_weights.normal + m_weights.mu * m_weights.zeta;
       case Energy_term::SINGULAR_HESSIAN: return m_weights.mu * m_weights.singular_hessian * m_gamma * m_gamma;
     }
     return 0;
@@ -495,7 +498,7 @@ private:
       rhs += sample(c, s) * sample_row(s);
   }
 
-  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, mu (1 + zeta) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
+  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
   void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
   {
     constexpr int batch = 24;
@@ -518,8 +521,10 @@ private:
       const Local_vector along_normal = directional_row(basis, frame[0]);
       rhs += w * both * along_normal;
       rows.col(used++) = std::sqrt(w * both) * along_normal;
-      rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[1]);
-      rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[2]);
+      if(angle > 0) {
+        rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[1]);
+        rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[2]);
+      }
       if(surface > 0) rows.col(used++) = std::sqrt(w * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
       if(used > 4 * (batch - 1)) flush();
     });
