@@ -78,6 +78,20 @@ TEST_CASE("Facet oracle: a facet at a vertex that is turned where none of its co
         == Placement_verdict::ACCEPTED);
 }
 
+TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of others that have two corners of it")
+{
+  const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
+  const Oracle oracle(shell);
+  const auto at = [](double x, double y) { return Point_3(x, y, 0.1); };
+  const Point_3 p = at(0.31, 0), a = at(0.83, -0.4), b = at(0.61, 0.6), c = at(-0.47, 0.4), d = at(-0.47, -0.4);
+  Oracle::Memory memory;
+  for(int times = 0; times < 2; ++times) {
+    CHECK(oracle(p, { a, b, c, d }, memory) == Placement_verdict::FACES_AWAY);        // (p, b, c)
+    CHECK(oracle(p, { d, a, b, c }, memory) == Placement_verdict::FACES_AWAY);        // (p, d, a)
+    CHECK(oracle(p, { a, b, at(0.08, 0.1), at(0.1, -0.3) }, memory) == Placement_verdict::ACCEPTED);
+  }
+}
+
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
 {
   // -(x^2 + y^2) where z is 0.1

@@ -67,17 +67,18 @@ public:
   typedef typename Bounds::Sample Sample;
   typedef typename Bounds::Facet_bounds Facet_bounds;
 
-  /// what is known of earlier questions: an edge that was given up and is considered again has mostly the same facets, and the places that are
-  /// tried for an edge have the same link
+  /// what is known of places that were rejected: an edge that was given up and is considered again has mostly the same facets, and the places that
+  /// are tried for an edge have the same link
   class Memory
   {
     friend class Shell_facet_oracle_3;
-    typedef std::array<double, 9> Facet;
+    typedef std::array<double, 3> Place;
+    struct Facet { Point_3 q, r; Placement_verdict verdict; };
     struct Hash
     {
-      std::size_t operator()(const Facet& facet) const { return boost::hash_range(facet.begin(), facet.end()); }
+      std::size_t operator()(const Place& place) const { return boost::hash_range(place.begin(), place.end()); }
     };
-    std::unordered_map<Facet, Placement_verdict, Hash> m_verdicts;
+    std::unordered_map<Place, std::vector<Facet>, Hash> m_facets;       // at each place
     std::vector<Point_3> m_link;            // the last one
     std::vector<Sample> m_samples;          // of its vertices
   };
@@ -164,10 +165,6 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
   for(std::size_t n = 0; n < size; ++n)
     if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
-  const auto key = [&](std::size_t n) {
-    const Point_3 &q = link[n], &r = link[(n + 1) % size];
-    return typename Memory::Facet{ p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2] };
-  };
   // for most facets, both ends of an edge at `p` are in the shell, and the middle decides
   find_samples(link, memory);
   for(std::size_t n = 0; n < size; ++n) {
@@ -180,16 +177,19 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::size_t turns = winding_number(p, at_p, link);
   if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
   std::vector<char> is_known(size, 0);
-  for(std::size_t n = 0; n < size; ++n) {
-    const auto found = memory.m_verdicts.find(key(n));
-    if(found == memory.m_verdicts.end()) continue;
-    if(found->second != Placement_verdict::ACCEPTED) return found->second;
-    is_known[n] = 1;
-  }
+  const typename Memory::Place place = { p[0], p[1], p[2] };
+  const auto known = memory.m_facets.find(place);
+  if(known != memory.m_facets.end())
+    for(std::size_t n = 0; n < size; ++n)
+      for(const typename Memory::Facet& facet : known->second) {
+        if(facet.q != link[n] || facet.r != link[(n + 1) % size]) continue;
+        if(facet.verdict != Placement_verdict::ACCEPTED) return facet.verdict;
+        is_known[n] = 1;
+      }
   // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
   std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
   std::atomic<std::size_t> first_rejected(size);
-  internal::for_each_chunk<ConcurrencyTag>(size, 1, [&](std::size_t n, std::size_t) {
+  const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
     const Facet_bounds found = m_bounds->examine({ at_p, memory.m_samples[n], memory.m_samples[m] }, facet_normal(p, link[n], link[m]),
@@ -198,12 +198,19 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
     verdicts[n] = found.is_contained ? Placement_verdict::FACES_AWAY : Placement_verdict::LEAVES_SHELL;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
+  };
+  // facets in few cells take less time than other threads need to begin
+  const double width = m_shell->field().cell(at_p.cell).width();
+  const bool is_small = std::all_of(link.begin(), link.end(), [&](const Point_3& q) {
+    return (std::max)({ std::abs(q[0] - p[0]), std::abs(q[1] - p[1]), std::abs(q[2] - p[2]) }) < width;
   });
-  for(std::size_t n = 0; n < size; ++n) {
-    if(!is_known[n]) memory.m_verdicts.emplace(key(n), verdicts[n]);
-    if(verdicts[n] != Placement_verdict::ACCEPTED) return verdicts[n];
-  }
-  return Placement_verdict::ACCEPTED;
+  if(is_small) internal::for_each_chunk<Sequential_tag>(size, 1, examine);
+  else internal::for_each_chunk<ConcurrencyTag>(size, 1, examine);
+  if(first_rejected == size) return Placement_verdict::ACCEPTED;
+  std::vector<typename Memory::Facet>& facets = memory.m_facets[place];
+  for(std::size_t n = 0; n <= first_rejected; ++n)
+    if(!is_known[n]) facets.push_back({ link[n], link[(n + 1) % size], verdicts[n] });
+  return verdicts[first_rejected];
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
