@@ -84,11 +84,14 @@ TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of 
   const Oracle oracle(shell);
   const auto at = [](double x, double y) { return Point_3(x, y, 0.1); };
   const Point_3 p = at(0.31, 0), a = at(0.83, -0.4), b = at(0.61, 0.6), c = at(-0.47, 0.4), d = at(-0.47, -0.4);
-  Oracle::Memory memory;
-  for(int times = 0; times < 2; ++times) {
-    CHECK(oracle(p, { a, b, c, d }, memory) == Placement_verdict::FACES_AWAY);        // (p, b, c)
-    CHECK(oracle(p, { d, a, b, c }, memory) == Placement_verdict::FACES_AWAY);        // (p, d, a)
-    CHECK(oracle(p, { a, b, at(0.08, 0.1), at(0.1, -0.3) }, memory) == Placement_verdict::ACCEPTED);
+  const std::vector<Point_3> good = { a, b, at(0.08, 0.1), at(0.1, -0.3) };
+  // of the facets that are rejected, only the first one is remembered: (p, b, c), and (p, d, a)
+  for(const std::vector<Point_3>& bad : { std::vector<Point_3>{ a, b, c, d }, std::vector<Point_3>{ d, a, b, c } }) {
+    Oracle::Memory memory;
+    for(int times = 0; times < 2; ++times) {
+      CHECK(oracle(p, bad, memory) == Placement_verdict::FACES_AWAY);
+      CHECK(oracle(p, good, memory) == Placement_verdict::ACCEPTED);
+    }
   }
 }
 
