@@ -517,11 +517,11 @@ private:
         basis[1][a] = Cubic_bspline<>::first_derivatives(t[a]);
       }
       std::array<double, 3> frame[3] = { m_clipped.normal(facet) };
-      tangent_frame(frame);
       const Local_vector along_normal = directional_row(basis, frame[0]);
       rhs += w * both * along_normal;
       rows.col(used++) = std::sqrt(w * both) * along_normal;
       if(angle > 0) {
+        tangent_frame(frame);
         rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[1]);
         rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[2]);
       }
