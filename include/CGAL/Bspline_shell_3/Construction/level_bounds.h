@@ -116,12 +116,12 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
   std::vector<Level_range> ranges((pieces.size() + chunk - 1) / chunk);
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Level_range& range = ranges[begin / chunk];
-    std::vector<std::array<double, 3> > corner;
+    std::vector<std::array<double, 3> > corners;
     for(std::size_t n = begin; n < end; ++n) {
       const internal::Cell_with_pieces<Field> in(field, pieces[n].cell);
-      in.get_corners(clipped, pieces[n], corner);
-      for(std::size_t v = 0; v < corner.size(); ++v) {
-        const std::array<double, 10> b = segment_bernstein_form<double>(in.cell.coefficients(), corner[v], corner[(v + 1) % corner.size()]);
+      in.get_corners(clipped, pieces[n], corners);
+      for(std::size_t v = 0; v < corners.size(); ++v) {
+        const std::array<double, 10> b = segment_bernstein_form<double>(in.cell.coefficients(), corners[v], corners[(v + 1) % corners.size()]);
         range.include(b.front());
         const auto hull = std::minmax_element(b.begin(), b.end());
         if(*hull.first < range.min || *hull.second > range.max) range.include(bernstein_range(b));
@@ -181,7 +181,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
     Level_range found = values;           // grows by what this chunk finds
     Level_range& bound = enclosure[begin / chunk];
     std::vector<Triangle> stack;
-    std::vector<Local_point> corner;
+    std::vector<Local_point> corners;
     std::optional<internal::Cell_with_pieces<Field> > in;
     std::optional<internal::Corner_bounds> corner_bounds;
     for(std::size_t n = begin; n < end; ++n) {
@@ -189,8 +189,8 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
         in.emplace(field, pieces[n].cell);
         corner_bounds.emplace(enclosed_value(in->cell));
       }
-      in->get_corners(clipped, pieces[n], corner);
-      const std::pair<double, double> excess = corner_bounds->excess(corner, in->shift);
+      in->get_corners(clipped, pieces[n], corners);
+      const std::pair<double, double> excess = corner_bounds->excess(corners, in->shift);
       if((std::max)(excess.first, excess.second) <= good * (values.max - values.min)) {
         Level_range range;
         for(std::uint32_t v = 0; v < pieces[n].size; ++v) range.include(in->cell.value(clipped.point(pieces[n].first + v)));
@@ -201,7 +201,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
           continue;
         }
       }
-      for(std::size_t v = 1; v + 1 < corner.size(); ++v) stack.push_back({ corner[0], corner[v], corner[v+1], 0 });
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
       while(!stack.empty()) {
         const Triangle t = stack.back();
         stack.pop_back();
