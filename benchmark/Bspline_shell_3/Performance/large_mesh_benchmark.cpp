@@ -210,7 +210,7 @@ void measure(const std::string& name, const Options& options)
   double sum = 0;
   for(auto v : mesh.vertices()) sum += std::abs(back[v] - fine_values[v]);
   std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"done\",\"facets\":" << facets << ",\"coarse_facets\":" << coarse.number_of_faces()
-            << ",\"lost\":" << averaged.failures.size() + interpolated.failures.size() << ",\"mean_error\":" << sum / double(mesh.number_of_vertices()) << stages << "}" << std::endl;
+            << ",\"lost\":" << averaged.failures.size() + averaged.left_out.size() + interpolated.failures.size() << ",\"mean_error\":" << sum / double(mesh.number_of_vertices()) << stages << "}" << std::endl;
 }
 
 int main(int argc, char** argv)
