@@ -4,10 +4,11 @@
 #include "polynomial_fields.h"
 #include "random_hierarchies.h"
 
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -525,7 +527,7 @@ TEST_CASE("Covers: what another cover found out is taken over where nothing has 
   Cover before(field, Constant(-0.5), Constant(0.5)), after(other, Constant(-0.5), Constant(0.5)), reference = after;
   before.prepare<Tag>(all);
   REQUIRE(before.flood<Tag>(Point_3(0, 0, 0), 0) == 0);
-  after.reuse(before, changed);
+  after.reuse(before, [&](std::uint32_t c) { return changed(c) ? Field::npos : c; });
   const std::size_t reused = after.number_of_cells();
   CHECK(reused > 10);
   CHECK(reused < all.size());
@@ -625,6 +627,42 @@ TEST_CASE("Covers: bounds of the gradient are not above what it is by a rounding
     for(double bound : cover.least_gradients<Tag>()) {
       CHECK(Rational(bound) * Rational(bound) <= squared);
       CHECK(bound * bound > 0.999 * CGAL::to_double(squared));
+    }
+  }
+}
+
+TEST_CASE("Covers: what is known of cells is taken over under their new numbers where others are split")
+{
+  CGAL::Random random(28);
+  const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return z + 0.1 * x * y; });
+  const Field finer_cells(field.cells().refined({ field.cells().locate(Point_3(0.1, 0.1, 0.1)) }));
+  const Field other = finer_cells.with_coefficients(BS::refined_coefficients(field, field.coefficients(), finer_cells));
+  std::vector<std::uint32_t> all(field.number_of_cells()), all_others(other.number_of_cells());
+  std::iota(all.begin(), all.end(), 0);
+  std::iota(all_others.begin(), all_others.end(), 0);
+  Cover before(field, Constant(-0.5), Constant(0.5)), after(other, Constant(-0.5), Constant(0.5)), reference = after;
+  before.prepare<Tag>(all);
+  const auto now = [&](std::uint32_t c) {
+    const Field::Cell_index n = other.cells().leaf(field.cells().level(c), field.cells().lattice_point(c));
+    return n != Field::npos && std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64, other.cell(n).coefficients()) ? n : Field::npos;
+  };
+  after.reuse(before, now);
+  const std::size_t reused = after.number_of_cells();
+  CHECK(reused > 10);
+  CHECK(reused < other.number_of_cells());
+  CHECK(std::any_of(all.begin(), all.end(), [&](std::uint32_t c) { return now(c) != Field::npos && now(c) != c; }));
+  after.prepare<Tag>(all_others);
+  reference.prepare<Tag>(all_others);
+  CHECK(after.number_of_cells() == other.number_of_cells());
+  REQUIRE(after.boxes().size() == reference.boxes().size());
+  std::map<std::uint32_t, std::vector<Cover_box> > found, expected;
+  for(const Cover_box& box : after.boxes()) found[box.cell].push_back(box);
+  for(const Cover_box& box : reference.boxes()) expected[box.cell].push_back(box);
+  for(const auto& of_cell : expected) {
+    REQUIRE(found[of_cell.first].size() == of_cell.second.size());
+    for(std::size_t n = 0; n < of_cell.second.size(); ++n) {
+      CHECK(found[of_cell.first][n].kind == of_cell.second[n].kind);
+      CHECK(std::equal(std::begin(of_cell.second[n].position), std::end(of_cell.second[n].position), std::begin(found[of_cell.first][n].position)));
     }
   }
 }

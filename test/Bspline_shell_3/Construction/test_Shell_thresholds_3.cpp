@@ -212,6 +212,37 @@ TEST_CASE("Thresholds: a cap holds in its cell, where the mesh allows it, and on
   CHECK(needing < 22);
 }
 
+TEST_CASE("Thresholds: caps can be given to others, also on cells of which some are split")
+{
+  const Problem& p = problem();
+  CGAL::Random random(9);
+  const Field finer(p.field.cells().refined({ p.random_cell(random), p.random_cell(random) }));
+  Thresholds capped(p.field, asked), again(p.field, asked), on_finer(finer, asked);
+  for(int n = 0; n < 8; ++n) capped.cap(p.random_cell(random), sides[n % 2], sign(sides[n % 2]) * random.get_double(0, 0.2));
+  REQUIRE(capped.caps().size() == 8);
+  for(const Thresholds::Cap& cap : capped.caps()) {
+    again.cap(cap);
+    on_finer.cap(cap);
+  }
+  CHECK(again.caps().size() == 8);
+  for(CGAL::Sign side : sides) {
+    const Eigen::VectorXd x = capped.threshold<Tag>(side).coefficients(), y = on_finer.threshold<Tag>(side).coefficients();
+    CHECK(again.threshold<Tag>(side).coefficients() == x);
+    std::size_t common = 0, below = 0;
+    for(int l = 0; l < p.field.number_of_levels(); ++l)
+      for(Index n = 0; n < p.field.points(l).size(); ++n) {
+        const Index u = p.field.coefficient_of_point(p.field.first_point(l) + n), m = finer.points(l).index(p.field.points(l).point(n));
+        const Index v = u == Field::npos || m == Field::npos ? Field::npos : finer.coefficient_of_point(finer.first_point(l) + m);
+        if(v == Field::npos) continue;
+        ++common;
+        below += std::abs(x[u]) < 0.25;
+        CHECK(x[u] == y[v]);
+      }
+    CHECK(common > 100);
+    CHECK(below > 10);
+  }
+}
+
 TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
 {
   const Problem& p = problem();

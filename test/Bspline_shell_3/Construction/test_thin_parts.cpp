@@ -210,14 +210,15 @@ TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certi
   }
 }
 
-TEST_CASE("Thin parts: the number of threads does not matter where slopes are enforced and thresholds narrowed")
+TEST_CASE("Thin parts: the number of threads does not matter where slopes are enforced, thresholds narrowed, and parts fitted")
 {
-  const Mesh mesh = demo_mesh("dino.off");
+  const Mesh mesh = demo_mesh("triceratops.off");
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),
               two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
   REQUIRE(one);
   REQUIRE(two);
   CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.sloping_cells > 0; }));
+  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.partial; }));
   CHECK(one.report().narrowed_area > 0);
   CHECK(one.field().coefficients() == two.field().coefficients());
   CHECK(one.inner_threshold().field().coefficients() == two.inner_threshold().field().coefficients());
@@ -233,6 +234,7 @@ TEST_CASE("Thin parts: the number of threads does not matter where slopes are en
   for(std::size_t n = 0; n < one.report().rounds.size(); ++n) {
     const BS::Refinement_round &r = one.report().rounds[n], &s = two.report().rounds[n];
     CHECK(r.cells == s.cells);
+    CHECK(r.partial == s.partial);
     CHECK(r.thickness == s.thickness);
     CHECK(r.sloping_cells == s.sloping_cells);
     CHECK(r.sloping_cells_left == s.sloping_cells_left);

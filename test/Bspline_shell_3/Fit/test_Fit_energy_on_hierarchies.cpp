@@ -380,3 +380,32 @@ TEST_CASE("On leaves of different size, blocks of unknowns cover all of them and
   CHECK(*std::min_element(times.begin(), times.end()) >= 1);
   CHECK(*std::max_element(times.begin(), times.end()) == 8);
 }
+
+TEST_CASE("On leaves of different size, the equations of a part are those of all, with the values of the others")
+{
+  for(const Problem* problem : { &sphere_problem(), &cube_problem() }) {
+    const Hierarchical_energy energy = problem->energy();
+    const Eigen::VectorXd x = Deterministic_numbers(3).vector(problem->field.number_of_coefficients());
+    const BS::Fitted_part part(problem->field, { Index(problem->field.number_of_cells() - 1), 5 });
+    const Eigen::Index chosen = std::count(part.coefficients.begin(), part.coefficients.end(), 1);
+    REQUIRE(chosen > 64);
+    REQUIRE(chosen < x.size() / 2);
+    Eigen::SparseMatrix<double> all, A, parallel;
+    Eigen::VectorXd all_b, b, parallel_b;
+    energy.assemble<Tag>(all, all_b);
+    energy.assemble<Tag>(part, x, A, b);
+    energy.assemble<CGAL::Parallel_if_available_tag>(part, x, parallel, parallel_b);
+    const Eigen::MatrixXd expected = symmetric(all), found = symmetric(A);
+    const Eigen::VectorXd residual = all_b - expected * x, part_residual = b - found * x;
+    const double largest = expected.cwiseAbs().maxCoeff();
+    for(Eigen::Index u = 0; u < x.size(); ++u) {
+      const bool is_chosen = part.coefficients[std::size_t(u)];
+      if(!is_chosen) CHECK((found.col(u).isZero(0) && b[u] == 0));
+      else CHECK(std::abs(part_residual[u] - residual[u]) < 1e-11 * largest * x.norm());
+      for(Eigen::Index v = 0; is_chosen && v < x.size(); ++v)
+        if(part.coefficients[std::size_t(v)] && std::abs(found(u, v) - expected(u, v)) > 1e-13 * largest) FAIL(u << " " << v);
+    }
+    CHECK((symmetric(parallel) == found));
+    CHECK((parallel_b == b));
+  }
+}

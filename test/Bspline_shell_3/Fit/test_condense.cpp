@@ -1,6 +1,8 @@
-// condense.h, Normal_equations.h: equations for free coefficients, against the product of three matrices.
+// condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients, against the product of three matrices.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/Cell_colors.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
 #include "random_hierarchies.h"
@@ -45,13 +47,13 @@ struct Assembled
   Eigen::VectorXd b;
 
   template <typename ConcurrencyTag>
-  Assembled(const AnyField& field, ConcurrencyTag)
+  Assembled(const AnyField& field, ConcurrencyTag, const std::vector<char>* chosen = nullptr)
   {
-    const BS::internal::Normal_equations<AnyField> equations(field);
+    const BS::internal::Normal_equations<AnyField> equations(field, chosen);
     Matrix all;
     Eigen::VectorXd all_rhs;
     equations.set_zero(all, all_rhs);
-    equations.template for_each_cell<ConcurrencyTag>([&](Index c) {
+    BS::internal::Cell_colors<AnyField>(field).template for_each_cell<ConcurrencyTag>([&](Index c) {
       const Random_equations local(c);
       equations.add(c, local.matrix, local.rhs, all, all_rhs);
     });
@@ -97,6 +99,23 @@ void check_lower_triangle(const Matrix& A)
       wrong += last == c - 1 && it.row() != c;
       last = int(it.row());
     }
+  }
+  CHECK(wrong == 0);
+}
+
+// columns of chosen unknowns begin with the diagonal, and others are empty
+void check_chosen_lower_triangle(const Matrix& A, const std::vector<char>& chosen)
+{
+  REQUIRE(A.isCompressed());
+  std::size_t wrong = 0;
+  for(int c = 0; c < A.outerSize(); ++c) {
+    int last = c - 1;
+    for(Matrix::InnerIterator it(A, c); it; ++it) {
+      wrong += it.row() <= last || !chosen[std::size_t(it.row())];
+      last = int(it.row());
+    }
+    wrong += chosen[std::size_t(c)] ? A.outerIndexPtr()[c] == A.outerIndexPtr()[c+1] || A.innerIndexPtr()[A.outerIndexPtr()[c]] != c
+                                    : A.outerIndexPtr()[c] != A.outerIndexPtr()[c+1];
   }
   CHECK(wrong == 0);
 }
@@ -179,4 +198,26 @@ TEST_CASE("condensed equations: without dependent coefficients they are the equa
   CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()));
   CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + a.A.nonZeros(), b.A.innerIndexPtr()));
   CHECK((a.b == b.b));
+}
+
+TEST_CASE("Condensed equations of chosen points: the same entries, and none of others")
+{
+  CGAL::Random random(31);
+  for(int n = 0; n < 4; ++n) {
+    const Field field(random_hierarchy(random, some_cells(random, lattice, { 0, 0, 0 }, { 3, 3, 3 }, 0.8), 1 + n % 3));
+    const BS::Fitted_part part(field, random_leaves(random, field.cells(), 1));
+    const Assembled<Field> all(field, CGAL::Sequential_tag()), chosen(field, CGAL::Sequential_tag(), &part.points);
+    check_chosen_lower_triangle(chosen.A, part.coefficients);
+    const Eigen::MatrixXd expected = all.A, found = chosen.A;
+    std::size_t entries = 0;
+    for(Eigen::Index c = 0; c < expected.cols(); ++c)
+      for(Eigen::Index r = c; r < expected.rows(); ++r) {
+        const bool both = part.coefficients[std::size_t(r)] && part.coefficients[std::size_t(c)];
+        if(found(r, c) != (both ? Approx(expected(r, c)).margin(1e-12) : Approx(0).margin(0))) FAIL(r << " " << c);
+        entries += both && expected(r, c) != 0;
+      }
+    CHECK(std::size_t(chosen.A.nonZeros()) >= entries);
+    CHECK(chosen.A.nonZeros() <= all.A.nonZeros());
+    CHECK(entries > 64);
+  }
 }

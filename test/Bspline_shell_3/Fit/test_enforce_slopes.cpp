@@ -521,3 +521,31 @@ TEST_CASE("Slopes: the number of threads and the order of conditions in differen
   CHECK(x == enforced(CGAL::Parallel_if_available_tag(), conditions, three));
   CHECK(one.violated_cells == three.violated_cells);
 }
+
+TEST_CASE("Slopes: coefficients without an equation keep their values")
+{
+  Problem problem = bar();
+  const std::vector<Condition> conditions = { { 0, 0, { 0.5, 0.5, 0.5 }, { 0, 0, 1 }, 2 } };
+  REQUIRE(problem.least_slack(conditions, problem.x) < 0);
+  const Vector before = problem.x;
+  // every third
+  Eigen::MatrixXd A = problem.A;
+  for(Eigen::Index u = 0; u < before.size(); u += 3) {
+    A.row(u).setZero();
+    A.col(u).setZero();
+  }
+  const Eigen::MatrixXd kept = Eigen::MatrixXd(problem.A) - A;
+  problem.b -= kept.selfadjointView<Eigen::Lower>() * before;
+  for(Eigen::Index u = 0; u < before.size(); u += 3) problem.b[u] = 0;
+  problem.A = A.sparseView();
+  BS::Slope_enforcement<Hierarchical_field> enforcement(problem.field, problem.A, problem.b);
+  enforcement.insert(conditions);
+  const BS::Slope_report report = enforcement(problem.x);
+  CHECK(report.violated_cells.empty());
+  CHECK(problem.least_slack(conditions, problem.x) >= 0);
+  std::size_t changed = 0;
+  for(Eigen::Index u = 0; u < before.size(); ++u)
+    if(u % 3 == 0) CHECK(problem.x[u] == before[u]);
+    else changed += problem.x[u] != before[u];
+  CHECK(changed > 10);
+}

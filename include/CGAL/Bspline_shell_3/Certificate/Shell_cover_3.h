@@ -63,18 +63,21 @@ public:
   const Field& field() const { return *m_field; }
 
   /// takes over what another cover found out about cells
-  /// \param changed whether the field or a threshold is another one on a cell: a function of cells
-  /// \pre `other` is of the same cells, and no cell of this cover has been subdivided
-  template <typename Changed>
-  void reuse(const Shell_cover_3& other, const Changed& changed)
+  /// \param now a function of the other cover's cells: the cell of this cover that has the same place, if the field and the thresholds are the same
+  /// there, and `npos` otherwise
+  /// \pre no cell of this cover has been subdivided
+  template <typename Now>
+  void reuse(const Shell_cover_3& other, const Now& now)
   {
-    CGAL_precondition(m_boxes.empty() && m_first.size() == other.m_first.size());
+    CGAL_precondition(m_boxes.empty());
     for(const Cell_boxes& known : other.m_cells) {
-      if(changed(known.cell)) continue;
-      m_first[known.cell] = m_cells.size();
-      m_cells.push_back({ known.cell, m_boxes.size(), m_boxes.size() + (known.end - known.begin) });
+      const std::uint32_t cell = now(known.cell);
+      if(cell == Field::npos) continue;
+      m_first[cell] = m_cells.size();
+      m_cells.push_back({ cell, m_boxes.size(), m_boxes.size() + (known.end - known.begin) });
       for(std::size_t b = known.begin; b < known.end; ++b) {
         m_boxes.push_back(other.m_boxes[b]);
+        m_boxes.back().cell = cell;
         m_boxes.back().component = Cover_box::no_component;
       }
     }
@@ -149,48 +152,46 @@ public:
   std::uint32_t flood(const Point_3& p, std::uint32_t component)
   {
     const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
-    std::vector<Box_index> stack, waiting;
-    std::vector<std::uint32_t> wanted, touched;
+    std::vector<Box_index> front, next, waiting;
+    std::vector<std::uint32_t> wanted;
+    const auto include = [&](Box_index b) {
+      Cover_box& box = m_boxes[b];
+      m_undecided += box.kind == Box_kind::UNDECIDED;
+      box.component = component;
+      next.push_back(b);
+    };
     m_field->visit_cells(at, [&](typename Field::Cell_index c) { wanted.push_back(c); });
     prepare<ConcurrencyTag>(wanted);
     std::uint32_t known = Cover_box::no_component;
     for(std::uint32_t c : wanted)
       for_each_touching(c, at, [&](Box_index b) {
-        Cover_box& box = m_boxes[b];
-        if(box.kind == Box_kind::EXCLUDED) return;
-        if(box.component != Cover_box::no_component) { known = box.component; return; }
-        m_undecided += box.kind == Box_kind::UNDECIDED;
-        box.component = component;
-        stack.push_back(b);
+        if(m_boxes[b].kind == Box_kind::EXCLUDED) return;
+        if(m_boxes[b].component != Cover_box::no_component) known = m_boxes[b].component;
+        else include(b);
       });
     // All boxes at a point touch each other: if one was flooded before, all were.
     if(known != Cover_box::no_component) return known;
-    while(!stack.empty()) {
-      while(!stack.empty()) {
-        const Box_index b = stack.back();
-        stack.pop_back();
-        const Bbox_3 box = grown(bbox(m_boxes[b]));
-        touched.clear();
-        bool inside = true, complete = true;
-        if(is_inside_cell(m_boxes[b])) touched.push_back(m_boxes[b].cell);
-        else inside = m_field->visit_cells(box, [&](typename Field::Cell_index c) {
-          touched.push_back(c);
-          if(m_first[c] == unseen) { wanted.push_back(c); complete = false; }
-        });
-        if(!complete) { waiting.push_back(b); continue; }
-        if(!inside) m_border.push_back(b);
-        for(std::uint32_t c : touched)
-          for_each_touching(c, box, [&](Box_index n) {
-            Cover_box& other = m_boxes[n];
-            if(other.kind == Box_kind::EXCLUDED || other.component != Cover_box::no_component) return;
-            m_undecided += other.kind == Box_kind::UNDECIDED;
-            other.component = component;
-            stack.push_back(n);
+    // The front moves on as far as cells are subdivided; then all are that it touches.
+    while(!next.empty()) {
+      wanted.clear();
+      while(!next.empty()) {
+        constexpr std::size_t chunk = 64;
+        front.swap(next);
+        next.clear();
+        const std::vector<Flood_step> steps = internal::collect_from_chunks<ConcurrencyTag, Flood_step>(
+          front.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Flood_step>& found) {
+            for(std::size_t n = begin; n < end; ++n) find_steps(front[n], found);
           });
+        for(const Flood_step& step : steps)
+          switch(step.kind) {
+            case Flood_step::BOX: if(m_boxes[step.number].component == Cover_box::no_component) include(step.number); break;
+            case Flood_step::UNSEEN_CELL: wanted.push_back(step.number); break;
+            case Flood_step::WAITING_BOX: waiting.push_back(step.number); break;
+            case Flood_step::BORDER_BOX: m_border.push_back(step.number); break;
+          }
       }
       prepare<ConcurrencyTag>(wanted);
-      wanted.clear();
-      stack.swap(waiting);
+      next.swap(waiting);
     }
     return component;
   }
@@ -313,6 +314,40 @@ private:
 
   struct Part { Cover_box box; Functions functions; };
   struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
+
+  // what a box of the front leads to: boxes that touch it and do not belong to the cover yet; or cells that must be subdivided first, and itself once more
+  struct Flood_step
+  {
+    enum Kind : std::uint8_t { BOX, UNSEEN_CELL, WAITING_BOX, BORDER_BOX };
+    Kind kind;
+    std::uint32_t number;
+  };
+
+  void find_steps(Box_index b, std::vector<Flood_step>& steps) const
+  {
+    const Bbox_3 box = grown(bbox(m_boxes[b]));
+    const auto find_touching = [&](std::uint32_t c) {
+      for_each_touching(c, box, [&](Box_index n) {
+        if(m_boxes[n].kind != Box_kind::EXCLUDED && m_boxes[n].component == Cover_box::no_component) steps.push_back({ Flood_step::BOX, n });
+      });
+    };
+    if(is_inside_cell(m_boxes[b])) {
+      find_touching(m_boxes[b].cell);
+      return;
+    }
+    const std::size_t before = steps.size();
+    bool complete = true;
+    const bool inside = m_field->visit_cells(box, [&](typename Field::Cell_index c) {
+      if(m_first[c] == unseen) {
+        if(complete) steps.resize(before);
+        complete = false;
+        steps.push_back({ Flood_step::UNSEEN_CELL, c });
+      } else if(complete)
+        find_touching(c);
+    });
+    if(!complete) steps.push_back({ Flood_step::WAITING_BOX, b });
+    else if(!inside) steps.push_back({ Flood_step::BORDER_BOX, b });
+  }
 
   static int octant(const Cover_box& box, int bit)
   {

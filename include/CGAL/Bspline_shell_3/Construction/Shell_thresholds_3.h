@@ -90,22 +90,36 @@ public:
     return side == POSITIVE ? most : -most;
   }
 
+  /// a threshold that is kept near a cell
+  struct Cap
+  {
+    Index cell;
+    Sign side;
+    Bbox_3 core;      ///< holds the centers of all functions that act on the cell
+    double size;      ///< of the threshold there
+  };
+
   /// keeps the outer threshold at or below `level` in a cell, or the inner one at or above it, as far as the mesh allows
   void cap(Index cell, Sign side, double level)
   {
-    const int s = number(side);
-    const double size = side == POSITIVE ? level : -level;
-    const double reach = (m_highest - size) / m_slope;
-    if(!(reach > 0)) return;
     // Distances are those of the functions' centers, whatever their size, from a box that holds the centers of all that act on
     // the cell.
-    const Bbox_3 b = m_field->cell(cell).bbox();
-    Bbox_3 core = b;
+    Bbox_3 core = m_field->cell(cell).bbox();
     m_field->visit_coefficients(cell, [&](int, Index u, double) {
       const Bbox_3 s = m_field->support(u);
       const double x = (s.xmin() + s.xmax()) / 2, y = (s.ymin() + s.ymax()) / 2, z = (s.zmin() + s.zmax()) / 2;
       core += Bbox_3(x, y, z, x, y, z);
     });
+    cap(Cap{ cell, side, core, side == POSITIVE ? level : -level });
+  }
+
+  /// the same by a cap of thresholds on other cells; linear in the number of functions near it
+  void cap(const Cap& cap)
+  {
+    const double reach = (m_highest - cap.size) / m_slope;
+    if(!(reach > 0)) return;
+    const Bbox_3& core = cap.core;
+    Eigen::VectorXd& caps = m_cap[number(cap.side)];
     m_field->visit_coefficients_near(Bbox_3(core.xmin() - reach, core.ymin() - reach, core.zmin() - reach,
                                             core.xmax() + reach, core.ymax() + reach, core.zmax() + reach), [&](Index u, const Bbox_3& support) {
       double squared = 0;
@@ -114,19 +128,21 @@ public:
         const double gap = (std::max)({ 0., center - (core.max)(a), (core.min)(a) - center });
         squared += gap * gap;
       }
-      m_cap[s][u] = (std::min)(m_cap[s][u], size + m_slope * std::sqrt(squared));
+      caps[u] = (std::min)(caps[u], cap.size + m_slope * std::sqrt(squared));
     });
+    m_caps.push_back(cap);
   }
+
+  /// all caps so far
+  const std::vector<Cap>& caps() const { return m_caps; }
 
   /// the inner (`NEGATIVE`) or the outer threshold (`POSITIVE`)
   template <typename ConcurrencyTag>
   Field threshold(Sign side) const
   {
-    Field result = *m_field;
     Eigen::VectorXd x = m_needed[number(side)].cwiseMax(m_cap[number(side)]);
     if(side == NEGATIVE) x = -x;
-    result.template set_coefficients<ConcurrencyTag>(std::move(x));
-    return result;
+    return m_field->template with_coefficients<ConcurrencyTag>(std::move(x));
   }
 
 private:
@@ -134,6 +150,7 @@ private:
 
   const Field* m_field;
   double m_slope, m_highest = 0;
+  std::vector<Cap> m_caps;
   std::array<Eigen::VectorXd, 2> m_needed, m_cap;       // by coefficient, of the outer threshold and of minus the inner one
 };
 

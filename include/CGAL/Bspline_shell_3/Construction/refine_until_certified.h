@@ -15,12 +15,15 @@
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
 #include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
 #include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Fit/solve_part.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
@@ -48,6 +51,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -89,6 +93,9 @@ struct Refinement_parameters
  * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
  * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, or there are many such places, the
  * cells are refined, down to the gap of the mesh (`refine_at_gaps()`). When nothing is found wanting, the certificate is asked.
+ *
+ * Where few cells were split, the next round is *partial*: only the coefficients that act on them are fitted again (`Fitted_part`), and only what
+ * these change is examined again. If that does not help, all are fitted in the round after it.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -134,6 +141,8 @@ public:
 
 private:
   typedef Field::Cell_index Index;
+  typedef Shell_thresholds_3<Field>::Cap Cap;
+  static constexpr std::size_t part_of_cells = 4;               // largest part that is fitted apart from the others: one of so many
   static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
   static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
@@ -178,8 +187,14 @@ private:
   // much as in the last round, and if thresholds were not chosen there, as much again for that as for the fit
   bool exceeds_limits(std::size_t cells) const
   {
-    const Refinement_round& last = m_rounds.back();
-    const double more = double(cells) / double(m_field->number_of_cells());
+    // few cells more will be a partial round
+    constexpr std::size_t many = 32;      // one more of so many
+    const bool will_be_partial = can_be_partial() && (cells - m_field->number_of_cells()) * many < cells;
+    auto round = m_rounds.rbegin();
+    if(!will_be_partial)
+      while(round->partial) ++round;
+    const Refinement_round& last = *round;
+    const double more = double(cells) / double(last.cells);
     double seconds = 0;
     for(double s : last.seconds) seconds += s;
     if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
@@ -187,6 +202,14 @@ private:
     const double points = more * double(m_field->number_of_points());
     return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
         || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
+  }
+
+  // whether the last field was examined for thresholds, and if it was fitted in part, that helped
+  bool can_be_partial() const
+  {
+    if(!m_examined) return false;
+    const std::size_t n = m_rounds.size();
+    return n > 0 && (!m_rounds[n-1].partial || m_rounds[n-1].undecided_cells < m_rounds[n-2].undecided_cells);
   }
 
   void find_wanted_slopes()
@@ -223,45 +246,65 @@ private:
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
   {
     Refinement_round& log = m_rounds.back();
+    const bool can_be_partial = this->can_be_partial();
     m_enforcement.reset();
     m_certificate.reset();
     m_inner.reset();
     m_outer.reset();
     m_marked.clear();
     m_obstacles.clear();
-    m_examined.reset();
     m_is_thin = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
-    sample(cells);
+    const std::vector<Index> split = sample(cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
       return Refinement_status::DISTANCE_NOT_FINITE;
     lap(DISTANCE);
-    m_field = std::make_unique<Field>(std::move(cells));
+    const std::unique_ptr<Field> before = std::exchange(m_field, std::make_unique<Field>(std::move(cells)));
     Field& field = *m_field;
     log.cells = field.number_of_cells();
     log.unknowns = field.number_of_coefficients();
     log.levels = field.number_of_levels();
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
+    m_part.reset();
+    if(can_be_partial && split.size() < log.cells / part_of_cells) {
+      m_part.emplace(field, split);
+      if(m_part->number_of_cells > log.cells / part_of_cells) m_part.reset();
+    }
+    log.partial = bool(m_part);
     lap(CELLS);
 
     if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
     const double width = field.cells().lattice().spacing();
     const Fit_energy<Field> energy(field, m_samples, *m_clipped, m_input->unit() / width, m_parameters.weights);
-    energy.template assemble<ConcurrencyTag>(m_A, m_b);
-    lap(ASSEMBLY);
-    m_x = energy.template initial_guess<ConcurrencyTag>();
     const Unknown_blocks blocks = overlapping_blocks(field);
-    Solver_status solved = solver.compute(m_A, blocks);
-    if(solved == Solver_status::SUCCESS) solved = solver.solve(m_b, m_x);
+    Solver_status solved;
+    if(m_part) {
+      m_x = refined_coefficients(*before, m_x, field);
+      energy.template assemble<ConcurrencyTag>(*m_part, m_x, m_A, m_b);
+      lap(ASSEMBLY);
+      solved = solve_part(solver, m_A, m_b, m_part->coefficients, blocks, m_x);
+    } else {
+      energy.template assemble<ConcurrencyTag>(m_A, m_b);
+      lap(ASSEMBLY);
+      m_x = energy.template initial_guess<ConcurrencyTag>();
+      solved = solver.compute(m_A, blocks);
+      if(solved == Solver_status::SUCCESS) solved = solver.solve(m_b, m_x);
+    }
     lap(SOLVER);
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
+    if(before) keep_caps(before->cells());
+    if(m_part) {
+      keep_what_was_examined(*before);
+    } else {
+      m_examined.reset();
+      m_unexamined.assign(m_wanted.size(), 1);
+    }
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
     mark_thick_cells(m_clipped->cells().size() / thick_cells_to_refine);
     if(!m_marked.empty()) return std::nullopt;
 
     m_enforcement.emplace(field, m_A, m_b);
-    m_unexamined.assign(m_wanted.size(), 1);
     m_enforcement->insert(slope_conditions());
     m_is_thin = enforce_slopes();
     lap(SLOPES);
@@ -327,8 +370,33 @@ private:
     if(m_examined) before = *m_field;
     m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
     if(!before) return;
-    for(Index c = 0; c < m_field->number_of_cells(); ++c)
-      if(is_changed(*before, *m_field, c)) m_examined->is_changed[c] = 1;
+    for(Index& c : m_examined->now)
+      if(c != Field::npos && is_changed(*before, c, *m_field, c)) c = Field::npos;
+  }
+
+  // Thresholds begin with the caps that the last ones had, except in cells that were split: most would be found again, in two passes over all cells.
+  void keep_caps(const Cell_hierarchy_3& before)
+  {
+    std::vector<Cap> caps;
+    for(Cap& cap : m_caps) {
+      cap.cell = m_field->cells().leaf(before.level(cap.cell), before.lattice_point(cap.cell));
+      if(cap.cell != Field::npos) caps.push_back(cap);
+    }
+    m_caps.swap(caps);
+  }
+
+  // notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there
+  void keep_what_was_examined(const Field& before)
+  {
+    std::vector<Index> now(before.number_of_cells());
+    for(Index c = 0; c < before.number_of_cells(); ++c) {
+      const Index n = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
+      now[c] = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
+    }
+    for(Index& c : m_examined->now)
+      if(c != Field::npos) c = now[c];
+    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
+      if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
 
   // a triangle that does not certainly cross the field upwards, and a point where it does not
@@ -357,13 +425,13 @@ private:
     return failures;
   }
 
-  // the samples of leaves that were there before are kept
-  void sample(const Cell_hierarchy_3& cells)
+  // The samples of leaves that were there before are kept. Returns the others.
+  std::vector<Index> sample(const Cell_hierarchy_3& cells)
   {
     constexpr std::size_t n = Distance_samples::per_cell;
     if(!m_field) {
       m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
-      return;
+      return {};
     }
     const Cell_hierarchy_3& old_cells = m_field->cells();
     std::vector<Index> fresh;
@@ -376,6 +444,7 @@ private:
     const std::vector<double> more = sample_signed_distance<ConcurrencyTag>(m_oracle, cells, fresh);
     for(std::size_t m = 0; m < fresh.size(); ++m) std::copy_n(&more[m * n], n, &samples[fresh[m] * n]);
     m_samples.swap(samples);
+    return fresh;
   }
 
   double half_thickness(Index c) const
@@ -388,6 +457,10 @@ private:
   void mark_thick_cells(std::size_t few = 0)
   {
     m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
+    // bounds depend on what else is bounded: thresholds are not to change where the field does not
+    if(m_examined)
+      for(std::size_t c = 0; c < m_examined->now.size(); ++c)
+        if(m_examined->now[c] != Field::npos) m_ranges.cell[m_examined->now[c]] = m_examined->ranges[c];
     Refinement_round& log = m_rounds.back();
     log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
     log.thick_cells = 0;
@@ -407,12 +480,12 @@ private:
   }
 
   // in the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells. Across small ones gradients
-  // hardly vary; where that is not enough, failing_facets() finds the place.
+  // hardly vary; where that is not enough, failing_facets() finds the place. Where the field stays as it was, none are needed.
   std::vector<Slope_condition> slope_conditions() const
   {
     constexpr double nearly = 0.95, small = 0.25;
     const auto number = [&](const Clipped_mesh_3::Piece& piece) -> std::size_t {
-      if(!(m_wanted[piece.facet] > 0)) return 0;        // at a singular vertex nothing helps
+      if(!(m_wanted[piece.facet] > 0) || (m_part && !m_part->cells[piece.cell])) return 0;        // at a singular vertex nothing helps
       std::array<double, 3> least = m_clipped->point(piece.first), most = least;
       for(std::uint32_t v = 1; v < piece.size; ++v)
         for(int a = 0; a < 3; ++a) {
@@ -450,8 +523,15 @@ private:
     return conditions;
   }
 
-  // The last cover, its thresholds, and the cells where the field was changed since then: most stay as they are.
-  struct Examined { Threshold inner, outer; Shell_cover_3<Field, Threshold> cover; std::vector<char> is_changed; };
+  // The last cover, its thresholds, and enclosures of the field on the mesh in its cells; which of the present cells each of them is, or npos where the
+  // field has changed since then: most stay as they are.
+  struct Examined
+  {
+    Threshold inner, outer;
+    Shell_cover_3<Field, Threshold> cover;
+    std::vector<Level_range> ranges;
+    std::vector<Index> now;
+  };
 
   static std::vector<Index> cells_of(const std::vector<Obstacle>& obstacles)
   {
@@ -469,6 +549,7 @@ private:
     constexpr int max_exchanges = 3;
     constexpr double progress = 0.75;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
+    for(const Cap& cap : m_caps) thresholds.cap(cap);
     m_obstacles = choose_thresholds(thresholds);
     double before = std::numeric_limits<double>::infinity();
     for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
@@ -489,6 +570,7 @@ private:
       if(!m_marked.empty()) break;
       m_obstacles = choose_thresholds(thresholds);
     }
+    m_caps = thresholds.caps();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
     for(Index c : cells)
@@ -549,8 +631,9 @@ private:
       Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
       if(m_examined)
         cover.reuse(m_examined->cover, [&](Index c) {
-          return m_examined->is_changed[c] || is_changed(m_examined->inner.field(), m_inner->field(), c)
-              || is_changed(m_examined->outer.field(), m_outer->field(), c);
+          const Index now = m_examined->now[c];
+          return now == Field::npos || is_changed(m_examined->inner.field(), c, m_inner->field(), now)
+              || is_changed(m_examined->outer.field(), c, m_outer->field(), now) ? Field::npos : now;
         });
       for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
       // how near to the mesh's level the boxes come that are in the way, on either side
@@ -583,17 +666,20 @@ private:
         thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
         narrowed = true;
       }
-      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::vector<char>(m_field->number_of_cells(), 0) });
+      std::vector<Index> now(m_field->number_of_cells());
+      std::iota(now.begin(), now.end(), Index(0));
+      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), m_ranges.cell, std::move(now) });
       // another pass, and the certificate, take as long as this one
       const bool is_enough = pass + 1 >= max_passes_of_many && are_many(cells_of(hopeless));
       if(!narrowed || is_enough || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
     }
   }
 
-  static bool is_changed(const Field& before, const Field& now, Index c)
+  // on a cell, by its numbers
+  static bool is_changed(const Field& before, Index c, const Field& now, Index n)
   {
     const double* x = before.cell(c).coefficients();
-    return before.cell(c).error_radius() != now.cell(c).error_radius() || !std::equal(x, x + 64, now.cell(c).coefficients());
+    return before.cell(c).error_radius() != now.cell(n).error_radius() || !std::equal(x, x + 64, now.cell(n).coefficients());
   }
 
   // Marked cells are split once, and obstacles, where they are many, twice, if the gap is that narrow.
@@ -636,6 +722,8 @@ private:
   std::optional<Clipped_mesh_3> m_clipped;
   Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x
   Eigen::VectorXd m_b, m_x;                           // in units of the width of root cells
+  std::optional<Fitted_part> m_part;                  // of a partial round
+  std::vector<Cap> m_caps;                            // of the last thresholds
   std::optional<Slope_enforcement<Field> > m_enforcement;
   std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
   Facet_ranges m_ranges;

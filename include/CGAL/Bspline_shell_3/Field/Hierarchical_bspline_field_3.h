@@ -8,7 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Field/internal/Field_evaluation.h>
-#include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Field/internal/visit_parent_points.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ namespace Bspline_shells {
  * is the cubic of the 64 coefficients of its level. (In the language of the literature: the basis is truncated, the mesh
  * admissible of class two.)
  *
- * The field is its free coefficients, which are `double`s. Const member functions may be called from several threads at
+ * The field is its free coefficients, which are `double`s. Copies share the cells. Const member functions may be called from several threads at
  * once.
  *
  * \cgalModels `FittableBsplineField_3`
@@ -61,85 +62,84 @@ public:
   Hierarchical_bspline_field_3() = default;
 
   /// the zero function on the cells
-  explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells) : m_cells(std::move(cells))
+  explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells) : m_basis(std::make_shared<const Basis>(std::move(cells)))
   {
-    number_coefficients();
     set_coefficients(Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients())));
+  }
+
+  /// another function on the same cells, which both then share as copies do: of the free coefficients `x`, in user units
+  /// \pre `x.size() == number_of_coefficients()`
+  template <typename ConcurrencyTag = Sequential_tag>
+  Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
+  {
+    Hierarchical_bspline_field_3 other;
+    other.m_basis = m_basis;
+    other.template set_coefficients<ConcurrencyTag>(std::move(x));
+    return other;
   }
 
   /// \name Leaf cells
   /// @{
-  std::size_t number_of_cells() const { return m_cells.number_of_cells(); }
-  bool has_exact_cells() const { return m_cells.is_exact(); }
+  std::size_t number_of_cells() const { return cells().number_of_cells(); }
+  bool has_exact_cells() const { return cells().is_exact(); }
   Cell cell(Cell_index c) const
   {
-    return Cell(m_cells.corner(c), m_cells.width(c), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
+    return Cell(cells().corner(c), cells().width(c), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
   /// a leaf that contains `p`, or `npos` outside the domain
-  Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
+  Cell_index locate(const Point_3& p) const { return cells().locate(p); }
   /// calls `visit(n)` for all leaves that share a part of a face of `c`; returns whether there are any
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
-    return m_cells.visit_neighbors(c, axis, positive, visit);
+    return cells().visit_neighbors(c, axis, positive, visit);
   }
   /// calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box
   template <typename Visitor>
-  bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return m_cells.visit_cells(box, visit); }
-  const Cell_hierarchy_3& cells() const { return m_cells; }
+  bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return cells().visit_cells(box, visit); }
+  const Cell_hierarchy_3& cells() const { return m_basis->cells; }
   /// @}
 
   /// \name B-spline Coefficients
   /// Free coefficients are the unknowns of a fit; they are numbered finest level first. Those at lattice points, free and
   /// dependent ones, are numbered the same way.
   /// @{
-  std::size_t number_of_coefficients() const { return m_point_of_coefficient.size(); }
+  std::size_t number_of_coefficients() const { return m_basis->point_of_coefficient.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
 
-  int number_of_levels() const { return m_cells.number_of_levels(); }
-  std::size_t number_of_points() const { return m_coefficient_of_point.size(); }
+  int number_of_levels() const { return cells().number_of_levels(); }
+  std::size_t number_of_points() const { return m_basis->coefficient_of_point.size(); }
   /// lattice points of a level that have a coefficient
-  const Lattice_set_3& points(int level) const { return m_levels[std::size_t(level)].points; }
+  const Lattice_set_3& points(int level) const { return m_basis->levels[std::size_t(level)].points; }
   /// number of the first of them
-  Cell_index first_point(int level) const { return m_levels[std::size_t(level)].first_point; }
+  Cell_index first_point(int level) const { return m_basis->levels[std::size_t(level)].first_point; }
   /// the free coefficient at a point, `npos` if it is dependent
-  Cell_index coefficient_of_point(Cell_index n) const { return m_coefficient_of_point[n]; }
-  Cell_index point_of_coefficient(Cell_index n) const { return m_point_of_coefficient[n]; }
+  Cell_index coefficient_of_point(Cell_index n) const { return m_basis->coefficient_of_point[n]; }
+  Cell_index point_of_coefficient(Cell_index n) const { return m_basis->point_of_coefficient[n]; }
 
   /// calls `visit(n, weight)` for the free coefficients that the dependent one at a lattice point of a level is the weighted
   /// sum of
   template <typename Visitor>
   void visit_parents(int level, const Lattice_3::Point& p, const Visitor& visit) const
   {
-    // two parents along an axis for odd coordinates, three for even ones
-    int first[3], size[3];
-    for(int a = 0; a < 3; ++a) {
-      const int odd = p[a] & 1;
-      first[a] = odd ? (p[a] - 1) / 2 : p[a] / 2 - 1;
-      size[a] = 3 - odd;
-    }
-    const auto mask = Cubic_bspline<>::two_scale_mask();
-    const auto weight = [&](int a, int i) { return mask[std::size_t(p[a] - 2 * (first[a] + i) + 2)]; };
-    for(int k = 0; k < size[2]; ++k)
-      for(int j = 0; j < size[1]; ++j)
-        for(int i = 0; i < size[0]; ++i) {
-          const Cell_index n = points(level - 1).index(first[0] + i, first[1] + j, first[2] + k);
-          visit(m_coefficient_of_point[first_point(level - 1) + n], weight(0, i) * weight(1, j) * weight(2, k));
-        }
+    internal::visit_parent_points(p, [&](const Lattice_point& q, double weight) {
+      visit(m_basis->coefficient_of_point[first_point(level - 1) + points(level - 1).index(q)], weight);
+    });
   }
 
   /// the coefficients at all points
+  template <typename ConcurrencyTag = Sequential_tag>
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const
   {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(Eigen::Index(number_of_points()));
-    for(int l = 0; l < number_of_levels(); ++l)
-      for(Cell_index n = 0; n < points(l).size(); ++n) {
-        const Cell_index point = first_point(l) + n, free = m_coefficient_of_point[point];
-        if(free != npos) { all[point] = x[free]; continue; }
-        double sum = 0;
-        visit_parents(l, points(l).point(n), [&](Cell_index parent, double weight) { sum += weight * x[parent]; });
-        all[point] = sum;
-      }
+    const Eigen::Index size = Eigen::Index(number_of_points());
+    Eigen::VectorXd all(size);
+    for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
+      const Cell_index free = m_basis->coefficient_of_point[point];
+      if(free != npos) { all[point] = x[free]; return; }
+      double sum = 0;
+      visit_parents(l, points(l).point(n), [&](Cell_index parent, double weight) { sum += weight * x[parent]; });
+      all[point] = sum;
+    });
     return all;
   }
 
@@ -149,7 +149,7 @@ public:
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients()));
     for(int l = 0; l < number_of_levels(); ++l)
       for(Cell_index n = 0; n < points(l).size(); ++n) {
-        const Cell_index point = first_point(l) + n, free = m_coefficient_of_point[point];
+        const Cell_index point = first_point(l) + n, free = m_basis->coefficient_of_point[point];
         if(free != npos) x[free] += all[point];
         else visit_parents(l, points(l).point(n), [&](Cell_index parent, double weight) { x[parent] += weight * all[point]; });
       }
@@ -159,8 +159,8 @@ public:
   /// the points of the first of the four consecutive coefficients in each of the sixteen rows that act on the leaf
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
-    const int l = m_cells.level(c);
-    const Lattice_3::Point& p = m_cells.lattice_point(c);
+    const int l = cells().level(c);
+    const Lattice_3::Point& p = cells().lattice_point(c);
     std::array<Cell_index, 16> rows;
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j)
@@ -174,9 +174,9 @@ public:
   void visit_coefficients(Cell_index c, const Visitor& visit) const
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
-    const int l = m_cells.level(c);
+    const int l = cells().level(c);
     for(int n = 0; n < 64; ++n) {
-      const Cell_index point = rows[n / 4] + n % 4, free = m_coefficient_of_point[point];
+      const Cell_index point = rows[n / 4] + n % 4, free = m_basis->coefficient_of_point[point];
       if(free != npos) visit(n, free, 1.);
       else visit_parents(l, points(l).point(point - first_point(l)), [&](Cell_index parent, double weight) { visit(n, parent, weight); });
     }
@@ -185,7 +185,7 @@ public:
   /// the open box on which the function of a free coefficient does not vanish, and what sticks out of the domain; rounded inwards
   Bbox_3 support(Cell_index coefficient) const
   {
-    const Cell_index point = m_point_of_coefficient[coefficient];
+    const Cell_index point = m_basis->point_of_coefficient[coefficient];
     int l = 0;
     while(point < first_point(l)) ++l;
     return support(l, points(l).point(point - first_point(l)));
@@ -196,13 +196,13 @@ public:
   void visit_coefficients_near(const Bbox_3& box, const Visitor& visit) const
   {
     for(int l = 0; l < number_of_levels(); ++l) {
-      const double width = m_cells.level_width(l);
-      const Lattice_box range = points(l).clip(box, m_cells.lattice().origin(), width, 2);
+      const double width = cells().level_width(l);
+      const Lattice_box range = points(l).clip(box, cells().lattice().origin(), width, 2);
       for(int k = range.first[2]; k <= range.last[2]; ++k)
         for(int j = range.first[1]; j <= range.last[1]; ++j) {
           const auto row = points(l).index_range(range.first[0], range.last[0] + 1, j, k);
           for(Cell_index n = row.first; n < row.second; ++n) {
-            const Cell_index coefficient = m_coefficient_of_point[first_point(l) + n];
+            const Cell_index coefficient = m_basis->coefficient_of_point[first_point(l) + n];
             if(coefficient != npos) visit(coefficient, support(l, points(l).point(n)));
           }
         }
@@ -215,9 +215,9 @@ public:
   {
     std::array<NT, 64> b;
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
-    const int l = m_cells.level(c);
+    const int l = cells().level(c);
     for(int n = 0; n < 64; ++n) {
-      const Cell_index point = rows[n / 4] + n % 4, free = m_coefficient_of_point[point];
+      const Cell_index point = rows[n / 4] + n % 4, free = m_basis->coefficient_of_point[point];
       if(free != npos) { b[n] = NT(m_coefficients[free]); continue; }
       b[n] = NT(0);
       visit_parents(l, points(l).point(point - first_point(l)), [&](Cell_index parent, double weight) {
@@ -235,16 +235,14 @@ public:
     CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
     // with the largest free one that each depends on
-    const Eigen::VectorXd all = extend(m_coefficients);
+    const Eigen::VectorXd all = extend<ConcurrencyTag>(m_coefficients);
     Eigen::VectorXd largest = all.cwiseAbs();
-    for(int l = 0; l < number_of_levels(); ++l)
-      for(Cell_index n = 0; n < points(l).size(); ++n) {
-        const Cell_index point = first_point(l) + n;
-        if(m_coefficient_of_point[point] == npos)
-          visit_parents(l, points(l).point(n), [&](Cell_index parent, double) {
-            largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
-          });
-      }
+    for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
+      if(m_basis->coefficient_of_point[point] == npos)
+        visit_parents(l, points(l).point(n), [&](Cell_index parent, double) {
+          largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
+        });
+    });
     m_bernstein.resize(64 * number_of_cells());
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
@@ -254,52 +252,72 @@ public:
   /// @}
 
 private:
+  // calls f(level, number in the level, number) for all points
+  template <typename ConcurrencyTag, typename Function>
+  void for_each_point(const Function& f) const
+  {
+    constexpr std::size_t chunk = 1024;
+    for(int l = 0; l < number_of_levels(); ++l)
+      internal::for_each_chunk<ConcurrencyTag>(points(l).size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t n = begin; n < end; ++n) f(l, Cell_index(n), first_point(l) + Cell_index(n));
+      });
+  }
+
   Bbox_3 support(int level, const Lattice_3::Point& p) const
   {
-    const std::array<double, 3>& origin = m_cells.lattice().origin();
-    const double width = m_cells.level_width(level);
+    const std::array<double, 3>& origin = cells().lattice().origin();
+    const double width = cells().level_width(level);
     constexpr double half = 2 - 1e-6;
     return Bbox_3(origin[0] + (p[0] - half) * width, origin[1] + (p[1] - half) * width, origin[2] + (p[2] - half) * width,
                   origin[0] + (p[0] + half) * width, origin[1] + (p[1] + half) * width, origin[2] + (p[2] + half) * width);
   }
 
-  struct Level
+  // cells and functions; the same for all fields on them
+  struct Basis
   {
-    Lattice_set_3 points;
-    Cell_index first_point;
-  };
+    struct Level
+    {
+      Lattice_set_3 points;
+      Cell_index first_point;
+    };
 
-  void number_coefficients()
-  {
-    const int levels = m_cells.number_of_levels();
-    m_levels.resize(std::size_t(levels));
-    for(int l = levels - 1; l >= 0; --l) {
-      std::vector<std::uint64_t> leaves;
-      const Cell_index end = l + 1 < levels ? m_cells.first_leaf(l + 1) : Cell_index(m_cells.number_of_cells());
-      for(Cell_index c = m_cells.first_leaf(l); c < end; ++c) {
-        const Lattice_3::Point& p = m_cells.lattice_point(c);
-        leaves.push_back(Lattice_key::encode(p[0], p[1], p[2]));
-      }
-      // cells of this size that are parts of coarser leaves, and the functions that act on them
-      std::vector<std::uint64_t> coarser;
-      if(l > 0)
-        for(std::uint64_t key : dilate(leaves, -3, 3)) {
-          const Lattice_3::Point p = Lattice_key::decode(key);
-          if(m_cells.cells(l).index(p) == npos && m_cells.is_in_domain(l, p)) coarser.push_back(key);
+    Basis() = default;
+    explicit Basis(Cell_hierarchy_3 cells_) : cells(std::move(cells_))
+    {
+      const int number = cells.number_of_levels();
+      levels.resize(std::size_t(number));
+      for(int l = number - 1; l >= 0; --l) {
+        std::vector<std::uint64_t> leaves;
+        const Cell_index end = l + 1 < number ? cells.first_leaf(l + 1) : Cell_index(cells.number_of_cells());
+        for(Cell_index c = cells.first_leaf(l); c < end; ++c) {
+          const Lattice_3::Point& p = cells.lattice_point(c);
+          leaves.push_back(Lattice_key::encode(p[0], p[1], p[2]));
         }
-      const std::vector<std::uint64_t> dependent = dilate(std::move(coarser), -1, 2);
-      const std::vector<std::uint64_t> keys = dilate(std::move(leaves), -1, 2);
-      m_levels[l].points = Lattice_set_3(keys);
-      m_levels[l].first_point = Cell_index(m_coefficient_of_point.size());
-      auto d = dependent.begin();
-      for(std::uint64_t key : keys) {
-        while(d != dependent.end() && *d < key) ++d;
-        const bool is_free = d == dependent.end() || *d != key;
-        m_coefficient_of_point.push_back(is_free ? Cell_index(m_point_of_coefficient.size()) : npos);
-        if(is_free) m_point_of_coefficient.push_back(Cell_index(m_coefficient_of_point.size() - 1));
+        // cells of this size that are parts of coarser leaves, and the functions that act on them
+        std::vector<std::uint64_t> coarser;
+        if(l > 0)
+          for(std::uint64_t key : dilate(leaves, -3, 3)) {
+            const Lattice_3::Point p = Lattice_key::decode(key);
+            if(cells.cells(l).index(p) == npos && cells.is_in_domain(l, p)) coarser.push_back(key);
+          }
+        const std::vector<std::uint64_t> dependent = dilate(std::move(coarser), -1, 2);
+        const std::vector<std::uint64_t> keys = dilate(std::move(leaves), -1, 2);
+        levels[l].points = Lattice_set_3(keys);
+        levels[l].first_point = Cell_index(coefficient_of_point.size());
+        auto d = dependent.begin();
+        for(std::uint64_t key : keys) {
+          while(d != dependent.end() && *d < key) ++d;
+          const bool is_free = d == dependent.end() || *d != key;
+          coefficient_of_point.push_back(is_free ? Cell_index(point_of_coefficient.size()) : npos);
+          if(is_free) point_of_coefficient.push_back(Cell_index(coefficient_of_point.size() - 1));
+        }
       }
     }
-  }
+
+    Cell_hierarchy_3 cells;
+    std::vector<Level> levels;
+    std::vector<Cell_index> coefficient_of_point, point_of_coefficient;
+  };
 
   void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all, const Eigen::VectorXd& largest_at)
   {
@@ -312,16 +330,14 @@ private:
       b[n] = all[point];
       finite = finite && std::isfinite(b[n]);
       largest = (std::max)(largest, largest_at[point]);
-      is_free = is_free && m_coefficient_of_point[point] != npos;
+      is_free = is_free && m_basis->coefficient_of_point[point] != npos;
     }
     internal::to_bernstein(b);
     for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]);      // sums may overflow
     m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free) : std::numeric_limits<double>::infinity();
   }
 
-  Cell_hierarchy_3 m_cells;
-  std::vector<Level> m_levels;
-  std::vector<Cell_index> m_coefficient_of_point, m_point_of_coefficient;
+  std::shared_ptr<const Basis> m_basis = std::make_shared<const Basis>();
   Eigen::VectorXd m_coefficients;       // free ones
   std::vector<double> m_bernstein;
   std::vector<double> m_error_radius;

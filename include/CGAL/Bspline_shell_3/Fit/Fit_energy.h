@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_FIT_ENERGY_H
 #define CGAL_BSPLINE_SHELL_3_FIT_FIT_ENERGY_H
 
+#include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/Cell_colors.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/triangle_quadrature.h>
@@ -117,7 +119,7 @@ public:
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
              double gamma, const Energy_weights& weights)
     : m_field(field), m_samples(samples), m_clipped(clipped)
-    , m_weights(weights), m_gamma(gamma), m_equations(field)
+    , m_weights(weights), m_gamma(gamma), m_colors(field)
   {
     for(int s = 0; s < Distance_samples::per_cell; ++s)
       for(int a = 0; a < 3; ++a) {
@@ -182,7 +184,7 @@ public:
     Vector sum = Vector::Zero(Eigen::Index(m_field.number_of_points())), weight = sum;
     Local_vector w = Local_vector::Zero();
     for(int s = 0; s < Distance_samples::per_cell; ++s) w += sample_row(s);
-    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+    m_colors.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
       Local_vector s;
       sample_right_hand_side(c, s);
       scatter(s / (scale(c) * scale(c)), c, sum);
@@ -246,12 +248,34 @@ public:
   void assemble(Matrix& A, Vector& b) const
   {
     const Local_matrix mass = sample_matrix();
-    assemble_cells<ConcurrencyTag>(A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
+    assemble_cells<ConcurrencyTag>(nullptr, A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
       local = mass;
       sample_right_hand_side(c, rhs);
       add_surface_terms(c, local, rhs);
       return true;
     });
+  }
+
+  /// The same for some unknowns, while the others keep the values that they have in `x`: entries of \f$A\f$ and \f$b\f$ for others are zero. Costs what
+  /// the cells cost that these act on.
+  template <typename ConcurrencyTag>
+  void assemble(const Fitted_part& part, const Vector& x, Matrix& A, Vector& b) const
+  {
+    const Local_matrix mass = sample_matrix();
+    const Vector points = m_field.extend(x);
+    assemble_cells<ConcurrencyTag>(&part.points, A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
+      if(!part.cells[c]) return false;
+      local = mass;
+      sample_right_hand_side(c, rhs);
+      add_surface_terms(c, local, rhs);
+      const std::array<double, 64> at_x = gather(points, c);
+      rhs -= local.template selfadjointView<Eigen::Lower>() * Eigen::Map<const Local_vector>(at_x.data());
+      return true;
+    });
+    // the residual, and what the unknowns have to do with it
+    for(Eigen::Index u = 0; u < b.size(); ++u)
+      if(!part.coefficients[std::size_t(u)]) b[u] = 0;
+    b += A.template selfadjointView<Eigen::Lower>() * x;
   }
 
   /// Adds the Gauss-Newton matrix and right-hand side of \f$E_{singularH}\f$ linearized at `x`: of
@@ -262,7 +286,7 @@ public:
     Matrix more;
     Vector more_rhs;
     const Vector points = m_field.extend(x);
-    assemble_cells<ConcurrencyTag>(more, more_rhs, [&](Cell_index c, Local_matrix& matrix, Local_vector& rhs) {
+    assemble_cells<ConcurrencyTag>(nullptr, more, more_rhs, [&](Cell_index c, Local_matrix& matrix, Local_vector& rhs) {
       if(!in_hessian_domain(c)) return false;
       Eigen::Matrix<double, 64, Distance_samples::per_cell> rows;
       rhs.setZero();
@@ -286,21 +310,22 @@ public:
   /// @}
 
 private:
-  // the equations of matrices of cells: of local(c, matrix, rhs), where it returns true
+  // the equations of matrices of cells: of local(c, matrix, rhs), where it returns true; for chosen points, or all
   template <typename ConcurrencyTag, typename Local>
-  void assemble_cells(Matrix& A, Vector& b, const Local& local) const
+  void assemble_cells(const std::vector<char>* chosen, Matrix& A, Vector& b, const Local& local) const
   {
+    const internal::Normal_equations<Field> equations(m_field, chosen);
     Matrix all;
     Vector all_rhs;
-    m_equations.set_zero(all, all_rhs);
-    m_equations.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
+    equations.set_zero(all, all_rhs);
+    m_colors.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
       Local_matrix matrix;
       Local_vector rhs;
       if(!local(c, matrix, rhs)) return;
       const double s = scale(c);
-      m_equations.add(c, s * s * matrix, s * rhs, all, all_rhs);
+      equations.add(c, s * s * matrix, s * rhs, all, all_rhs);
     });
-    internal::condense<ConcurrencyTag>(m_field, m_equations, all, all_rhs, A, b);
+    internal::condense<ConcurrencyTag>(m_field, equations, all, all_rhs, A, b);
   }
 
   // root cells per cell: what turns coefficients into those of cell units
@@ -545,7 +570,7 @@ private:
   const Clipped_mesh_3& m_clipped;
   Energy_weights m_weights;
   double m_gamma;
-  internal::Normal_equations<Field> m_equations;
+  internal::Cell_colors<Field> m_colors;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
   std::vector<std::size_t> m_first_piece;     // of each cell, and the end
   std::vector<char> m_hessian_domain;         // by cell, or empty

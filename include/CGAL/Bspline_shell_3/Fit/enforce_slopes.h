@@ -88,7 +88,7 @@ class Slope_enforcement
 
 public:
   /// \param field gives cells and functions; its coefficients are not looked at
-  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$
+  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty keep their values
   /// \param b right-hand side
   /// \pre all of them outlive this object
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
@@ -182,6 +182,8 @@ private:
   static constexpr double dual_tolerance = 1e-4;        // of slopes
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
+
+  bool has_equation(Index u) const { return m_A.outerIndexPtr()[u] != m_A.outerIndexPtr()[u+1]; }
 
   // A condition bounds three numbers from below: the slope, the value, and minus the value.
   static constexpr int numbers = 3;
@@ -294,7 +296,7 @@ private:
     std::vector<int> unknowns;
     const auto free_coefficients = [&](Index c) {
       m_field.visit_coefficients(c, [&](int, Index u, double) {
-        if(m_place[u] >= 0) return;
+        if(m_place[u] >= 0 || !has_equation(u)) return;
         m_place[u] = 0;
         unknowns.push_back(int(u));
       });
@@ -305,6 +307,7 @@ private:
       unknowns.clear();
       free_coefficients(center);
     }
+    if(unknowns.empty()) return;
     std::sort(unknowns.begin(), unknowns.end());
     const Eigen::Index size = Eigen::Index(unknowns.size());
     Bbox_3 reach = core;

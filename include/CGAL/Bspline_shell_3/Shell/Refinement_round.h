@@ -59,6 +59,7 @@ struct Refinement_round
   std::size_t failing_facets = 0;       ///< that did not certainly cross the field upwards afterwards
   std::size_t undecided_cells = 0;      ///< that keep the gradient claim from being proved, and no threshold can avoid
   std::size_t marked_cells = 0;
+  bool partial = false;                 ///< fitted near the cells that were split, and as it was elsewhere
   bool examined = false;                ///< for thresholds, and by the certificate if nothing was found wanting
   std::array<double, 7> seconds = {};   ///< cells, distance, assembly, solver, slopes, bounds, certificate
 };

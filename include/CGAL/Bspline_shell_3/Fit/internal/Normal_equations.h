@@ -27,7 +27,7 @@ namespace internal {
 // matrices of cells. Coefficients of different levels are not coupled. The matrix holds its lower triangle: column c has
 // the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). As the points of an x-row are numbered
 // consecutively, a column is 25 segments of consecutive rows, one for each offset (dj, dk), and no index is ever searched
-// for.
+// for. If points are chosen, columns of others are empty.
 template <typename Field>
 class Normal_equations
 {
@@ -46,14 +46,16 @@ class Normal_equations
   static int segment(int dj, int dk) { return dk == 0 ? dj : 4 + (dk - 1) * 7 + dj + 3; }
 
 public:
-  explicit Normal_equations(const Field& field)
-    : m_field(field)
+  // chosen: by point whether it is, or nothing: all are; it outlives this object
+  explicit Normal_equations(const Field& field, const std::vector<char>* chosen = nullptr)
+    : m_field(field), m_chosen(chosen)
   {
     m_segments.resize(field.number_of_points() * segments);
     m_column_size.resize(field.number_of_points());
     for(int level = 0; level < field.number_of_levels(); ++level)
       for(Index n = 0; n < field.points(level).size(); ++n) {
         const Index c = field.first_point(level) + n;
+        if(!is_chosen(c)) continue;
         std::uint32_t position = 0;
         for_each_segment(level, n, [&](int dj, int dk, const std::pair<Index, Index>& range) {
           m_segments[std::size_t(c) * segments + segment(dj, dk)] = { range.first, position };
@@ -61,8 +63,10 @@ public:
         });
         m_column_size[c] = position;
       }
-    color_cells();
   }
+
+  bool has_all_points() const { return m_chosen == nullptr; }
+  bool is_chosen(Index point) const { return m_chosen == nullptr || (*m_chosen)[point]; }
 
   // entries of the lower triangle
   std::size_t number_of_entries() const
@@ -82,6 +86,7 @@ public:
     for(Index c = 0; c < n; ++c) outer[c+1] = outer[c] + int(m_column_size[c]);
     for(int level = 0; level < m_field.number_of_levels(); ++level)
       for(Index m = 0; m < m_field.points(level).size(); ++m) {
+        if(!is_chosen(m_field.first_point(level) + m)) continue;
         auto* inner = A.innerIndexPtr() + outer[m_field.first_point(level) + m];
         for_each_segment(level, m, [&](int, int, const std::pair<Index, Index>& range) {
           for(Index r = range.first; r < range.second; ++r) *inner++ = int(r);
@@ -89,18 +94,6 @@ public:
       }
     std::fill(A.valuePtr(), A.valuePtr() + A.nonZeros(), 0.);
     b = Vector::Zero(n);
-  }
-
-  // Calls f(cell) for every cell, so that cells with a common function are never handled at the same time, and each
-  // entry is summed in an order that does not depend on the number of threads.
-  template <typename ConcurrencyTag, typename Function>
-  void for_each_cell(const Function& f) const
-  {
-    for(const std::vector<std::vector<Index> >& tiles : m_tiles)
-      for_each_chunk<ConcurrencyTag>(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for(std::size_t t = begin; t < end; ++t)
-          for(Index c : tiles[t]) f(c);
-      });
   }
 
   // only the lower triangle of `local` is read
@@ -113,6 +106,7 @@ public:
     for(int r = 0; r < 16; ++r)
       for(int i = 0; i < 4; ++i) {
         const Index column = rows[r] + i;
+        if(!is_chosen(column)) continue;
         const Segment* column_segments = &m_segments[std::size_t(column) * segments];
         const double* entry = local.data() + (4*r + i) * 64;
         b[column] += rhs[4*r + i];
@@ -125,7 +119,7 @@ public:
       }
   }
 
-  // the entry of two points of a level whose lattice offset, from column to row, is at most three along each axis
+  // the entry of two chosen points of a level whose lattice offset, from column to row, is at most three along each axis
   double entry(const Matrix& A, Index row, Index column, int dj, int dk) const
   {
     if(row < column) return entry(A, column, row, -dj, -dk);
@@ -151,30 +145,10 @@ private:
       }
   }
 
-  // Tiles of 4 x 4 cells of a level across y and z in four colors: functions of two tiles of one color are apart.
-  void color_cells()
-  {
-    constexpr int tile = 4;
-    const auto floor_div = [](int a) { return a >= 0 ? a / tile : -((-a + tile - 1) / tile); };
-    std::array<std::vector<std::pair<std::uint64_t, Index> >, 4> order;
-    for(Index c = 0; c < m_field.number_of_cells(); ++c) {
-      const auto& p = m_field.cells().lattice_point(c);
-      const int j = floor_div(p[1]), k = floor_div(p[2]);
-      order[(j & 1) + 2 * (k & 1)].emplace_back(Lattice_key::encode(m_field.cells().level(c), j, k), c);
-    }
-    for(int color = 0; color < 4; ++color) {
-      std::sort(order[color].begin(), order[color].end());
-      for(std::size_t n = 0; n < order[color].size(); ++n) {
-        if(n == 0 || order[color][n].first != order[color][n-1].first) m_tiles[color].emplace_back();
-        m_tiles[color].back().push_back(order[color][n].second);
-      }
-    }
-  }
-
   const Field& m_field;
+  const std::vector<char>* m_chosen;
   std::vector<Segment> m_segments;
   std::vector<std::uint32_t> m_column_size;
-  std::array<std::vector<std::vector<Index> >, 4> m_tiles;
 };
 
 } // namespace internal

@@ -29,7 +29,8 @@ namespace internal {
 // Of each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six coefficients
 // a side of the level above. It is worked out one axis after the other. A free point's window is what couples it to that
 // level; windows of dependent points are summed, with their weights, into the rows of the coefficients they depend on.
-// All columns are worked out apart from each other.
+// All columns are worked out apart from each other. If points were chosen, rows and columns of free ones that were not are empty; the dependent
+// ones must be chosen that depend on one that was.
 template <typename Field>
 class Condensation
 {
@@ -79,7 +80,9 @@ public:
 private:
   static int floor_half(int i) { return (i - (i & 1)) / 2; }
 
-  // points of a level and their numbers in it, in parallel
+  bool is_chosen(int level, Index n) const { return m_equations.is_chosen(m_field.first_point(level) + n); }
+
+  // chosen free points of a level and their numbers in it, in parallel
   template <typename ConcurrencyTag, typename Function>
   void for_each_column(const Function& f) const
   {
@@ -87,7 +90,7 @@ private:
       for_each_chunk<ConcurrencyTag>(m_field.points(level).size(), 256, [&](std::size_t begin, std::size_t end) {
         for(std::size_t n = begin; n < end; ++n) {
           const Index c = m_field.coefficient_of_point(m_field.first_point(level) + Index(n));
-          if(c != npos) f(level, Index(n), c);
+          if(c != npos && is_chosen(level, Index(n))) f(level, Index(n), c);
         }
       });
   }
@@ -100,13 +103,13 @@ private:
       const Lattice_set_3& points = m_field.points(level);
       const Index first = m_field.first_point(level);
       for(Index n = 0; n < points.size(); ++n) {
-        if(m_field.coefficient_of_point(first + n) != npos) continue;
+        if(m_field.coefficient_of_point(first + n) != npos || !m_equations.is_chosen(first + n)) continue;
         const Lattice_point& p = points.point(n);
         for(int dk = -3; dk <= 3; ++dk)
           for(int dj = -3; dj <= 3; ++dj) {
             const auto range = points.index_range(p[0] - 3, p[0] + 4, p[1] + dj, p[2] + dk);
             for(Index m = range.first; m < range.second; ++m)
-              if(m_window_of[first + m] == npos) {
+              if(m_window_of[first + m] == npos && m_equations.is_chosen(first + m)) {
                 m_window_of[first + m] = Index(m_with_window.size());
                 m_with_window.push_back({ Index(level), m });
               }
@@ -126,7 +129,7 @@ private:
       for(int dj = -3; dj <= 3; ++dj) {
         const auto range = points.index_range(p[0] - 3, p[0] + 4, p[1] + dj, p[2] + dk);
         for(Index m = range.first; m < range.second; ++m)
-          if(m_field.coefficient_of_point(first + m) == npos)
+          if(m_field.coefficient_of_point(first + m) == npos && m_equations.is_chosen(first + m))
             row[std::size_t(((dk + 3) * stencil + dj + 3) * stencil + points.point(m)[0] - p[0] + 3)] =
               m_equations.entry(m_all, first + m, column, dj, dk);
       }
@@ -168,7 +171,7 @@ private:
         const auto range = points.index_range(p[0] + (dk == 0 && dj == 0 ? 0 : -3), p[0] + 4, p[1] + dj, p[2] + dk);
         for(Index m = range.first; m < range.second; ++m) {
           const Index row = m_field.coefficient_of_point(m_field.first_point(level) + m);
-          if(row != npos) same(row, points.point(m)[0] - p[0], dj, dk);
+          if(row != npos && is_chosen(level, m)) same(row, points.point(m)[0] - p[0], dj, dk);
         }
       }
     const Index w = m_window_of[m_field.first_point(level) + n];
@@ -180,7 +183,7 @@ private:
         const auto range = coarse.index_range(first[0], first[0] + width, first[1] + j, first[2] + k);
         for(Index m = range.first; m < range.second; ++m) {
           const Index row = m_field.coefficient_of_point(m_field.first_point(level - 1) + m);
-          if(row != npos) above(row, (k * width + j) * width + coarse.point(m)[0] - first[0]);
+          if(row != npos && is_chosen(level - 1, m)) above(row, (k * width + j) * width + coarse.point(m)[0] - first[0]);
         }
       }
   }
@@ -248,12 +251,12 @@ private:
   std::vector<Window> m_windows;
 };
 
-// P^T all P and P^T b; moved where all coefficients are free
+// P^T all P and P^T b; moved where all coefficients are free, and chosen
 template <typename ConcurrencyTag, typename Field>
 void condense(const Field& field, const Normal_equations<Field>& equations,
               Eigen::SparseMatrix<double>& all, Eigen::VectorXd& all_rhs, Eigen::SparseMatrix<double>& A, Eigen::VectorXd& b)
 {
-  if(field.number_of_points() == field.number_of_coefficients()) {
+  if(field.number_of_points() == field.number_of_coefficients() && equations.has_all_points()) {
     A.swap(all);
     b.swap(all_rhs);
     return;
