@@ -193,7 +193,8 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
             << ",\"least_offset\":" << r.closing.least_offset / r.unit << "}" << truncation(r) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
             << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
             << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
-            << r.rounds.size() << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
+            << r.rounds.size() << ",\"partial_rounds\":"
+            << std::count_if(r.rounds.begin(), r.rounds.end(), [](const auto& round) { return round.partial; }) << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
             << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
             << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
             << ",\"min_cone_margin\":" << certificate.least_cone_margin

@@ -249,38 +249,34 @@ public:
         if(m_boxes[n].component != Cover_box::no_component)
           bounds[n] = gradient_bound(functions_on(m_boxes[n])[0], m_boxes[n]);
     });
-    std::vector<std::pair<double, std::size_t> > least;       // a heap of boxes, and then of parts
+    struct Bounded_box { double bound; Cover_box box; };
+    const auto is_above = [](const Bounded_box& a, const Bounded_box& b) { return a.bound > b.bound; };
+    std::vector<Bounded_box> least;       // a heap
     for(std::size_t n = 0; n < bounds.size(); ++n)
-      if(bounds[n] < std::numeric_limits<double>::infinity()) least.emplace_back(bounds[n], n);
+      if(bounds[n] < std::numeric_limits<double>::infinity()) least.push_back({ bounds[n], m_boxes[n] });
     if(least.empty()) return std::numeric_limits<double>::infinity();
+    std::make_heap(least.begin(), least.end(), is_above);
     std::vector<Part> parts;
-    std::make_heap(least.begin(), least.end(), std::greater<>());
     double attained = std::numeric_limits<double>::infinity();
-    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions && least.front().first < near * attained; ++subdivisions) {
-      std::pop_heap(least.begin(), least.end(), std::greater<>());
-      const std::pair<double, std::size_t> worst = least.back();
+    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions && least.front().bound < near * attained; ++subdivisions) {
+      std::pop_heap(least.begin(), least.end(), is_above);
+      const Bounded_box worst = least.back();
+      if(worst.box.depth == std::numeric_limits<std::uint16_t>::digits) return worst.bound;
       least.pop_back();
-      const std::size_t first = parts.size();
-      if(worst.second < m_boxes.size()) {
-        parts.emplace_back();
-        parts[first].box = m_boxes[worst.second];
-        parts[first].functions = functions_on(m_boxes[worst.second]);
-      } else
-        parts.push_back(parts[worst.second - m_boxes.size()]);
-      if(parts[first].box.depth == std::numeric_limits<std::uint16_t>::digits) { least.push_back(worst); break; }
-      push_octants(first, parts);
-      for(std::size_t n = first + 1; n < parts.size(); ++n) {
+      parts.assign(1, Part{ worst.box, functions_on(worst.box) });
+      push_octants(0, parts);
+      for(std::size_t n = 1; n < parts.size(); ++n) {
         std::array<double, 3> direction;
         const Box_kind k = kind(parts[n].functions, direction);
         if(k == Box_kind::EXCLUDED) continue;
         if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;      // otherwise that of the box it is a part of
         attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
-        least.emplace_back(gradient_bound(parts[n].functions[0], parts[n].box), m_boxes.size() + n);
-        std::push_heap(least.begin(), least.end(), std::greater<>());
+        least.push_back({ gradient_bound(parts[n].functions[0], parts[n].box), parts[n].box });
+        std::push_heap(least.begin(), least.end(), is_above);
       }
       if(least.empty()) return std::numeric_limits<double>::infinity();
     }
-    return least.front().first;
+    return least.front().bound;
   }
 
   /// for each leaf cell, a lower bound, per user unit, of the length of the gradient on the boxes of the cover in it; infinite where

@@ -207,9 +207,9 @@ private:
   // whether the last field was examined for thresholds, and if it was fitted in part, that helped
   bool can_be_partial() const
   {
-    if(!m_examined) return false;
+    if(m_rounds.empty() || !m_rounds.back().examined || !m_examined) return false;
     const std::size_t n = m_rounds.size();
-    return n > 0 && (!m_rounds[n-1].partial || m_rounds[n-1].undecided_cells < m_rounds[n-2].undecided_cells);
+    return !m_rounds[n-1].partial || m_rounds[n-1].undecided_cells < m_rounds[n-2].undecided_cells;
   }
 
   void find_wanted_slopes()
@@ -242,11 +242,12 @@ private:
     }
   }
 
-  // Fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
+  // Begins a round: fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
   {
-    Refinement_round& log = m_rounds.back();
     const bool can_be_partial = this->can_be_partial();
+    m_rounds.emplace_back();
+    Refinement_round& log = m_rounds.back();
     m_enforcement.reset();
     m_certificate.reset();
     m_inner.reset();
@@ -759,7 +760,6 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
   m_total.start();
   m_timer.start();
   for(std::size_t round = 0; ; ++round) {
-    m_rounds.emplace_back();
     m_timer.reset();
     const std::optional<Refinement_status> failure = fit(std::move(cells), solver, start);
     if(failure) return *failure;

@@ -28,7 +28,7 @@ namespace internal {
 //
 // Of each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six coefficients
 // a side of the level above. It is worked out one axis after the other. A free point's window is what couples it to that
-// level; windows of dependent points are summed, with their weights, into the rows of the coefficients they depend on.
+// level, and is needed once; windows of dependent points are summed, with their weights, into the rows of the coefficients they depend on.
 // All columns are worked out apart from each other. If points were chosen, rows and columns of free ones that were not are empty; the dependent
 // ones must be chosen that depend on one that was.
 template <typename Field>
@@ -37,7 +37,7 @@ class Condensation
   typedef typename Field::Cell_index Index;
   typedef Eigen::SparseMatrix<double> Matrix;
   static constexpr int stencil = 7, width = 6;
-  static constexpr Index npos = Field::npos;
+  static constexpr Index npos = Field::npos, own = npos - 1;
 
   struct Window
   {
@@ -54,9 +54,9 @@ public:
   void operator()(Matrix& A)
   {
     find_windows();
-    m_windows.resize(m_with_window.size());
+    m_windows.resize(m_dependent.size());
     for_each_chunk<ConcurrencyTag>(m_windows.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) compute_window(m_with_window[n], m_windows[n]);
+      for(std::size_t n = begin; n < end; ++n) compute_window(m_dependent[n][0], m_dependent[n][1], m_windows[n]);
     });
     // how long the columns are, and then their entries
     const std::size_t size = m_field.number_of_coefficients();
@@ -95,7 +95,7 @@ private:
       });
   }
 
-  // all points that are coupled to a dependent one
+  // dependent points, and free ones that are coupled to one
   void find_windows()
   {
     m_window_of.assign(m_field.number_of_points(), npos);
@@ -104,26 +104,32 @@ private:
       const Index first = m_field.first_point(level);
       for(Index n = 0; n < points.size(); ++n) {
         if(m_field.coefficient_of_point(first + n) != npos || !m_equations.is_chosen(first + n)) continue;
+        m_window_of[first + n] = Index(m_dependent.size());
+        m_dependent.push_back({ Index(level), n });
         const Lattice_point& p = points.point(n);
         for(int dk = -3; dk <= 3; ++dk)
           for(int dj = -3; dj <= 3; ++dj) {
             const auto range = points.index_range(p[0] - 3, p[0] + 4, p[1] + dj, p[2] + dk);
             for(Index m = range.first; m < range.second; ++m)
-              if(m_window_of[first + m] == npos && m_equations.is_chosen(first + m)) {
-                m_window_of[first + m] = Index(m_with_window.size());
-                m_with_window.push_back({ Index(level), m });
-              }
+              if(m_window_of[first + m] == npos && m_equations.is_chosen(first + m)) m_window_of[first + m] = own;
           }
       }
     }
   }
 
-  void compute_window(const std::array<Index, 2>& level_and_point, Window& window) const
+  // the least parent of p - 3
+  static Lattice_point first_of_window(const Lattice_point& p)
   {
-    const int level = int(level_and_point[0]);
+    Lattice_point first;
+    for(int a = 0; a < 3; ++a) first[a] = floor_half(p[a] - 3) - ((p[a] - 3) & 1 ? 0 : 1);
+    return first;
+  }
+
+  void compute_window(int level, Index n, Window& window) const
+  {
     const Lattice_set_3& points = m_field.points(level);
-    const Lattice_point& p = points.point(level_and_point[1]);
-    const Index first = m_field.first_point(level), column = first + level_and_point[1];
+    const Lattice_point& p = points.point(n);
+    const Index first = m_field.first_point(level), column = first + n;
     std::array<double, stencil * stencil * stencil> row = {};
     for(int dk = -3; dk <= 3; ++dk)
       for(int dj = -3; dj <= 3; ++dj) {
@@ -133,8 +139,7 @@ private:
             row[std::size_t(((dk + 3) * stencil + dj + 3) * stencil + points.point(m)[0] - p[0] + 3)] =
               m_equations.entry(m_all, first + m, column, dj, dk);
       }
-    // the least parent of p - 3 is where the window begins
-    for(int a = 0; a < 3; ++a) window.first[a] = floor_half(p[a] - 3) - ((p[a] - 3) & 1 ? 0 : 1);
+    window.first = first_of_window(p);
     const auto mask = Cubic_bspline<>::two_scale_mask();
     std::array<std::array<std::array<double, width>, stencil>, 3> weight = {};
     for(int a = 0; a < 3; ++a)
@@ -174,9 +179,8 @@ private:
           if(row != npos && is_chosen(level, m)) same(row, points.point(m)[0] - p[0], dj, dk);
         }
       }
-    const Index w = m_window_of[m_field.first_point(level) + n];
-    if(w == npos) return;
-    const Lattice_point& first = m_windows[w].first;
+    if(m_window_of[m_field.first_point(level) + n] == npos) return;
+    const Lattice_point first = first_of_window(p);
     const Lattice_set_3& coarse = m_field.points(level - 1);
     for(int k = 0; k < width; ++k)
       for(int j = 0; j < width; ++j) {
@@ -210,6 +214,8 @@ private:
           }
         }
     }
+    Window window;
+    if(m_window_of[column] != npos) compute_window(level, n, window);
     int position = A.outerIndexPtr()[c];
     visit_rows(level, n,
       [&](Index row, int di, int dj, int dk) {
@@ -221,7 +227,7 @@ private:
       },
       [&](Index row, int entry) {
         A.innerIndexPtr()[position] = int(row);
-        A.valuePtr()[position++] = m_windows[m_window_of[column]].entry[std::size_t(entry)];
+        A.valuePtr()[position++] = window.entry[std::size_t(entry)];
       });
   }
 
@@ -246,9 +252,9 @@ private:
   const Field& m_field;
   const Normal_equations<Field>& m_equations;
   const Matrix& m_all;
-  std::vector<Index> m_window_of;                     // of each point, or npos
-  std::vector<std::array<Index, 2> > m_with_window;   // level and number in it
-  std::vector<Window> m_windows;
+  std::vector<Index> m_window_of;                     // of each point: the number of its window; or its own, which is not kept; or npos
+  std::vector<std::array<Index, 2> > m_dependent;     // chosen points: level and number in it
+  std::vector<Window> m_windows;                      // theirs
 };
 
 // P^T all P and P^T b; moved where all coefficients are free, and chosen
