@@ -294,10 +294,10 @@ private:
     lap(SOLVER);
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
-    if(before) keep_caps(before->cells());
     if(m_part) {
       keep_what_was_examined(*before);
     } else {
+      m_caps.clear();
       m_examined.reset();
       m_unexamined.assign(m_wanted.size(), 1);
     }
@@ -375,27 +375,23 @@ private:
       if(c != Field::npos && is_changed(*before, c, *m_field, c)) c = Field::npos;
   }
 
-  // Thresholds begin with the caps that the last ones had, except in cells that were split: most would be found again, in two passes over all cells.
-  void keep_caps(const Cell_hierarchy_3& before)
+  // Notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there. Caps of the
+  // thresholds are kept, except in cells that were split, which was to make them superfluous.
+  void keep_what_was_examined(const Field& before)
   {
+    const Cell_hierarchy_3& cells = before.cells();
+    const auto leaf = [&](Index c) { return m_field->cells().leaf(cells.level(c), cells.lattice_point(c)); };
+    for(Index& c : m_examined->now) {
+      if(c == Field::npos) continue;
+      const Index n = leaf(c);
+      c = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
+    }
     std::vector<Cap> caps;
     for(Cap& cap : m_caps) {
-      cap.cell = m_field->cells().leaf(before.level(cap.cell), before.lattice_point(cap.cell));
+      cap.cell = leaf(cap.cell);
       if(cap.cell != Field::npos) caps.push_back(cap);
     }
     m_caps.swap(caps);
-  }
-
-  // notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there
-  void keep_what_was_examined(const Field& before)
-  {
-    std::vector<Index> now(before.number_of_cells());
-    for(Index c = 0; c < before.number_of_cells(); ++c) {
-      const Index n = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
-      now[c] = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
-    }
-    for(Index& c : m_examined->now)
-      if(c != Field::npos) c = now[c];
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
