@@ -294,10 +294,10 @@ private:
     lap(SOLVER);
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
+    if(before) keep_caps(before->cells());
     if(m_part) {
       keep_what_was_examined(*before);
     } else {
-      m_caps.clear();
       m_examined.reset();
       m_unexamined.assign(m_wanted.size(), 1);
     }
@@ -375,23 +375,25 @@ private:
       if(c != Field::npos && is_changed(*before, c, *m_field, c)) c = Field::npos;
   }
 
-  // Notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there. Caps of the
-  // thresholds are kept, except in cells that were split, which was to make them superfluous.
-  void keep_what_was_examined(const Field& before)
+  // caps of the thresholds are kept, except in cells that were split
+  void keep_caps(const Cell_hierarchy_3& before)
   {
-    const Cell_hierarchy_3& cells = before.cells();
-    const auto leaf = [&](Index c) { return m_field->cells().leaf(cells.level(c), cells.lattice_point(c)); };
-    for(Index& c : m_examined->now) {
-      if(c == Field::npos) continue;
-      const Index n = leaf(c);
-      c = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
-    }
     std::vector<Cap> caps;
     for(Cap& cap : m_caps) {
-      cap.cell = leaf(cap.cell);
+      cap.cell = m_field->cells().leaf(before.level(cap.cell), before.lattice_point(cap.cell));
       if(cap.cell != Field::npos) caps.push_back(cap);
     }
     m_caps.swap(caps);
+  }
+
+  // notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there
+  void keep_what_was_examined(const Field& before)
+  {
+    for(Index& c : m_examined->now) {
+      if(c == Field::npos) continue;
+      const Index n = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
+      c = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
+    }
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
@@ -546,7 +548,9 @@ private:
     constexpr int max_exchanges = 3;
     constexpr double progress = 0.75;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
+    // Most caps would be found again, in two passes over all cells.
     for(const Cap& cap : m_caps) thresholds.cap(cap);
+    const bool has_old_caps = !m_caps.empty();
     m_obstacles = choose_thresholds(thresholds);
     double before = std::numeric_limits<double>::infinity();
     for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
@@ -568,12 +572,23 @@ private:
       m_obstacles = choose_thresholds(thresholds);
     }
     m_caps = thresholds.caps();
+    if(m_obstacles.empty() && m_marked.empty() && has_old_caps) widen_thresholds();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
     for(Index c : cells)
       if(are_many(cells)) mark(c);
       else mark_widely(c);
     lap(CERTIFICATE);
+  }
+
+  // Chooses thresholds without the caps of earlier fields, which may be narrower than this one needs; keeps what there is if that leaves obstacles.
+  void widen_thresholds()
+  {
+    std::unique_ptr<Threshold> inner = std::move(m_inner), outer = std::move(m_outer);
+    Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
+    if(choose_thresholds(thresholds).empty()) return;
+    m_inner = std::move(inner);
+    m_outer = std::move(outer);
   }
 
   // a condition along the direction that the facets near a box have in common, if there is one
