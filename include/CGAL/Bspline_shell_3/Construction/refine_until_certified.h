@@ -572,7 +572,7 @@ private:
       m_obstacles = choose_thresholds(thresholds);
     }
     m_caps = thresholds.caps();
-    if(m_obstacles.empty() && m_marked.empty() && has_old_caps) widen_thresholds();
+    if(m_obstacles.empty() && m_marked.empty() && has_old_caps && !is_late()) widen_thresholds();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
     for(Index c : cells)
@@ -581,12 +581,14 @@ private:
     lap(CERTIFICATE);
   }
 
-  // Chooses thresholds without the caps of earlier fields, which may be narrower than this one needs; keeps what there is if that leaves obstacles.
+  // Chooses thresholds without the caps of earlier fields, which may be narrower than this one needs; keeps what there is if that leaves anything
+  // undecided.
   void widen_thresholds()
   {
     std::unique_ptr<Threshold> inner = std::move(m_inner), outer = std::move(m_outer);
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-    if(choose_thresholds(thresholds).empty()) return;
+    choose_thresholds(thresholds);
+    if(m_is_decided) return;
     m_inner = std::move(inner);
     m_outer = std::move(outer);
   }
@@ -681,6 +683,7 @@ private:
       std::vector<Index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Index(0));
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), m_ranges.cell, std::move(now) });
+      m_is_decided = hopeless.empty() && !narrowed;
       // another pass, and the certificate, take as long as this one
       const bool is_enough = pass + 1 >= max_passes_of_many && are_many(cells_of(hopeless));
       if(!narrowed || is_enough || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
@@ -745,7 +748,7 @@ private:
   std::vector<Index> m_marked;
   std::vector<Obstacle> m_obstacles;                  // of the last thresholds
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
-  bool m_is_thin = false;
+  bool m_is_thin = false, m_is_decided = false;       // the last field on the mesh; all boxes, by the last thresholds
   double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
   Real_timer m_total, m_timer;                        // of all rounds, and of a step
