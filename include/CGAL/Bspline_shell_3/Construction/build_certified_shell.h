@@ -142,7 +142,8 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     for(const Cover_box& box : certificate.cover()->boxes())
       if(box.component != Cover_box::no_component) shell_cells[box.cell] = 1;
   std::vector<Level_range> facets(input->number_of_facets_of_origin());
-  for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(refinement.ranges().facet[f]);
+  const std::vector<Level_range> ranges = refinement.facet_ranges();
+  for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(ranges[f]);
   Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
               construction.end(Status::SUCCESS));
   shell.set_closing(input->closing());

@@ -97,6 +97,27 @@ private:
   double m_curvature;
 };
 
+// A part of a triangle, in a cell.
+struct Subtriangle
+{
+  std::array<double, 3> p, q, r;
+  int depth;          // bisections of its edges
+
+  void push_quarters(std::vector<Subtriangle>& stack) const
+  {
+    std::array<double, 3> m[3];
+    for(int a = 0; a < 3; ++a) {
+      m[0][a] = (q[a] + r[a]) / 2;
+      m[1][a] = (r[a] + p[a]) / 2;
+      m[2][a] = (p[a] + q[a]) / 2;
+    }
+    stack.push_back({ p, m[2], m[1], depth + 1 });
+    stack.push_back({ m[2], q, m[0], depth + 1 });
+    stack.push_back({ m[1], m[0], r, depth + 1 });
+    stack.push_back({ m[0], m[1], m[2], depth + 1 });
+  }
+};
+
 } // namespace internal
 
 /*!
@@ -157,7 +178,6 @@ struct Facet_ranges
 template <typename ConcurrencyTag, typename Field>
 Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-7)
 {
-  typedef std::array<double, 3> Local_point;
   constexpr std::size_t chunk = 1024;
   constexpr int max_depth = 20;
   constexpr double good = 0.002;        // excess of a bound that is not to be improved, relative to the range of values
@@ -175,13 +195,12 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
   Level_range values;
   for(const Level_range& r : attained) values.include(r);
 
-  struct Triangle { Local_point p, q, r; int depth; };
   std::vector<Level_range> enclosure(chunks), piece_range(pieces.size());
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Level_range found = values;           // grows by what this chunk finds
     Level_range& bound = enclosure[begin / chunk];
-    std::vector<Triangle> stack;
-    std::vector<Local_point> corners;
+    std::vector<internal::Subtriangle> stack;
+    std::vector<std::array<double, 3> > corners;
     std::optional<internal::Cell_with_pieces<Field> > in;
     std::optional<internal::Corner_bounds> corner_bounds;
     for(std::size_t n = begin; n < end; ++n) {
@@ -203,7 +222,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
       }
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
       while(!stack.empty()) {
-        const Triangle t = stack.back();
+        const internal::Subtriangle t = stack.back();
         stack.pop_back();
         const std::array<double, 55> b = triangle_bernstein_form<double>(in->cell.coefficients(), t.p, t.q, t.r);
         for(int corner : { 0, 45, 54 }) found.include(b[corner]);
@@ -216,16 +235,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
           bound.include(range);
           continue;
         }
-        Local_point m[3];
-        for(int a = 0; a < 3; ++a) {
-          m[0][a] = (t.q[a] + t.r[a]) / 2;
-          m[1][a] = (t.r[a] + t.p[a]) / 2;
-          m[2][a] = (t.p[a] + t.q[a]) / 2;
-        }
-        stack.push_back({ t.p, m[2], m[1], t.depth + 1 });
-        stack.push_back({ m[2], t.q, m[0], t.depth + 1 });
-        stack.push_back({ m[1], m[0], t.r, t.depth + 1 });
-        stack.push_back({ m[0], m[1], m[2], t.depth + 1 });
+        t.push_quarters(stack);
       }
     }
   });

@@ -66,15 +66,16 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells refined once where asked, and more often where the mesh has gaps that are narrower than a cell: no field on cells
- * wider than a gap increases through both of its sides, so one level after the other would be tried in vain.
+ * \brief cells refined once where asked, and more often where the mesh has gaps that are far narrower than a cell: no field on cells
+ * wider than a gap increases through both of its sides, so one level after the other would be tried in vain. Where the gap is not that narrow, levels
+ * in between often do.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \tparam Limit a predicate of numbers of cells
  * \param cells to refine
  * \param marked leaves that are split
  * \param rings of cells around them that are split, too
- * \param obstacles those of them that are split again, until their parts are no wider than the gap in them or `most_halvings` are reached
+ * \param obstacles those of them that are split again, until their parts are no wider than four gaps or `most_halvings` are reached
  * \param most_halvings of these; at most five
  * \param gap of the mesh
  * \param clipped the mesh, cut by `cells`
@@ -87,13 +88,14 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
 {
   typedef Cell_hierarchy_3::Index Index;
   constexpr std::size_t chunk = 16;
+  constexpr double far_narrower = 4;
   std::vector<int> halvings(obstacles.size(), 1);
   internal::for_each_chunk<ConcurrencyTag>(obstacles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       double width = cells.width(obstacles[n]) / 2;
       const double behind = gap_in_cell(gap, clipped, obstacles[n], NEGATIVE, width);
       const double narrowest = gap_in_cell(gap, clipped, obstacles[n], POSITIVE, behind);
-      for(; width > narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
+      for(; width > far_narrower * narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
     }
   });
   Cell_hierarchy_3 refined = cells.refined(marked, rings);

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
@@ -130,7 +131,8 @@ public:
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return *m_inner; }
   const Threshold& outer() const { return *m_outer; }
-  const Facet_ranges& ranges() const { return m_ranges; }
+  /// encloses the last field on each triangle, coarsely
+  std::vector<Level_range> facet_ranges() const { return m_ranges.facets<ConcurrencyTag>(*m_field, *m_clipped); }
 
   /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses of the certificate
   std::vector<Refinement_obstacle> obstacles();
@@ -142,10 +144,11 @@ public:
 private:
   typedef Field::Cell_index Index;
   typedef Shell_thresholds_3<Field>::Cap Cap;
-  static constexpr std::size_t part_of_cells = 4;               // largest part that is fitted apart from the others: one of so many
+  static constexpr std::size_t part_of_cells = 2;               // largest part that is fitted apart from the others: one of so many
   static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
-  static constexpr std::size_t thick_cells_to_refine = 32;      // one of so many; fewer may be mended by small changes
+  static constexpr std::size_t many_thick_at_first = 32;        // one of so many, before small changes
+  static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes
   static constexpr std::size_t least_many_obstacles = 40, obstacles_to_refine = 128;        // cells; one of so many
   static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
@@ -204,12 +207,16 @@ private:
         || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
   }
 
-  // whether the last field was examined for thresholds, and if it was fitted in part, that helped
+  // whether the last field has the slopes asked for, and if it was fitted in part, that helped
   bool can_be_partial() const
   {
-    if(m_rounds.empty() || !m_rounds.back().examined || !m_examined) return false;
+    if(m_rounds.empty() || !m_is_enforced) return false;
     const std::size_t n = m_rounds.size();
-    return !m_rounds[n-1].partial || m_rounds[n-1].undecided_cells < m_rounds[n-2].undecided_cells;
+    if(!m_rounds[n-1].partial) return true;
+    const Refinement_round& now = m_rounds[n-1];
+    const Refinement_round& before = m_rounds[n-2];
+    if(now.examined != before.examined) return now.examined;
+    return now.undecided_cells + now.thick_cells < before.undecided_cells + before.thick_cells;
   }
 
   void find_wanted_slopes()
@@ -254,7 +261,7 @@ private:
     m_outer.reset();
     m_marked.clear();
     m_obstacles.clear();
-    m_is_thin = false;
+    m_is_enforced = m_is_thin = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
     const std::vector<Index> split = sample(cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
@@ -294,25 +301,29 @@ private:
     lap(SOLVER);
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
-    if(before) keep_caps(before->cells());
+    const Mesh_ranges ranges = std::exchange(m_ranges, Mesh_ranges(log.cells));
     if(m_part) {
-      keep_what_was_examined(*before);
+      keep_what_was_examined(*before, ranges);
     } else {
       m_examined.reset();
+      m_caps.clear();
       m_unexamined.assign(m_wanted.size(), 1);
     }
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
-    mark_thick_cells(m_clipped->cells().size() / thick_cells_to_refine);
-    if(!m_marked.empty()) return std::nullopt;
+    find_thick_cells();
+    m_thick_at_first.clear();
+    if(m_ranges.thick_cells().size() > m_clipped->cells().size() / many_thick_at_first) m_thick_at_first = nearly_thick_cells();
+    if(are_many_thick()) {
+      mark_thick_cells();
+      return std::nullopt;
+    }
 
     m_enforcement.emplace(field, m_A, m_b);
     m_enforcement->insert(slope_conditions());
-    m_is_thin = enforce_slopes();
+    m_is_enforced = enforce_slopes();
     lap(SLOPES);
-    if(m_is_thin) {
-      mark_thick_cells();
-      m_is_thin = log.thick_cells == 0;
-    }
+    if(m_is_enforced) m_is_enforced = enforce_thickness();
+    m_is_thin = m_is_enforced && m_ranges.thick_cells().empty();
     return std::nullopt;
   }
 
@@ -366,34 +377,37 @@ private:
   // sets it to the present solution, and notes the cells where it is another one than what was examined
   void change_field()
   {
-    const double width = m_field->cells().lattice().spacing();
-    std::optional<Field> before;
-    if(m_examined) before = *m_field;
-    m_field->template set_coefficients<ConcurrencyTag>(m_x * width);
-    if(!before) return;
+    constexpr std::size_t chunk = 1024;
+    const Field before = std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * m_field->cells().lattice().spacing()));
+    std::vector<char> changed(m_field->number_of_cells());
+    internal::for_each_chunk<ConcurrencyTag>(changed.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c) changed[c] = is_changed(before, Index(c), *m_field, Index(c));
+    });
+    for(Index c = 0; c < changed.size(); ++c)
+      if(changed[c]) m_ranges.forget(c);
+    if(!m_examined) return;
     for(Index& c : m_examined->now)
-      if(c != Field::npos && is_changed(*before, c, *m_field, c)) c = Field::npos;
+      if(c != Field::npos && changed[c]) c = Field::npos;
   }
 
-  // caps of the thresholds are kept, except in cells that were split
-  void keep_caps(const Cell_hierarchy_3& before)
+  // keeps what is known of a field where it is the same on finer cells, and notes which facets are where it is not
+  void keep_what_was_examined(const Field& before, const Mesh_ranges& ranges)
   {
+    std::vector<Index> now(before.number_of_cells());
+    for(Index c = 0; c < now.size(); ++c) {
+      now[c] = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
+      if(now[c] != Field::npos && is_changed(before, c, *m_field, now[c])) now[c] = Field::npos;
+      if(now[c] != Field::npos) m_ranges.keep(ranges, c, now[c]);
+    }
+    if(m_examined)
+      for(Index& c : m_examined->now)
+        if(c != Field::npos) c = now[c];
     std::vector<Cap> caps;
-    for(Cap& cap : m_caps) {
-      cap.cell = m_field->cells().leaf(before.level(cap.cell), before.lattice_point(cap.cell));
+    for(Cap cap : m_caps) {
+      cap.cell = now[cap.cell];
       if(cap.cell != Field::npos) caps.push_back(cap);
     }
     m_caps.swap(caps);
-  }
-
-  // notes where the field, on cells of which some were split, is another one than what was examined, and which facets are there
-  void keep_what_was_examined(const Field& before)
-  {
-    for(Index& c : m_examined->now) {
-      if(c == Field::npos) continue;
-      const Index n = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
-      c = n != Field::npos && is_changed(before, c, *m_field, n) ? Field::npos : n;
-    }
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
@@ -452,83 +466,125 @@ private:
     return m_thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
   }
 
-  // marks cells where the field is too large on the mesh, if these are more than `few`
-  void mark_thick_cells(std::size_t few = 0)
+  // bounds the field on the mesh, where it has changed
+  void update_ranges(Mesh_ranges::Precision precision)
   {
-    m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);
-    // bounds depend on what else is bounded: thresholds are not to change where the field does not
-    if(m_examined)
-      for(std::size_t c = 0; c < m_examined->now.size(); ++c)
-        if(m_examined->now[c] != Field::npos) m_ranges.cell[m_examined->now[c]] = m_examined->ranges[c];
+    m_ranges.template update<ConcurrencyTag>(*m_field, *m_clipped, [&](Index c) { return half_thickness(c); }, precision);
+  }
+
+  void find_thick_cells()
+  {
+    update_ranges(Mesh_ranges::SUFFICIENT);
     Refinement_round& log = m_rounds.back();
-    log.thickness = m_ranges.mesh.max - m_ranges.mesh.min;
-    log.thick_cells = 0;
-    // what is nearly too thick would be in the next round, after small changes
-    constexpr double nearly = 0.8;
-    std::vector<Index> nearly_thick;
-    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
-      const Level_range& r = m_ranges.cell[c];
-      if(!(r.min <= r.max)) continue;
-      const double size = (std::max)(-r.min, r.max), half = half_thickness(c);
-      if(size > half) ++log.thick_cells;
-      if(size > nearly * half) nearly_thick.push_back(c);
-    }
-    if(log.thick_cells > few)
-      for(Index c : nearly_thick) mark(c);
+    const Level_range on_mesh = m_ranges.mesh();
+    log.thickness = on_mesh.max - on_mesh.min;
+    log.thick_cells = m_ranges.thick_cells().size();
     lap(BOUNDS);
   }
 
-  // in the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells. Across small ones gradients
-  // hardly vary; where that is not enough, failing_facets() finds the place. Where the field stays as it was, none are needed.
+  bool are_many_thick() const { return m_ranges.thick_cells().size() > m_clipped->cells().size() / thick_cells_to_refine; }
+
+  // what is nearly too thick would be in the next round, after small changes
+  std::vector<Index> nearly_thick_cells()
+  {
+    constexpr double nearly = 0.8;
+    update_ranges(Mesh_ranges::SHARP);
+    std::vector<Index> cells;
+    for(Index c = 0; c < m_field->number_of_cells(); ++c) {
+      const Level_range& r = m_ranges.cells()[c];
+      if(r.min <= r.max && (std::max)(-r.min, r.max) > nearly * half_thickness(c)) cells.push_back(c);
+    }
+    return cells;
+  }
+
+  void mark_thick_cells()
+  {
+    if(are_many_thick())
+      for(Index c : m_thick_at_first) mark(c);
+    else
+      for(const Thick_cell& t : m_ranges.thick_cells()) mark_widely(t.cell);
+  }
+
+  // Changes the field where it is too large on the mesh between the points with conditions; marks cells where that does not help.
+  // Returns whether slopes are still enforced.
+  bool enforce_thickness()
+  {
+    constexpr int max_exchanges = 3;
+    for(int exchange = 0; ; ++exchange) {
+      const std::size_t before = m_ranges.thick_cells().size();
+      find_thick_cells();
+      const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
+      if(thick.empty()) return true;
+      if(exchange == max_exchanges || are_many_thick() || (exchange > 0 && thick.size() >= before)) break;
+      std::vector<Slope_condition> conditions;
+      for(const Thick_cell& t : thick)
+        if(m_wanted[t.facet] > 0)
+          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet), m_wanted[t.facet],
+                                 largest_on_mesh(t.cell) });
+      if(conditions.empty()) break;
+      m_enforcement->insert(std::move(conditions));
+      if(!enforce_slopes()) return false;
+      lap(SLOPES);
+    }
+    mark_thick_cells();
+    return true;
+  }
+
+  // what the field may be at points on the mesh, in units of the width of root cells: a little less than half of the thickness
+  double largest_on_mesh(Index c) const
+  {
+    constexpr double nearly = 0.95;
+    return nearly * half_thickness(c) / m_field->cells().lattice().spacing();
+  }
+
+  // In the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells; where there are many, in the middle of
+  // some. Across a cell the field hardly varies more than that: find_thick_cells() and failing_facets() find the places where it is not enough. Where
+  // the field stays as it was, none are needed.
   std::vector<Slope_condition> slope_conditions() const
   {
-    constexpr double nearly = 0.95, small = 0.25;
-    const auto number = [&](const Clipped_mesh_3::Piece& piece) -> std::size_t {
-      if(!(m_wanted[piece.facet] > 0) || (m_part && !m_part->cells[piece.cell])) return 0;        // at a singular vertex nothing helps
+    constexpr double small = 0.25;
+    constexpr std::size_t few = 8, most = 48;       // pieces in a cell
+    const std::vector<Clipped_mesh_3::Piece>& pieces = m_clipped->pieces();
+    const auto is_small = [&](const Clipped_mesh_3::Piece& piece) {
       std::array<double, 3> least = m_clipped->point(piece.first), most = least;
       for(std::uint32_t v = 1; v < piece.size; ++v)
         for(int a = 0; a < 3; ++a) {
           least[a] = (std::min)(least[a], m_clipped->point(piece.first + v)[a]);
           most[a] = (std::max)(most[a], m_clipped->point(piece.first + v)[a]);
         }
-      const bool is_small = !((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * m_field->cells().width(piece.cell));
-      return is_small ? 1 : piece.size + 1;       // the middle, and the corners
+      return !((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * m_field->cells().width(piece.cell));
     };
-    std::size_t size = 0;
-    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) size += number(piece);
     std::vector<Slope_condition> conditions;
-    conditions.reserve(size);
-    Index last = Field::npos;
-    double largest = 0;
-    const auto add = [&](const Tricubic_cell_3& cell, Index c, std::uint32_t facet, const std::array<double, 3>& p) {
-      conditions.push_back({ c, facet, cell.local_coordinates(p), m_clipped->normal(facet), m_wanted[facet], largest });
-    };
-    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces()) {
-      const std::size_t wanted = number(piece);
-      if(wanted == 0) continue;
-      const Tricubic_cell_3 cell = m_field->cell(piece.cell);
-      if(piece.cell != last) {
-        last = piece.cell;
-        largest = nearly * half_thickness(last) / m_field->cells().lattice().spacing();
+    for(std::size_t n = 0, next; n < pieces.size(); n = next) {
+      const Index c = pieces[n].cell;
+      for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}
+      if(m_part && !m_part->cells[c]) continue;
+      const Tricubic_cell_3 cell = m_field->cell(c);
+      const double largest = largest_on_mesh(c);
+      const std::size_t stride = (next - n + most - 1) / most;
+      for(std::size_t m = n; m < next; m += stride) {
+        const Clipped_mesh_3::Piece& piece = pieces[m];
+        if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
+        const auto add = [&](const std::array<double, 3>& p) {
+          conditions.push_back({ c, piece.facet, cell.local_coordinates(p), m_clipped->normal(piece.facet), m_wanted[piece.facet], largest });
+        };
+        std::array<double, 3> middle = {};
+        for(std::uint32_t v = 0; v < piece.size; ++v)
+          for(int a = 0; a < 3; ++a) middle[a] += m_clipped->point(piece.first + v)[a] / piece.size;
+        add(middle);
+        if(next - n > few || is_small(piece)) continue;
+        for(std::uint32_t v = 0; v < piece.size; ++v) add(m_clipped->point(piece.first + v));
       }
-      std::array<double, 3> middle = {};
-      for(std::uint32_t v = 0; v < piece.size; ++v) {
-        const std::array<double, 3>& p = m_clipped->point(piece.first + v);
-        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
-        if(wanted > 1) add(cell, piece.cell, piece.facet, p);
-      }
-      add(cell, piece.cell, piece.facet, middle);
     }
     return conditions;
   }
 
-  // The last cover, its thresholds, and enclosures of the field on the mesh in its cells; which of the present cells each of them is, or npos where the
-  // field has changed since then: most stay as they are.
+  // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has changed since then: most stay as
+  // they are.
   struct Examined
   {
     Threshold inner, outer;
     Shell_cover_3<Field, Threshold> cover;
-    std::vector<Level_range> ranges;
     std::vector<Index> now;
   };
 
@@ -548,9 +604,8 @@ private:
     constexpr int max_exchanges = 3;
     constexpr double progress = 0.75;
     Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-    // Most caps would be found again, in two passes over all cells.
+    // where the field is the same, these would be found again
     for(const Cap& cap : m_caps) thresholds.cap(cap);
-    const bool has_old_caps = !m_caps.empty();
     m_obstacles = choose_thresholds(thresholds);
     double before = std::numeric_limits<double>::infinity();
     for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
@@ -565,32 +620,24 @@ private:
       m_inner.reset();      // those of the field as it was
       m_outer.reset();
       lap(CERTIFICATE);
-      if(!enforce_slopes()) break;
+      m_is_enforced = enforce_slopes();
+      if(!m_is_enforced) break;
       lap(SLOPES);
+      find_thick_cells();
       mark_thick_cells();
       if(!m_marked.empty()) break;
       m_obstacles = choose_thresholds(thresholds);
     }
     m_caps = thresholds.caps();
-    if(m_obstacles.empty() && m_marked.empty() && has_old_caps && !is_late()) widen_thresholds();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
-    for(Index c : cells)
+    if(are_many(cells) && !m_thick_at_first.empty()) {
+      m_obstacles.clear();
+      for(Index c : m_thick_at_first) mark(c);
+    } else for(Index c : cells)
       if(are_many(cells)) mark(c);
       else mark_widely(c);
     lap(CERTIFICATE);
-  }
-
-  // Chooses thresholds without the caps of earlier fields, which may be narrower than this one needs; keeps what there is if that leaves anything
-  // undecided.
-  void widen_thresholds()
-  {
-    std::unique_ptr<Threshold> inner = std::move(m_inner), outer = std::move(m_outer);
-    Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-    choose_thresholds(thresholds);
-    if(m_is_decided) return;
-    m_inner = std::move(inner);
-    m_outer = std::move(outer);
   }
 
   // a condition along the direction that the facets near a box have in common, if there is one
@@ -636,8 +683,15 @@ private:
     constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
     Refinement_round& log = m_rounds.back();
     log.examined = true;
-    thresholds.set_mesh_ranges(m_ranges.cell);
-    if(m_parameters.constant_thresholds) thresholds.set_constant(m_ranges.mesh);
+    const auto sharpen = [&]() {
+      update_ranges(Mesh_ranges::SHARP);
+      thresholds.set_mesh_ranges(m_ranges.cells());
+    };
+    // what the mesh needs counts where thresholds are capped
+    bool is_sharp = !thresholds.caps().empty();
+    if(is_sharp) sharpen();
+    else thresholds.set_mesh_ranges(m_ranges.cells());
+    if(m_parameters.constant_thresholds) thresholds.set_constant(Bspline_shells::facet_ranges<ConcurrencyTag>(*m_field, *m_clipped).mesh);
     for(int pass = 0; ; ++pass) {
       const double begin = m_total.time();
       m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
@@ -672,6 +726,10 @@ private:
           note(box);
         }
       for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
+      if(!is_sharp && !nearest.empty() && !m_parameters.constant_thresholds) {
+        sharpen();
+        is_sharp = true;
+      }
       bool narrowed = false;
       for(const auto& n : nearest) {
         const Sign side = n.first.second > 0 ? POSITIVE : NEGATIVE;
@@ -682,8 +740,7 @@ private:
       }
       std::vector<Index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Index(0));
-      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), m_ranges.cell, std::move(now) });
-      m_is_decided = hopeless.empty() && !narrowed;
+      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
       // another pass, and the certificate, take as long as this one
       const bool is_enough = pass + 1 >= max_passes_of_many && are_many(cells_of(hopeless));
       if(!narrowed || is_enough || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
@@ -741,14 +798,15 @@ private:
   std::vector<Cap> m_caps;                            // of the last thresholds
   std::optional<Slope_enforcement<Field> > m_enforcement;
   std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
-  Facet_ranges m_ranges;
+  Mesh_ranges m_ranges;                               // of the last field
   std::unique_ptr<Threshold> m_inner, m_outer;
   std::optional<Examined> m_examined;
   std::optional<Certificate> m_certificate;
   std::vector<Index> m_marked;
+  std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Obstacle> m_obstacles;                  // of the last thresholds
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
-  bool m_is_thin = false, m_is_decided = false;       // the last field on the mesh; all boxes, by the last thresholds
+  bool m_is_enforced = false, m_is_thin = false;      // slopes of the last field; it on the mesh
   double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
   Real_timer m_total, m_timer;                        // of all rounds, and of a step
@@ -798,7 +856,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     if(in_vain || over) {
       if(!m_inner) {
         constexpr int once = 1;
-        m_ranges = facet_ranges<ConcurrencyTag>(*m_field, *m_clipped);        // the field may have changed
+        find_thick_cells();       // the field may have changed
         Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
         m_obstacles = choose_thresholds(thresholds, once);
       }

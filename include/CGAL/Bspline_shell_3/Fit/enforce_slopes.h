@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <list>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,8 +74,8 @@ struct Slope_report
  * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
  * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
  * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
- * Patches are solved one after the other, worst first, in a few sweeps; a cell whose patch did not help is not tried again,
- * unless conditions are added.
+ * Patches are solved one after the other, worst first, in a few sweeps, and at once where their functions are apart; a cell whose patch did not help
+ * is not tried again, unless conditions are added.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -149,13 +150,7 @@ public:
       }
       std::sort(violated.begin(), violated.end());
       if(m_place.empty()) prepare(x);
-      for(const std::pair<double, Index>& v : violated) {
-        const double before = least_slack(v.second);
-        if(m_hopeless[v.second] || !(before < 0)) continue;
-        solve_patch(v.second, x);
-        ++report.patches;
-        m_hopeless[v.second] = least_slack(v.second) < helps * before;
-      }
+      report.patches += solve_patches<ConcurrencyTag>(violated, x);
     }
     find_slacks<ConcurrencyTag>();
     for(Index c = 0; c < m_field.number_of_cells(); ++c) {
@@ -224,6 +219,21 @@ private:
     return { scale(condition.cell) * internal::dot(g, d), jet.value, -jet.value };
   }
 
+  // what 64 coefficients change of these numbers in a cell, at most: values lie in the hull of the coefficients, and first derivatives in that of their
+  // differences
+  static Slacks largest_changes(const double* local, double scale)
+  {
+    double value = 0, squared = 0;
+    for(int n = 0; n < 64; ++n) value = (std::max)(value, std::abs(local[n]));
+    for(int stride : { 1, 4, 16 }) {
+      double difference = 0;
+      for(int n = 0; n < 64; ++n)
+        if(n / stride % 4 > 0) difference = (std::max)(difference, std::abs(local[n] - local[n - stride]));
+      squared += difference * difference;
+    }
+    return { scale * std::sqrt(squared), value, value };
+  }
+
   static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }
 
   // by how much they exceed their bounds
@@ -287,13 +297,72 @@ private:
     m_place.assign(size, -1);
   }
 
-  void solve_patch(Index center, Vector& x)
+  // a cell that unknowns of a patch act on, and how they do
+  struct Patch_cell
   {
-    // what is freed: all that acts on the cell and its neighbors, or, where these are many smaller ones, on the cell
+    struct Entry { int n, place; double weight; };
+
+    Index cell;
+    std::vector<Entry> entries;
+    std::vector<Slacks> before;                         // by condition, made when they are needed
+    std::vector<std::array<char, numbers> > used;       // in the program
+
+    // of its 64 coefficients
+    std::array<double, 64> change(const Vector& step) const
+    {
+      std::array<double, 64> local = {};
+      for(const Entry& e : entries) local[e.n] += e.weight * step[e.place];
+      return local;
+    }
+  };
+
+  // what is freed around a cell
+  struct Patch
+  {
+    Index center;
+    std::vector<int> unknowns;      // ascending
+    Bbox_3 reach;                   // of their functions
+    Vector step;                    // of the unknowns; empty if the patch was not solved
+  };
+
+  // Solves the patches of cells one after the other, those at once that have nothing to do with each other. Returns how many were solved.
+  template <typename ConcurrencyTag>
+  std::size_t solve_patches(const std::vector<std::pair<double, Index> >& cells, Vector& x)
+  {
+    constexpr std::size_t window = 64;      // patches that are looked at
+    std::size_t solved = 0;
+    std::list<Patch> waiting;
+    std::vector<Patch*> batch;
+    std::vector<Bbox_3> reaches;
+    for(std::size_t next = 0; next < cells.size() || !waiting.empty(); ) {
+      for(; next < cells.size() && waiting.size() < window; ++next)
+        if(!m_hopeless[cells[next].second]) waiting.push_back(patch(cells[next].second));
+      // those that no earlier one reaches, done or not: the order is kept where it makes a difference
+      batch.clear();
+      reaches.clear();
+      for(Patch& p : waiting) {
+        const bool is_free = std::none_of(reaches.begin(), reaches.end(), [&](const Bbox_3& r) { return do_overlap(r, p.reach); });
+        reaches.push_back(p.reach);
+        if(is_free) batch.push_back(&p);
+      }
+      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { solve_patch(*batch[n]); });
+      for(const Patch* p : batch) {
+        if(p->step.size() > 0) ++solved;
+        for(Eigen::Index n = 0; n < p->step.size(); ++n) add(p->unknowns[std::size_t(n)], p->step[n], x);
+      }
+      waiting.remove_if([&](const Patch& p) { return std::find(batch.begin(), batch.end(), &p) != batch.end(); });
+    }
+    return solved;
+  }
+
+  // all that acts on a cell and its neighbors, or, where these are many smaller ones, on the cell
+  Patch patch(Index center)
+  {
     const Bbox_3 b = m_field.cell(center).bbox();
     const double margin = 0.5 * m_field.cells().width(center);
     const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin, b.zmax() + margin);
-    std::vector<int> unknowns;
+    Patch patch = { center, {}, core, {} };
+    std::vector<int>& unknowns = patch.unknowns;
     const auto free_coefficients = [&](Index c) {
       m_field.visit_coefficients(c, [&](int, Index u, double) {
         if(m_place[u] >= 0 || !has_equation(u)) return;
@@ -302,29 +371,40 @@ private:
       });
     };
     m_field.visit_cells(core, free_coefficients);
+    for(int u : unknowns) m_place[u] = -1;
     if(unknowns.size() > max_unknowns) {
-      for(int u : unknowns) m_place[u] = -1;
       unknowns.clear();
       free_coefficients(center);
+      for(int u : unknowns) m_place[u] = -1;
     }
-    if(unknowns.empty()) return;
     std::sort(unknowns.begin(), unknowns.end());
+    for(int u : unknowns) patch.reach += m_field.support(Index(u));
+    return patch;
+  }
+
+  // Finds the step, if the cell still needs one, and what it means for the cells with conditions. Where reaches are apart, so is all that this reads and
+  // writes: a cell lies in the support of each function that acts on it.
+  void solve_patch(Patch& patch)
+  {
+    const double slack_before = least_slack(patch.center);
+    if(!(slack_before < 0) || patch.unknowns.empty()) return;
+    const std::vector<int>& unknowns = patch.unknowns;
     const Eigen::Index size = Eigen::Index(unknowns.size());
-    Bbox_3 reach = core;
-    for(Eigen::Index n = 0; n < size; ++n) {
-      m_place[unknowns[n]] = int(n);
-      reach += m_field.support(Index(unknowns[n]));
-    }
+    for(Eigen::Index n = 0; n < size; ++n) m_place[unknowns[n]] = int(n);
     // the cells with conditions that they may touch
     std::vector<Patch_cell> cells;
-    m_field.visit_cells(reach, [&](Index c) {
+    m_field.visit_cells(patch.reach, [&](Index c) {
       if(m_first[c] == m_first[c+1]) return;
       Patch_cell cell;
       cell.cell = c;
       m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
-        if(m_place[u] >= 0) cell.entries.push_back({ n, m_place[u], weight });
+        const int place = m_place[u];
+        if(place >= 0) cell.entries.push_back({ n, place, weight });
       });
-      if(!cell.entries.empty()) cells.push_back(std::move(cell));
+      if(cell.entries.empty()) return;
+      if(!m_is_known[c]) m_least_slack[c] = least_slack(c);
+      m_is_known[c] = 1;
+      cells.push_back(std::move(cell));
     });
 
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
@@ -336,71 +416,61 @@ private:
     }
     for(int u : unknowns) m_place[u] = -1;
     const Eigen::LLT<Eigen::MatrixXd> factor(H);
-    if(factor.info() != Eigen::Success) return;
-    const Vector step = minimize(cells, factor, r);
-    for(Eigen::Index n = 0; n < size; ++n) add(unknowns[n], step[n], x);
-    // points are shared by cells: read all before any is written
-    std::vector<std::pair<Index, double> > moved;
-    for(const Patch_cell& cell : cells) {
-      m_changed[cell.cell] = 1;
-      m_is_known[cell.cell] = 0;
-      const std::array<Index, 16> rows = m_field.coefficient_rows(cell.cell);
-      const std::array<double, 64> change = cell.change(step);
-      for(int n = 0; n < 64; ++n) {
-        const Index point = rows[n / 4] + n % 4;
-        if(change[n] != 0) moved.emplace_back(point, m_points[point] + change[n]);
+    if(factor.info() == Eigen::Success) {
+      patch.step = minimize(cells, factor, r);
+      // points are shared by cells: read all before any is written
+      std::vector<std::pair<Index, double> > moved;
+      for(const Patch_cell& cell : cells) {
+        m_changed[cell.cell] = 1;
+        m_is_known[cell.cell] = 0;
+        const std::array<Index, 16> rows = m_field.coefficient_rows(cell.cell);
+        const std::array<double, 64> change = cell.change(patch.step);
+        for(int n = 0; n < 64; ++n) {
+          const Index point = rows[n / 4] + n % 4;
+          if(change[n] != 0) moved.emplace_back(point, m_points[point] + change[n]);
+        }
       }
+      for(const std::pair<Index, double>& m : moved) m_points[m.first] = m.second;
     }
-    for(const std::pair<Index, double>& m : moved) m_points[m.first] = m.second;
+    m_hopeless[patch.center] = least_slack(patch.center) < helps * slack_before;
   }
 
-  // a cell that unknowns of a patch act on, and how they do
-  struct Patch_cell
-  {
-    struct Entry { int n, place; double weight; };
-
-    Index cell;
-    std::vector<Entry> entries;
-
-    // of its 64 coefficients
-    std::array<double, 64> change(const Vector& step) const
-    {
-      std::array<double, 64> local = {};
-      for(const Entry& e : entries) local[e.n] += e.weight * step[e.place];
-      return local;
-    }
-  };
-
   // the step of the unknowns
-  Vector minimize(const std::vector<Patch_cell>& cells, const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& r)
+  Vector minimize(std::vector<Patch_cell>& cells, const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& r) const
   {
     const Eigen::Index size = r.size();
     const Vector free = factor.matrixL().solve(r);
     Vector step = factor.matrixU().solve(free);
-    std::vector<Slacks> before;                   // by condition of the cells
-    for(const Patch_cell& cell : cells)
-      for(std::size_t n = m_first[cell.cell]; n < m_first[cell.cell + 1]; ++n) before.push_back(slacks(m_conditions[n]));
-    std::vector<std::array<char, numbers> > used(before.size(), std::array<char, numbers>{});
     struct Violation
     {
       double slack;
-      std::size_t cell, condition, place;         // among the cells, all conditions, those of the cells
+      std::size_t cell, condition;                // among the cells, and all conditions
       int number;
-      bool operator<(const Violation& o) const { return std::tie(slack, place, number) < std::tie(o.slack, o.place, o.number); }
+      bool operator<(const Violation& o) const { return std::tie(slack, condition, number) < std::tie(o.slack, o.condition, o.number); }
     };
     std::vector<Violation> violated;
     Eigen::MatrixXd W(size, 0);                   // L^-1 G^T, for the conditions G in the program
+    Eigen::MatrixXd K(0, 0);                      // W^T W
     Vector wanted(0), multipliers(0);             // of G x, beyond what x has
     for(int exchange = 0; exchange < max_exchanges; ++exchange) {
       violated.clear();
-      std::size_t place = 0;
       for(std::size_t c = 0; c < cells.size(); ++c) {
-        const std::array<double, 64> change = cells[c].change(step);
-        for(std::size_t n = m_first[cells[c].cell]; n < m_first[cells[c].cell + 1]; ++n, ++place) {
-          const Slacks changes = evaluate(m_conditions[n], change.data());
+        Patch_cell& cell = cells[c];
+        const std::array<double, 64> change = cell.change(step);
+        // most conditions are far from being violated
+        const Slacks largest = largest_changes(change.data(), scale(cell.cell));
+        if(m_least_slack[cell.cell] >= (std::max)(largest[0], largest[1])) continue;
+        const std::size_t first = m_first[cell.cell];
+        if(cell.before.empty()) {
+          for(std::size_t n = first; n < m_first[cell.cell + 1]; ++n) cell.before.push_back(slacks(m_conditions[n]));
+          cell.used.assign(cell.before.size(), std::array<char, numbers>{});
+        }
+        for(std::size_t n = 0; n < cell.before.size(); ++n) {
+          const Slacks& before = cell.before[n];
+          if(before[0] >= largest[0] && before[1] >= largest[1] && before[2] >= largest[2]) continue;
+          const Slacks changes = evaluate(m_conditions[first + n], change.data());
           for(int k = 0; k < numbers; ++k)
-            if(!used[place][k] && before[place][k] + changes[k] < 0)
-              violated.push_back({ before[place][k] + changes[k], c, n, place, k });
+            if(!cell.used[n][k] && before[k] + changes[k] < 0) violated.push_back({ before[k] + changes[k], c, first + n, k });
         }
       }
       const std::size_t more = (std::min)({ violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
@@ -412,16 +482,22 @@ private:
       multipliers.conservativeResize(old + Eigen::Index(more));
       for(std::size_t m = 0; m < more; ++m) {
         const Violation& v = violated[m];
-        used[v.place][v.number] = 1;
-        Vector g = Vector::Zero(size);
+        Patch_cell& cell = cells[v.cell];
+        const std::size_t n = v.condition - m_first[cell.cell];
+        cell.used[n][v.number] = 1;
+        const Eigen::Index column = old + Eigen::Index(m);
+        W.col(column).setZero();
         const std::array<double, 64> local = local_row(m_conditions[v.condition], v.number);
-        for(const typename Patch_cell::Entry& e : cells[v.cell].entries) g[e.place] += e.weight * local[e.n];
-        W.col(old + Eigen::Index(m)) = factor.matrixL().solve(g);
-        wanted[old + Eigen::Index(m)] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - before[v.place][v.number];
-        multipliers[old + Eigen::Index(m)] = 0;
+        for(const typename Patch_cell::Entry& e : cell.entries) W(e.place, column) += e.weight * local[e.n];
+        wanted[column] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - cell.before[n][v.number];
+        multipliers[column] = 0;
       }
+      auto added = W.rightCols(Eigen::Index(more));
+      factor.matrixL().solveInPlace(added);
       // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other
-      const Eigen::MatrixXd K = W.transpose() * W;
+      K.conservativeResize(W.cols(), W.cols());
+      K.rightCols(Eigen::Index(more)).noalias() = W.transpose() * added;
+      K.bottomLeftCorner(Eigen::Index(more), old) = K.topRightCorner(old, Eigen::Index(more)).transpose();
       Vector gap = wanted - W.transpose() * free - K * multipliers;
       for(int sweep = 0; sweep < max_dual_sweeps; ++sweep) {
         double largest = 0;

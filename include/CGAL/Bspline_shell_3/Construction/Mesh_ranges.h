@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MESH_RANGES_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MESH_RANGES_H
+
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief a cell where a field may be too large on the mesh, and where it is largest among the points that were looked at.
+ */
+struct Thick_cell
+{
+  std::uint32_t cell;
+  std::uint32_t facet;                ///< of the point
+  std::array<double, 3> point;        ///< user units
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief encloses a field on the part of the mesh in each cell, and is kept up to date where the field changes.
+ *
+ * Most cells need no more than to be told that the field is as small there as it should be, which its values at corners and its second derivatives do.
+ * Elsewhere the field is bounded by Bernstein coefficients of degree nine, on parts of triangles where that decides.
+ */
+class Mesh_ranges
+{
+public:
+  typedef std::uint32_t Cell_index;
+
+  /// how well a range is known
+  enum Precision : char { UNKNOWN, SUFFICIENT, SHARP };
+
+  explicit Mesh_ranges(std::size_t number_of_cells = 0) : m_range(number_of_cells), m_precision(number_of_cells, UNKNOWN) {}
+
+  /// of each cell; empty without mesh
+  const std::vector<Level_range>& cells() const { return m_range; }
+
+  /// where the field exceeds the size last asked for, or cannot be shown not to; ascending
+  const std::vector<Thick_cell>& thick_cells() const { return m_thick; }
+
+  /// encloses the field on the mesh
+  Level_range mesh() const
+  {
+    Level_range range;
+    for(const Level_range& r : m_range) range.include(r);
+    return range;
+  }
+
+  /// is to be called where the field has changed
+  void forget(Cell_index c) { m_precision[c] = UNKNOWN; }
+
+  /// takes over what is known of a cell that is the same, with the same field and part of the mesh
+  void keep(const Mesh_ranges& before, Cell_index c, Cell_index now)
+  {
+    m_range[now] = before.m_range[c];
+    m_precision[now] = before.m_precision[c];
+    const auto thick = std::lower_bound(before.m_thick.begin(), before.m_thick.end(), c, [](const Thick_cell& t, Cell_index cell) { return t.cell < cell; });
+    if(thick == before.m_thick.end() || thick->cell != c) return;
+    m_thick.push_back(*thick);
+    m_thick.back().cell = now;
+  }
+
+  /// bounds the field in all cells where less is known.
+  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+  /// \param field the field
+  /// \param clipped the mesh, cut by the field's cells
+  /// \param largest what \f$|f|\f$ should be at most, a function of cells
+  /// \param precision `SUFFICIENT`, where that is all that counts, or `SHARP`
+  template <typename ConcurrencyTag, typename Field, typename Size>
+  void update(const Field& field, const Clipped_mesh_3& clipped, const Size& largest, Precision precision)
+  {
+    constexpr std::size_t chunk = 16;
+    std::vector<std::pair<std::size_t, std::size_t> > outdated;       // pieces of cells
+    const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
+    for(std::size_t n = 0, next; n < pieces.size(); n = next) {
+      for(next = n + 1; next < pieces.size() && pieces[next].cell == pieces[n].cell; ++next) {}
+      if(m_precision[pieces[n].cell] < precision) outdated.emplace_back(n, next);
+    }
+    m_thick.erase(std::remove_if(m_thick.begin(), m_thick.end(), [&](const Thick_cell& t) { return m_precision[t.cell] < precision; }), m_thick.end());
+    const auto examine = [&](std::size_t begin, std::size_t end, std::vector<Thick_cell>& thick) {
+      Scratch scratch;
+      for(std::size_t n = begin; n < end; ++n) {
+        const Cell_index c = pieces[outdated[n].first].cell;
+        const std::optional<Thick_cell> found = bound(field, clipped, outdated[n].first, outdated[n].second, largest(c), precision, scratch);
+        if(found) thick.push_back(*found);
+        m_precision[c] = precision;
+      }
+    };
+    const std::vector<Thick_cell> more = internal::collect_from_chunks<ConcurrencyTag, Thick_cell>(outdated.size(), chunk, examine);
+    m_thick.insert(m_thick.end(), more.begin(), more.end());
+    std::sort(m_thick.begin(), m_thick.end(), [](const Thick_cell& a, const Thick_cell& b) { return a.cell < b.cell; });
+  }
+
+  /// encloses the field on each facet, coarsely
+  /// \pre all ranges are known
+  template <typename ConcurrencyTag, typename Field>
+  std::vector<Level_range> facets(const Field& field, const Clipped_mesh_3& clipped) const
+  {
+    constexpr std::size_t chunk = 1024;
+    const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
+    std::vector<Level_range> of_piece(pieces.size());
+    internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      Scratch scratch;
+      std::optional<Bounds<Field> > bounds;
+      for(std::size_t n = begin; n < end; ++n) {
+        const Cell_index c = pieces[n].cell;
+        if(n == begin || c != pieces[n-1].cell) bounds.emplace(field, c);
+        const Level_range range = bounds->by_corners(clipped, pieces[n], scratch.corners).first;
+        of_piece[n] = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
+      }
+    });
+    std::vector<Level_range> ranges(clipped.number_of_facets());
+    for(std::size_t n = 0; n < pieces.size(); ++n) ranges[pieces[n].facet].include(of_piece[n]);
+    return ranges;
+  }
+
+private:
+  static constexpr int max_depth = 5;               // each takes three quarters of the excess of a bound
+  static constexpr double nearly_largest = 0.95;    // a point whose value is that part of the largest will do
+  static constexpr double sharp = 0.004;            // excess of a bound that is not to be improved, relative to the size asked for
+
+  struct Scratch
+  {
+    std::vector<internal::Subtriangle> stack;
+    std::vector<std::array<double, 3> > corners;
+  };
+
+  // in a cell
+  template <typename Field>
+  struct Bounds
+  {
+    internal::Cell_with_pieces<Field> in;
+    internal::Corner_bounds corner_bounds;
+
+    Bounds(const Field& field, Cell_index c) : in(field, c), corner_bounds(enclosed_value(in.cell)) {}
+
+    // on a piece, and their excess; gets the corners in the cell
+    std::pair<Level_range, double> by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece,
+                                              std::vector<std::array<double, 3> >& corners) const
+    {
+      in.get_corners(clipped, piece, corners);
+      const std::pair<double, double> excess = corner_bounds.excess(corners, in.shift);
+      Level_range range;
+      for(std::uint32_t v = 0; v < piece.size; ++v) range.include(in.cell.value(clipped.point(piece.first + v)));
+      return { { range.min - excess.first - in.error, range.max + excess.second + in.error }, (std::max)(excess.first, excess.second) };
+    }
+  };
+
+  static bool is_within(const Level_range& range, double size) { return range.min >= -size && range.max <= size; }
+
+  // the pieces of a cell; returns a point if it is thick
+  template <typename Field>
+  std::optional<Thick_cell> bound(const Field& field, const Clipped_mesh_3& clipped, std::size_t first, std::size_t last, double size,
+                                  Precision precision, Scratch& scratch)
+  {
+    const Cell_index c = clipped.pieces()[first].cell;
+    const Bounds<Field> bounds(field, c);
+    const auto& in = bounds.in;
+    Level_range range;
+    Thick_cell place = { c, clipped.pieces()[first].facet, clipped.point(clipped.pieces()[first].first) };
+    double most = -1;
+    for(std::size_t n = first; n < last; ++n) {
+      const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
+      const std::pair<Level_range, double> by_corners = bounds.by_corners(clipped, piece, scratch.corners);
+      if(is_within(by_corners.first, size) && (precision == SUFFICIENT || by_corners.second <= sharp * size)) {
+        range.include(by_corners.first);
+        continue;
+      }
+      const auto& corners = scratch.corners;
+      auto& stack = scratch.stack;
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
+      while(!stack.empty()) {
+        const internal::Subtriangle t = stack.back();
+        stack.pop_back();
+        const std::array<double, 55> b = triangle_bernstein_form<double>(in.cell.coefficients(), t.p, t.q, t.r);
+        const std::pair<int, const std::array<double, 3>*> at[] = { { 0, &t.p }, { 45, &t.q }, { 54, &t.r } };
+        for(const auto& corner : at)
+          if(std::abs(b[corner.first]) > most) {
+            most = std::abs(b[corner.first]);
+            place.facet = piece.facet;
+            for(int a = 0; a < 3; ++a) place.point[a] = in.cell.corner()[a] + in.cell.width() * (*corner.second)[a];
+          }
+        const auto hull = std::minmax_element(b.begin(), b.end());
+        const Level_range part = { *hull.first - in.error, *hull.second + in.error };
+        // so written that bounds that are not numbers end the search
+        const bool is_open = (std::max)(-part.min, part.max) > (most > size ? most / nearly_largest : size);
+        if(is_open && t.depth < max_depth) t.push_quarters(stack);
+        else range.include(part);
+      }
+    }
+    if(m_precision[c] != UNKNOWN) range = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
+    m_range[c] = range;
+    if(is_within(range, size)) return std::nullopt;
+    return place;
+  }
+
+  std::vector<Level_range> m_range;
+  std::vector<Precision> m_precision;
+  std::vector<Thick_cell> m_thick;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MESH_RANGES_H

@@ -1,0 +1,237 @@
+// Mesh_ranges.h: enclosures of a field on the mesh in each cell, against samples; what is kept, and what is found anew.
+#include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include "test_meshes.h"
+
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Level_range Range;
+typedef BS::Mesh_ranges Ranges;
+typedef CGAL::Sequential_tag Sequential;
+
+struct Problem
+{
+  BS::Input_mesh_3 input;
+  BS::Clipped_mesh_3 clipped;
+  Field field;
+
+  Problem(const Mesh& mesh, const BS::Lattice_3& lattice)
+  {
+    REQUIRE(input.build<Sequential>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
+    const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Sequential>(input, lattice);
+    field = Field(BS::Cell_complex_3(lattice, BS::dilate(keys, -1, 1)));
+    clipped = BS::clip_mesh_to_cells<Sequential>(input, field.cells());
+  }
+
+  template <typename Function>
+  void set(const Function& coefficient)
+  {
+    Eigen::VectorXd x(field.number_of_coefficients());
+    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
+    field.set_coefficients(x);
+  }
+
+  // something like the distance to the unit sphere, and noise
+  void set_noisy_distance(double noise, int seed)
+  {
+    CGAL::Random random(seed);
+    set([&](const BS::Lattice_3::Point& g) {
+      const std::array<double, 3> p = field.cells().lattice().corner(g);
+      return std::sqrt(p[0]*p[0] + p[1]*p[1] + p[2]*p[2]) - 1 + random.get_double(-noise, noise);
+    });
+  }
+
+  // visit(piece, value of the field at a point of it)
+  template <typename Visitor>
+  void sample(const Visitor& visit) const
+  {
+    constexpr int steps = 12;
+    for(const BS::Clipped_mesh_3::Piece& piece : clipped.pieces()) {
+      const auto cell = field.cell(piece.cell);
+      for(std::uint32_t v = 1; v + 1 < piece.size; ++v)
+        for(int i = 0; i <= steps; ++i)
+          for(int j = 0; i + j <= steps; ++j) {
+            std::array<double, 3> x;
+            for(int a = 0; a < 3; ++a) {
+              const double p = clipped.point(piece.first)[a];
+              x[a] = p + (clipped.point(piece.first + v)[a] - p) * i / steps + (clipped.point(piece.first + v + 1)[a] - p) * j / steps;
+            }
+            visit(piece, cell.value(x));
+          }
+    }
+  }
+
+  std::vector<Range> sampled_cells() const
+  {
+    std::vector<Range> ranges(field.number_of_cells());
+    sample([&](const BS::Clipped_mesh_3::Piece& piece, double f) { ranges[piece.cell].include(f); });
+    return ranges;
+  }
+};
+
+Problem ball() { return Problem(sphere(2), BS::Lattice_3(CGAL::Bbox_3(-1.01, -1.02, -0.99, 1, 1, 1), 0.3)); }
+
+const auto everywhere = [](double size) { return [size](Ranges::Cell_index) { return size; }; };
+
+double size_of(const Range& r) { return (std::max)(-r.min, r.max); }
+
+bool are_equal(const std::vector<Range>& a, const std::vector<Range>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Range& r, const Range& s) { return r.min == s.min && r.max == s.max; });
+}
+
+} // namespace
+
+TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell where it is too large")
+{
+  Problem problem = ball();
+  for(int seed = 0; seed < 4; ++seed) {
+    problem.set_noisy_distance(0.1, seed);
+    const std::vector<Range> sampled = problem.sampled_cells();
+    std::vector<double> sizes;
+    for(const Range& r : sampled)
+      if(r.min <= r.max) sizes.push_back(size_of(r));
+    std::sort(sizes.begin(), sizes.end());
+    const double size = sizes[sizes.size() * 3 / 4];
+    for(Ranges::Precision precision : { Ranges::SUFFICIENT, Ranges::SHARP }) {
+      Ranges ranges(problem.field.number_of_cells());
+      ranges.update<Sequential>(problem.field, problem.clipped, everywhere(size), precision);
+      std::set<std::uint32_t> thick;
+      for(const BS::Thick_cell& t : ranges.thick_cells()) thick.insert(t.cell);
+      CHECK(thick.size() == ranges.thick_cells().size());
+      std::size_t escaped = 0, missed = 0, too_many = 0, coarse = 0, empty = 0;
+      for(std::size_t c = 0; c < sampled.size(); ++c) {
+        const Range& range = ranges.cells()[c];
+        if(!(sampled[c].min <= sampled[c].max)) {
+          empty += !(range.min <= range.max);
+          continue;
+        }
+        escaped += !(range.min <= sampled[c].min && sampled[c].max <= range.max);
+        const bool is_thick = thick.count(std::uint32_t(c)) > 0;
+        missed += !is_thick && size_of(range) > size;
+        // samples miss little
+        too_many += is_thick && size_of(sampled[c]) < 0.97 * size;
+        coarse += precision == Ranges::SHARP && size_of(range) > 1.35 * size_of(sampled[c]) + 0.05 * size;
+      }
+      CHECK(escaped == 0);
+      CHECK(missed == 0);
+      CHECK(too_many == 0);
+      CHECK(coarse == 0);
+      CHECK(empty > 0);
+      CHECK(thick.size() > sizes.size() / 5);
+      CHECK(thick.size() < sizes.size() / 3);
+
+      // a place where the field is nearly as large as anywhere in the cell
+      std::size_t wrong = 0;
+      for(const BS::Thick_cell& t : ranges.thick_cells()) {
+        const auto triangle = problem.input.triangle(BS::Input_mesh_3::Face_index(t.facet));
+        const Point_3 p(t.point[0], t.point[1], t.point[2]);
+        wrong += !(CGAL::squared_distance(p, CGAL::Triangle_3<CGAL::Kernel_traits<Point_3>::Kernel>(triangle[0], triangle[1], triangle[2])) < 1e-24);
+        wrong += !(std::abs(problem.field.cell(t.cell).value(t.point)) > 0.9 * size_of(sampled[t.cell]));
+      }
+      CHECK(wrong == 0);
+    }
+  }
+}
+
+TEST_CASE("Ranges on the mesh: a peak between the corners decides")
+{
+  // 1 - ((x - 0.3)^2 + (y - 0.2)^2) / 4 on the top of a box whose pieces have no corner there
+  Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
+  const double h = 0.5;
+  problem.set([&](const BS::Lattice_3::Point& g) {
+    const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
+    const double x = p[0] - 0.3, y = p[1] - 0.2;
+    return 1 - (x*x + y*y - 2 * h*h / 3) / 4;
+  });
+  for(double size : { 1 - 1e-3, 1 + 1e-3 }) {
+    Ranges ranges(problem.field.number_of_cells());
+    ranges.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SUFFICIENT);
+    double most = 0;
+    problem.sample([&](const BS::Clipped_mesh_3::Piece&, double f) { most = (std::max)(most, f); });
+    CHECK(most < 1 + 1e-12);
+    CHECK(ranges.mesh().max >= most);
+    CHECK(ranges.thick_cells().empty() == (size > 1));
+    for(const BS::Thick_cell& t : ranges.thick_cells()) CHECK(std::abs(t.point[0] - 0.3) + std::abs(t.point[1] - 0.2) < 0.5);
+  }
+}
+
+TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
+{
+  Problem problem = ball();
+  problem.set_noisy_distance(0.1, 1);
+  const double size = 0.06;
+  Ranges ranges(problem.field.number_of_cells());
+  ranges.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SUFFICIENT);
+  const std::vector<Range> before = ranges.cells();
+  const std::size_t thick_before = ranges.thick_cells().size();
+  REQUIRE(thick_before > 0);
+
+  // sharper ranges lie in the others
+  Ranges sharper = ranges;
+  sharper.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SHARP);
+  std::size_t wrong = 0, better = 0;
+  for(std::size_t c = 0; c < before.size(); ++c) {
+    wrong += !(sharper.cells()[c].min >= before[c].min && sharper.cells()[c].max <= before[c].max);
+    better += sharper.cells()[c].max - sharper.cells()[c].min < before[c].max - before[c].min;
+  }
+  CHECK(wrong == 0);
+  CHECK(better > 0);
+
+  // another field: seen where it is said to be another
+  problem.set_noisy_distance(0.02, 2);
+  const std::uint32_t changed = ranges.thick_cells().front().cell;
+  ranges.forget(changed);
+  ranges.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SUFFICIENT);
+  for(std::size_t c = 0; c < before.size(); ++c)
+    if(c != changed) wrong += ranges.cells()[c].min != before[c].min || ranges.cells()[c].max != before[c].max;
+  CHECK(wrong == 0);
+  CHECK(size_of(ranges.cells()[changed]) < size);
+  CHECK(ranges.thick_cells().size() == thick_before - 1);
+
+  // other numbers of the same cells, and one that is not kept
+  const std::uint32_t n = std::uint32_t(before.size()), fresh = ranges.thick_cells().front().cell;
+  Ranges others(n);
+  for(std::uint32_t c = 0; c < n; ++c)
+    if(c != fresh) others.keep(ranges, c, c);
+  CHECK(others.thick_cells().size() == thick_before - 2);
+  others.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SUFFICIENT);
+  CHECK(others.thick_cells().size() == thick_before - 2);
+  for(std::uint32_t c = 0; c < n; ++c)
+    if(c != fresh) wrong += others.cells()[c].min != ranges.cells()[c].min || others.cells()[c].max != ranges.cells()[c].max;
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("Ranges on the mesh: those of facets enclose the field; any number of threads gives the same")
+{
+  Problem problem = ball();
+  problem.set_noisy_distance(0.1, 3);
+  Ranges ranges(problem.field.number_of_cells()), parallel = ranges;
+  ranges.update<Sequential>(problem.field, problem.clipped, everywhere(0.06), Ranges::SHARP);
+  parallel.update<CGAL::Parallel_if_available_tag>(problem.field, problem.clipped, everywhere(0.06), Ranges::SHARP);
+  const std::vector<Range> facets = ranges.facets<Sequential>(problem.field, problem.clipped);
+  REQUIRE(facets.size() == problem.input.mesh().number_of_faces());
+  std::size_t escaped = 0;
+  problem.sample([&](const BS::Clipped_mesh_3::Piece& piece, double f) { escaped += !(facets[piece.facet].min <= f && f <= facets[piece.facet].max); });
+  CHECK(escaped == 0);
+  CHECK(are_equal(parallel.cells(), ranges.cells()));
+  CHECK(are_equal(parallel.facets<CGAL::Parallel_if_available_tag>(problem.field, problem.clipped), facets));
+  REQUIRE(parallel.thick_cells().size() == ranges.thick_cells().size());
+  std::size_t different = 0;
+  for(std::size_t n = 0; n < ranges.thick_cells().size(); ++n)
+    different += parallel.thick_cells()[n].cell != ranges.thick_cells()[n].cell || parallel.thick_cells()[n].point != ranges.thick_cells()[n].point;
+  CHECK(different == 0);
+}
