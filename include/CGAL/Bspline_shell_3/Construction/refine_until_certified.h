@@ -89,13 +89,14 @@ struct Refinement_parameters
  *
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
- * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for, or facets have
+ * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
  * too small a slope, small changes mend it (`Slope_enforcement`); too many such cells are refined at once. Then thresholds are
  * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
  * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, or there are many such places, the
- * cells are refined, down to the gap of the mesh (`refine_at_gaps()`). When nothing is found wanting, the certificate is asked.
+ * cells are refined, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small changes, these.
+ * When nothing is found wanting, the certificate is asked.
  *
- * Where few cells were split, the next round is *partial*: only the coefficients that act on them are fitted again (`Fitted_part`), and only what
+ * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on them are fitted again (`Fitted_part`), and only what
  * these change is examined again. If that does not help, all are fitted in the round after it.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
@@ -144,11 +145,12 @@ public:
 private:
   typedef Field::Cell_index Index;
   typedef Shell_thresholds_3<Field>::Cap Cap;
-  static constexpr std::size_t part_of_cells = 2;               // largest part that is fitted apart from the others: one of so many
+  static constexpr double largest_part = 0.75;                  // of the cells, that is fitted apart from the others
   static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
-  static constexpr std::size_t many_thick_at_first = 32;        // one of so many, before small changes
-  static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes
+  static constexpr std::size_t many_thick_at_first = 24;        // one of so many, before small changes
+  static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
+  static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
   static constexpr std::size_t least_many_obstacles = 40, obstacles_to_refine = 128;        // cells; one of so many
   static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
@@ -182,6 +184,9 @@ private:
   {
     return obstacles.size() > (std::max)(least_many_obstacles, m_clipped->cells().size() / obstacles_to_refine);
   }
+
+  // whether many obstacles are what is left of a field that was too large on the mesh in many cells
+  bool are_due_to_thickness(const std::vector<Index>& obstacles) const { return are_many(obstacles) && !m_thick_at_first.empty(); }
 
   // whether there is less time left than that
   bool is_late(double seconds = 0) const { return m_total.time() + seconds > m_parameters.max_seconds; }
@@ -274,9 +279,9 @@ private:
     log.levels = field.number_of_levels();
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
     m_part.reset();
-    if(can_be_partial && split.size() < log.cells / part_of_cells) {
+    if(can_be_partial && double(split.size()) < largest_part * double(log.cells)) {
       m_part.emplace(field, split);
-      if(m_part->number_of_cells > log.cells / part_of_cells) m_part.reset();
+      if(double(m_part->number_of_cells) > largest_part * double(log.cells)) m_part.reset();
     }
     log.partial = bool(m_part);
     lap(CELLS);
@@ -356,7 +361,7 @@ private:
       for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
         if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
       failures = failing_facets();
-      if(failures.empty() || exchange + 1 == max_exchanges) break;
+      if(failures.empty() || exchange + 1 == max_exchanges || is_late()) break;
       std::vector<Slope_condition> conditions;
       for(const Failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
@@ -482,7 +487,10 @@ private:
     lap(BOUNDS);
   }
 
-  bool are_many_thick() const { return m_ranges.thick_cells().size() > m_clipped->cells().size() / thick_cells_to_refine; }
+  bool are_many_thick() const
+  {
+    return m_ranges.thick_cells().size() > (std::min)(most_thick_cells, m_clipped->cells().size() / thick_cells_to_refine);
+  }
 
   // what is nearly too thick would be in the next round, after small changes
   std::vector<Index> nearly_thick_cells()
@@ -499,10 +507,12 @@ private:
 
   void mark_thick_cells()
   {
-    if(are_many_thick())
+    const bool are_many = are_many_thick();
+    for(const Thick_cell& t : m_ranges.thick_cells())
+      if(are_many) mark(t.cell);
+      else mark_widely(t.cell);
+    if(are_many)
       for(Index c : m_thick_at_first) mark(c);
-    else
-      for(const Thick_cell& t : m_ranges.thick_cells()) mark_widely(t.cell);
   }
 
   // Changes the field where it is too large on the mesh between the points with conditions; marks cells where that does not help.
@@ -515,7 +525,7 @@ private:
       find_thick_cells();
       const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
       if(thick.empty()) return true;
-      if(exchange == max_exchanges || are_many_thick() || (exchange > 0 && thick.size() >= before)) break;
+      if(exchange == max_exchanges || are_many_thick() || (exchange > 0 && thick.size() >= before) || is_late()) break;
       std::vector<Slope_condition> conditions;
       for(const Thick_cell& t : thick)
         if(m_wanted[t.facet] > 0)
@@ -631,12 +641,13 @@ private:
     m_caps = thresholds.caps();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
-    if(are_many(cells) && !m_thick_at_first.empty()) {
-      m_obstacles.clear();
+    if(are_due_to_thickness(cells)) {
       for(Index c : m_thick_at_first) mark(c);
-    } else for(Index c : cells)
-      if(are_many(cells)) mark(c);
-      else mark_widely(c);
+    } else {
+      for(Index c : cells)
+        if(are_many(cells)) mark(c);
+        else mark_widely(c);
+    }
     lap(CERTIFICATE);
   }
 
@@ -759,7 +770,7 @@ private:
   {
     constexpr int max_halvings = 2, rings = 1;
     const std::vector<Index> obstacles = cells_of(m_obstacles);
-    if(!are_many(obstacles)) return m_field->cells().refined(m_marked, rings);
+    if(!are_many(obstacles) || are_due_to_thickness(obstacles)) return m_field->cells().refined(m_marked, rings);
     if(!m_gap) m_gap.emplace(*m_input);
     return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, rings, obstacles, max_halvings, *m_gap, *m_clipped,
                                           [&](std::size_t size) { return exceeds_limits(size); });

@@ -52,7 +52,7 @@ struct Refinement_round
 {
   std::size_t cells = 0, unknowns = 0;
   int levels = 0;
-  double thickness = 0;                 ///< largest minus least value on the mesh, bounded
+  double thickness = 0;                 ///< largest minus least value on the mesh, bounded coarsely
   std::size_t thick_cells = 0;          ///< where the field exceeds half of the thickness on the mesh
   std::size_t sloping_cells = 0;        ///< with a slope that is too small, before and
   std::size_t sloping_cells_left = 0;   ///< after it was enforced
