@@ -463,7 +463,7 @@ TEST_CASE("Level set: the surfaces of a certified shell are closed, on either si
     return box;
   }();
   const CGAL::Certified_bspline_shell_3 shell =
-    CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12).relative_thickness(0.02));
+    CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12).relative_thickness(0.005));
   REQUIRE(shell.is_certified());
   REQUIRE(shell.field().number_of_levels() > 1);
   const auto in_shell = [&](auto c) { return shell.shell_cells()[c] != 0; };
