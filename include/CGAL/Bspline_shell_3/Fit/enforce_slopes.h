@@ -411,8 +411,9 @@ private:
     Vector r(size);
     for(Eigen::Index n = 0; n < size; ++n) {
       r[n] = m_residual[unknowns[n]];
+      // a zero may be stored for an unknown that acts on other cells, and is placed in another patch now
       for(Matrix::InnerIterator it(m_A, unknowns[n]); it; ++it)
-        if(m_place[it.row()] >= 0) H(m_place[it.row()], n) = it.value();
+        if(it.value() != 0 && m_place[it.row()] >= 0) H(m_place[it.row()], n) = it.value();
     }
     for(int u : unknowns) m_place[u] = -1;
     const Eigen::LLT<Eigen::MatrixXd> factor(H);
