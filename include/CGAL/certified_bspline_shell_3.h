@@ -51,7 +51,8 @@ namespace CGAL {
  *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
- *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30
+ *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30, or as few as 20 where most of
+ *     the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
  *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later, and thresholds are not improved
  *     any more. Unlimited by default.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
@@ -81,7 +82,8 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   using CGAL::parameters::is_default_parameter;
 
   BS::Certified_shell_parameters parameters;
-  parameters.resolution = choose_parameter(get_parameter(np, tags::resolution), parameters.resolution);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::resolution_t>::value)
+    parameters.resolution = get_parameter(np, tags::resolution);
   parameters.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), parameters.relative_thickness);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
     parameters.thickness = get_parameter(np, tags::thickness);

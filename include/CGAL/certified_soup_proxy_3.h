@@ -85,7 +85,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   const double alpha = choose_parameter(get_parameter(np, tags::alpha), unit / 50);
   const double offset = choose_parameter(get_parameter(np, tags::offset), alpha / 4);
-  const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::Certified_shell_parameters().resolution);
+  const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::finest_resolution);
   const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 1.);
   const double thickness = choose_parameter(get_parameter(np, tags::thickness), 1.);
   const double limit = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
+#include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_until_certified.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
@@ -45,7 +46,7 @@ namespace Bspline_shells {
  */
 struct Certified_shell_parameters
 {
-  double resolution = 30;               ///< root cells per longest side of the mesh's box
+  std::optional<double> resolution;     ///< root cells per longest side of the mesh's box; `choose_resolution()` if there is none
   double relative_thickness = 0.01;     ///< of the longest side of the mesh's box
   double least_cone_margin = 0.01;      ///< of vertices that are not truncated
   std::optional<double> thickness;      ///< instead, in user units
@@ -69,7 +70,7 @@ struct Certified_shell_parameters
   bool are_valid() const
   {
     const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
-    return is_positive(resolution) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
+    return (!resolution || is_positive(*resolution)) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
         && least_cone_margin >= 0 && least_cone_margin < 1
         && refinement.max_seconds > 0 && refinement.max_bytes > 0 && refinement.weights.are_valid();
   }
@@ -98,9 +99,11 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 
   if(!construction.start(Shell_step::CELLS)) return stop(Status::CANCELED);
   const std::shared_ptr<const Input_mesh_3>& input = construction.input();
-  const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / parameters.resolution);
-  if(!lattice) return stop(Status::GRID_TOO_FINE);
   const double largest_thickness = parameters.largest_thickness(input->unit());
+  const double resolution = parameters.resolution ? *parameters.resolution
+                          : parameters.sizing ? finest_resolution : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
+  const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
+  if(!lattice) return stop(Status::GRID_TOO_FINE);
   bool is_thickness_valid = true;
   const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;

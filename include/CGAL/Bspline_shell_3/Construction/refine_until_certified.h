@@ -266,7 +266,7 @@ private:
     m_outer.reset();
     m_marked.clear();
     m_obstacles.clear();
-    m_is_enforced = m_is_thin = false;
+    m_is_enforced = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
     const std::vector<Index> split = sample(cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
@@ -325,20 +325,20 @@ private:
 
     m_enforcement.emplace(field, m_A, m_b);
     m_enforcement->insert(slope_conditions());
-    m_is_enforced = enforce_slopes();
+    m_is_enforced = enforce_conditions();
     lap(SLOPES);
-    if(m_is_enforced) m_is_enforced = enforce_thickness();
-    m_is_thin = m_is_enforced && m_ranges.thick_cells().empty();
     return std::nullopt;
   }
 
-  // Changes the field where facets have too small a slope, until all certainly cross the field upwards, or nothing helps; marks
-  // cells where it does not. Returns false, and only marks cells, if there are too many.
-  bool enforce_slopes()
+  // Changes the field where facets have too small a slope, or where it is too large on the mesh between the points with conditions, until neither is left,
+  // or nothing helps; marks cells where it does not. Returns false, and only marks cells, if facets have too small a slope in too many.
+  bool enforce_conditions()
   {
     constexpr int max_exchanges = 6;
+    constexpr double progress = 0.5;        // largest share of thick cells that an exchange may leave, after the first two
     Refinement_round& log = m_rounds.back();
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
+    const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
     std::vector<Failure> failures;
     for(int exchange = 0; ; ++exchange) {
       const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
@@ -360,15 +360,24 @@ private:
       else if(exchange > 0) break;
       for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
         if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
+      const std::size_t thick_before = thick.size();
       failures = failing_facets();
-      if(failures.empty() || exchange + 1 == max_exchanges || is_late()) break;
+      lap(SLOPES);
+      find_thick_cells();
+      if((thick.empty() && failures.empty()) || are_many_thick() || exchange + 1 == max_exchanges || is_late()) break;
+      if(exchange > 1 && double(thick.size()) > progress * double(thick_before)) break;
       std::vector<Slope_condition> conditions;
       for(const Failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
           conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle),
                                  m_wanted[f.triangle] });
       }
-      m_enforcement->insert(conditions);
+      for(const Thick_cell& t : thick)
+        if(m_wanted[t.facet] > 0)
+          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet), m_wanted[t.facet],
+                                 largest_on_mesh(t.cell) });
+      if(conditions.empty()) break;
+      m_enforcement->insert(std::move(conditions));
     }
     log.failing_facets = failures.size();
     for(const Failure& f : failures)
@@ -376,6 +385,7 @@ private:
         ++m_refinements[f.triangle];
         mark_widely(f.cell);
       }
+    mark_thick_cells();
     return true;
   }
 
@@ -515,31 +525,6 @@ private:
       for(Index c : m_thick_at_first) mark(c);
   }
 
-  // Changes the field where it is too large on the mesh between the points with conditions; marks cells where that does not help.
-  // Returns whether slopes are still enforced.
-  bool enforce_thickness()
-  {
-    constexpr int max_exchanges = 3;
-    for(int exchange = 0; ; ++exchange) {
-      const std::size_t before = m_ranges.thick_cells().size();
-      find_thick_cells();
-      const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
-      if(thick.empty()) return true;
-      if(exchange == max_exchanges || are_many_thick() || (exchange > 0 && thick.size() >= before) || is_late()) break;
-      std::vector<Slope_condition> conditions;
-      for(const Thick_cell& t : thick)
-        if(m_wanted[t.facet] > 0)
-          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet), m_wanted[t.facet],
-                                 largest_on_mesh(t.cell) });
-      if(conditions.empty()) break;
-      m_enforcement->insert(std::move(conditions));
-      if(!enforce_slopes()) return false;
-      lap(SLOPES);
-    }
-    mark_thick_cells();
-    return true;
-  }
-
   // what the field may be at points on the mesh, in units of the width of root cells: a little less than half of the thickness
   double largest_on_mesh(Index c) const
   {
@@ -630,11 +615,9 @@ private:
       m_inner.reset();      // those of the field as it was
       m_outer.reset();
       lap(CERTIFICATE);
-      m_is_enforced = enforce_slopes();
+      m_is_enforced = enforce_conditions();
       if(!m_is_enforced) break;
       lap(SLOPES);
-      find_thick_cells();
-      mark_thick_cells();
       if(!m_marked.empty()) break;
       m_obstacles = choose_thresholds(thresholds);
     }
@@ -817,7 +800,7 @@ private:
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Obstacle> m_obstacles;                  // of the last thresholds
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
-  bool m_is_enforced = false, m_is_thin = false;      // slopes of the last field; it on the mesh
+  bool m_is_enforced = false;                         // slopes of the last field
   double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
   Real_timer m_total, m_timer;                        // of all rounds, and of a step
@@ -835,7 +818,7 @@ Certified_refinement<ConcurrencyTag>::Certified_refinement(std::shared_ptr<const
 template <typename ConcurrencyTag>
 Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
 {
-  constexpr int max_rounds_in_vain = 3;
+  constexpr int max_rounds_in_vain = 4;
   constexpr double progress = 0.9;
   double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
   std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
@@ -847,11 +830,11 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     const std::optional<Refinement_status> failure = fit(std::move(cells), solver, start);
     if(failure) return *failure;
     Refinement_round& log = m_rounds.back();
-    if(m_is_thin) {
+    if(m_is_enforced && !are_many_thick()) {
       if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
       choose_field_and_thresholds();
       if(m_marked.empty() && m_inner && certify()) return Refinement_status::CERTIFIED;
-      const bool better = m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
+      const bool better = log.thick_cells > 0 || m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
       rounds_in_vain = better ? 0 : rounds_in_vain + 1;
       least_volume = (std::min)(least_volume, m_undecided_volume);
       fewest_facets = (std::min)(fewest_facets, log.failing_facets);

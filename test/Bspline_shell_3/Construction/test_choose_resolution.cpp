@@ -1,0 +1,74 @@
+// choose_resolution.h: shares of cells at known edges and folds, and what follows from them.
+#include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
+#include <CGAL/certified_bspline_shell_3.h>
+#include "test_meshes.h"
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+
+BS::Input_mesh_3 input(const Mesh& mesh)
+{
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
+  return input;
+}
+
+template <typename Tag = CGAL::Sequential_tag>
+BS::Bend_shares shares(const Mesh& mesh, double spacing)
+{
+  const BS::Input_mesh_3 in = input(mesh);
+  return BS::bend_shares<Tag>(in, BS::Lattice_3::off_the_ends(in.bbox(), spacing));
+}
+
+double chosen(const Mesh& mesh, double thickness)
+{
+  return BS::choose_resolution<CGAL::Sequential_tag>(input(mesh), thickness);
+}
+
+} // namespace
+
+TEST_CASE("Resolution: a cube is bent in the cells at its edges, and folded in those at its corners")
+{
+  const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  for(int n : { 4, 8, 32 }) {
+    // its faces are in the middle of cells, of which each edge enters n + 1
+    const double all = (n+1) * (n+1) * (n+1) - (n-1) * (n-1) * (n-1), at_edges = 12 * (n-1), at_corners = 8;
+    const BS::Bend_shares s = shares(cube, 1. / n);
+    CHECK(s.bent == Approx((at_edges + at_corners) / all));
+    CHECK(s.folded == Approx(at_corners / all));
+  }
+}
+
+TEST_CASE("Resolution: two sides of a plate that are in the same cell are a fold; in wide cells all is")
+{
+  CHECK(shares(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.05).folded == 1);
+  const BS::Bend_shares ball = shares(sphere(3), 1. / 16), in_one_cell = shares(sphere(3), 100);
+  CHECK(ball.bent == 0);
+  CHECK(ball.folded == 0);
+  CHECK(in_one_cell.folded == 1);
+}
+
+TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickness")
+{
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.01) == 20);
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(7, 7, 7)), 0.07) == 20);
+  CHECK(chosen(sphere(4), 0.02) == 20);
+  CHECK(chosen(demo_mesh("hole.off"), 0.01 * input(demo_mesh("hole.off")).unit()) == 24);
+  CHECK(chosen(demo_mesh("fandisk.off"), 0.01 * input(demo_mesh("fandisk.off")).unit()) == BS::finest_resolution);
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.01) == BS::finest_resolution);
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::finest_resolution);
+}
+
+TEST_CASE("Resolution: a shell has the one that is chosen, or the one that is asked for; the number of threads does not matter")
+{
+  const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
+  CHECK(CGAL::certified_bspline_shell_3(cube).report().gamma == Approx(20));
+  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::resolution(12).relative_thickness(0.05)).report().gamma == Approx(12));
+  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::relative_thickness(0.005).time_limit(1e-3)).report().gamma == Approx(BS::finest_resolution));
+  const Mesh elephant = demo_mesh("elephant.off");
+  const BS::Bend_shares one = shares(elephant, 0.05), two = shares<CGAL::Parallel_if_available_tag>(elephant, 0.05);
+  CHECK(one.bent == two.bent);
+  CHECK(one.folded == two.folded);
+}
