@@ -87,11 +87,11 @@ TEST_CASE("certified shells: a smaller thickness takes more cells, and thickness
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell coarse = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.02));
-  const Shell fine = CGAL::certified_bspline_shell_3(mesh, parameters::thickness(0.008));
+  const Shell fine = CGAL::certified_bspline_shell_3(mesh, parameters::thickness(0.003));
   check_certified(mesh, coarse);
   check_certified(mesh, fine);
   CHECK(coarse.relative_thickness() == Approx(0.02));
-  CHECK(fine.thickness() == Approx(0.008));
+  CHECK(fine.thickness() == Approx(0.003));
   CHECK(fine.report().cells > coarse.report().cells);
   const Shell varying = CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3& p) { return p.x() < 1 ? 0.01 : 0.04; }));
   check_certified(mesh, varying);
