@@ -202,8 +202,19 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   CHECK(size_of(ranges.cells()[changed]) < size);
   CHECK(ranges.thick_cells().size() == thick_before - 1);
 
-  // other numbers of the same cells, and one that is not kept
+  // the same cells under other numbers
   const std::uint32_t n = std::uint32_t(before.size()), fresh = ranges.thick_cells().front().cell;
+  Ranges reversed(n);
+  for(std::uint32_t c = 0; c < n; ++c) reversed.keep(ranges, c, n - 1 - c);
+  std::set<std::uint32_t> thick, wanted;
+  for(const BS::Thick_cell& t : reversed.thick_cells()) thick.insert(t.cell);
+  for(const BS::Thick_cell& t : ranges.thick_cells()) wanted.insert(n - 1 - t.cell);
+  CHECK(thick == wanted);
+  for(std::uint32_t c = 0; c < n; ++c)
+    wrong += reversed.cells()[n-1-c].min != ranges.cells()[c].min || reversed.cells()[n-1-c].max != ranges.cells()[c].max;
+  CHECK(wrong == 0);
+
+  // one that is not kept
   Ranges others(n);
   for(std::uint32_t c = 0; c < n; ++c)
     if(c != fresh) others.keep(ranges, c, c);

@@ -90,14 +90,14 @@ struct Refinement_parameters
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
- * too small a slope, small changes mend it (`Slope_enforcement`); too many such cells are refined at once. Then thresholds are
+ * too small a slope, small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are
  * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
- * where the mesh needs it wider than that, the field is asked to increase there, and if that fails, or there are many such places, the
- * cells are refined, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small changes, these.
+ * where the mesh needs it wider than that, the field is asked to increase there. Cells where none of this helps are refined; if they are many, at gaps of the
+ * mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small changes, these are instead.
  * When nothing is found wanting, the certificate is asked.
  *
- * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on them are fitted again (`Fitted_part`), and only what
- * these change is examined again. If that does not help, all are fitted in the round after it.
+ * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
+ * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -533,7 +533,7 @@ private:
   }
 
   // In the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells; where there are many, in the middle of
-  // some. Across a cell the field hardly varies more than that: find_thick_cells() and failing_facets() find the places where it is not enough. Where
+  // some. Across a cell the field hardly varies more than that: enforce_conditions() finds the places where it is not enough. Where
   // the field stays as it was, none are needed.
   std::vector<Slope_condition> slope_conditions() const
   {
