@@ -1,19 +1,16 @@
-// refine_at_gaps.h: cells become nearly as narrow as the gap where they are asked to, and only there; and what a report says where that is not enough.
+// refine_at_gaps.h: cells become nearly as narrow as the gap where they are asked to, and only there.
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
-#include <CGAL/certified_bspline_shell_3.h>
 #include "test_meshes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-namespace parameters = CGAL::Bspline_shells::parameters;
 typedef BS::Cell_hierarchy_3 Hierarchy;
 typedef Hierarchy::Index Index;
 
@@ -76,45 +73,4 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than four
                       cells.refined({ middle }, 1)));
       CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit), fine));
     }
-}
-
-TEST_CASE("Refinement at gaps: where a limit ends it, the report has the wall, where it is and how small cells may have to be")
-{
-  const double thickness = 0.002;
-  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
-  const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters::resolution(10.).memory_limit(1e7));
-  REQUIRE(shell);
-  CHECK_FALSE(shell.is_certified());
-  const auto& obstacles = shell.report().obstacles;
-  REQUIRE_FALSE(obstacles.empty());
-  std::size_t wrong = 0;
-  for(const BS::Refinement_obstacle& o : obstacles) {
-    const Index c = shell.field().locate(Point_3(o.point[0], o.point[1], o.point[2]));
-    wrong += c == Hierarchy::npos || o.cell_width != shell.field().cells().width(c);
-    wrong += std::isfinite(o.gap) && !(o.is_wall && o.gap > 0.999 * thickness);
-  }
-  CHECK(wrong == 0);
-  CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
-  CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
-  const std::string sentence = message(obstacles.front(), shell.report().unit);
-  CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
-  CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
-
-  // a certified shell has none
-  const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
-  REQUIRE(proved.is_certified());
-  CHECK(proved.report().obstacles.empty());
-}
-
-TEST_CASE("Refinement at gaps: sentences say gap or wall, and where nothing is narrow, that there is no proof")
-{
-  BS::Refinement_obstacle o;
-  o.point = { 1, 2, 3 };
-  o.cell_width = 0.5;
-  CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
-  o.gap = 0.1;
-  CHECK(message(o, 10) == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
-  o.is_wall = true;
-  o.gap = 1;
-  CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
 }

@@ -25,7 +25,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -139,7 +138,9 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   if(!certificate.is_certified()) report.obstacles = refinement.obstacles();
   if(certificate.status() != Status::SUCCESS) return stop(certificate.status());
   if(certificate.verdict(Claim::CONTAINMENT) != Verdict::PROVED) return stop(Status::MESH_NOT_CONTAINED);
-  std::tie(report.thickness, report.narrowed_area) = refinement.thickness_on_mesh();
+  const Thickness_on_mesh on_mesh = refinement.thickness_on_mesh();
+  report.thickness = on_mesh.largest;
+  report.narrowed_area = on_mesh.narrowed_area;
   std::vector<char> shell_cells(report.cells, 0);
   if(certificate.cover())
     for(const Cover_box& box : certificate.cover()->boxes())

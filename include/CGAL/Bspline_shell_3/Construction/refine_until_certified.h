@@ -9,13 +9,16 @@
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
-#include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
+#include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
+#include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
+#include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
@@ -28,16 +31,13 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
-#include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Solver_status.h>
-#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/enum.h>
 
@@ -52,7 +52,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -90,11 +89,10 @@ struct Refinement_parameters
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
- * too small a slope, small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are
- * chosen (`Shell_thresholds_3`): where it is undecided whether the shell has a critical point, the threshold next to it is narrowed;
- * where the mesh needs it wider than that, the field is asked to increase there. Cells where none of this helps are refined; if they are many, at gaps of the
- * mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small changes, these are instead.
- * When nothing is found wanting, the certificate is asked.
+ * too small a slope (`slope_conditions()`), small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
+ * (`Narrowed_thresholds`); where the mesh needs them wider than they should be, the field is asked to increase. Cells where none of this helps are
+ * refined; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small
+ * changes, these are instead. When nothing is found wanting, the certificate is asked.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
@@ -130,21 +128,22 @@ public:
   const Field& field() const { return *m_field; }
   /// the certificate of the last field, to which it refers
   const std::optional<Certificate>& certificate() const { return m_certificate; }
-  const Threshold& inner() const { return *m_inner; }
-  const Threshold& outer() const { return *m_outer; }
+  const Threshold& inner() const { return m_thresholds.inner(); }
+  const Threshold& outer() const { return m_thresholds.outer(); }
   /// encloses the last field on each triangle, coarsely
   std::vector<Level_range> facet_ranges() const { return m_ranges.facets<ConcurrencyTag>(*m_field, *m_clipped); }
 
   /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses of the certificate
   std::vector<Refinement_obstacle> obstacles();
 
-  /// the largest difference of the thresholds on the mesh, and the share of the mesh's area where it is less than asked for: in
-  /// the leaves where it is by more than a hundredth. Of the last field.
-  std::pair<double, double> thickness_on_mesh() const;
+  /// how thick the shell of the last field is
+  Thickness_on_mesh thickness_on_mesh() const
+  {
+    return Bspline_shells::thickness_on_mesh(*m_clipped, inner(), outer(), [&](Index c) { return 2 * half_thickness(c); });
+  }
 
 private:
   typedef Field::Cell_index Index;
-  typedef Shell_thresholds_3<Field>::Cap Cap;
   static constexpr double largest_part = 0.75;                  // of the cells, that is fitted apart from the others
   static constexpr int max_refinements_of_a_facet = 5;          // what they do not mend, more of them will not
   static constexpr std::size_t least_violated_cells = 64;
@@ -152,11 +151,7 @@ private:
   static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
   static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
   static constexpr std::size_t least_many_obstacles = 40, obstacles_to_refine = 128;        // cells; one of so many
-  static constexpr double singular = 1e-9;            // cone margins, of which rounding leaves nothing
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
-
-  // a box where the shell may have a critical point, or ends the domain, and the mesh needs it to be in the shell
-  struct Obstacle { Index cell; std::array<double, 3> point; };
 
   void lap(Step step)
   {
@@ -179,11 +174,9 @@ private:
                       [&](Index n) { if(cells.level(n) == cells.level(c)) mark(n); });
   }
 
-  // whether cells with obstacles are more than a local affair
-  bool are_many(const std::vector<Index>& obstacles) const
-  {
-    return obstacles.size() > (std::max)(least_many_obstacles, m_clipped->cells().size() / obstacles_to_refine);
-  }
+  // cells with obstacles: more than that are not a local affair
+  std::size_t many_obstacles() const { return (std::max)(least_many_obstacles, m_clipped->cells().size() / obstacles_to_refine); }
+  bool are_many(const std::vector<Index>& obstacles) const { return obstacles.size() > many_obstacles(); }
 
   // whether many obstacles are what is left of a field that was too large on the mesh in many cells
   bool are_due_to_thickness(const std::vector<Index>& obstacles) const { return are_many(obstacles) && !m_thick_at_first.empty(); }
@@ -224,34 +217,16 @@ private:
     return now.undecided_cells + now.thick_cells < before.undecided_cells + before.thick_cells;
   }
 
-  void find_wanted_slopes()
+  // a point on each component of a mesh
+  static std::vector<Field::Point_3> seeds(const Input_mesh_3& input)
   {
-    constexpr std::size_t chunk = 1024;
-    const auto& mesh = m_input->mesh();
-    std::vector<double> margin(mesh.number_of_vertices(), 1);
-    internal::for_each_chunk<ConcurrencyTag>(margin.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) {
-        const Input_mesh_3::Triangle_mesh::Vertex_index v(static_cast<unsigned int>(n));
-        if(!mesh.is_isolated(v)) margin[n] = vertex_cone_margin(mesh, v);
-      }
-    });
-    m_wanted.reserve(mesh.number_of_faces());
-    for(auto f : mesh.faces()) {
-      double least = 1;
-      for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) least = (std::min)(least, margin[v]);
-      m_wanted.push_back(least < singular ? 0 : m_parameters.slope_fraction * least);
+    std::vector<Field::Point_3> points;
+    for(Input_mesh_3::Face_index f : input.mesh().faces()) {
+      if(input.component(f) != points.size()) continue;       // the first facet of the next component
+      const auto& p = input.mesh().point(input.mesh().target(input.mesh().halfedge(f)));
+      points.emplace_back(p.x(), p.y(), p.z());
     }
-    m_refinements.assign(m_wanted.size(), 0);
-  }
-
-  void find_seeds()
-  {
-    const Input_mesh_3::Triangle_mesh& mesh = m_input->mesh();
-    for(Input_mesh_3::Face_index f : mesh.faces()) {
-      if(m_input->component(f) != m_seeds.size()) continue;       // the first facet of the next component
-      const auto& p = mesh.point(mesh.target(mesh.halfedge(f)));
-      m_seeds.emplace_back(p.x(), p.y(), p.z());
-    }
+    return points;
   }
 
   // Begins a round: fits a field on the cells, and marks cells where it is too thick or not steep enough. Returns why that failed, if it did.
@@ -262,8 +237,7 @@ private:
     Refinement_round& log = m_rounds.back();
     m_enforcement.reset();
     m_certificate.reset();
-    m_inner.reset();
-    m_outer.reset();
+    m_thresholds.reset();
     m_marked.clear();
     m_obstacles.clear();
     m_is_enforced = false;
@@ -310,8 +284,7 @@ private:
     if(m_part) {
       keep_what_was_examined(*before, ranges);
     } else {
-      m_examined.reset();
-      m_caps.clear();
+      m_thresholds.forget();
       m_unexamined.assign(m_wanted.size(), 1);
     }
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
@@ -324,7 +297,8 @@ private:
     }
 
     m_enforcement.emplace(field, m_A, m_b);
-    m_enforcement->insert(slope_conditions());
+    m_enforcement->insert(slope_conditions(field, *m_clipped, m_wanted, [&](Index c) { return !m_part || m_part->cells[c]; },
+                                           [&](Index c) { return largest_on_mesh(c); }));
     m_is_enforced = enforce_conditions();
     lap(SLOPES);
     return std::nullopt;
@@ -396,13 +370,11 @@ private:
     const Field before = std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * m_field->cells().lattice().spacing()));
     std::vector<char> changed(m_field->number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(changed.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) changed[c] = is_changed(before, Index(c), *m_field, Index(c));
+      for(std::size_t c = begin; c < end; ++c) changed[c] = !is_same_in_cell(before, Index(c), *m_field, Index(c));
     });
     for(Index c = 0; c < changed.size(); ++c)
       if(changed[c]) m_ranges.forget(c);
-    if(!m_examined) return;
-    for(Index& c : m_examined->now)
-      if(c != Field::npos && changed[c]) c = Field::npos;
+    m_thresholds.field_has_changed(changed);
   }
 
   // keeps what is known of a field where it is the same on finer cells, and notes which facets are where it is not
@@ -411,18 +383,10 @@ private:
     std::vector<Index> now(before.number_of_cells());
     for(Index c = 0; c < now.size(); ++c) {
       now[c] = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
-      if(now[c] != Field::npos && is_changed(before, c, *m_field, now[c])) now[c] = Field::npos;
+      if(now[c] != Field::npos && !is_same_in_cell(before, c, *m_field, now[c])) now[c] = Field::npos;
       if(now[c] != Field::npos) m_ranges.keep(ranges, c, now[c]);
     }
-    if(m_examined)
-      for(Index& c : m_examined->now)
-        if(c != Field::npos) c = now[c];
-    std::vector<Cap> caps;
-    for(Cap cap : m_caps) {
-      cap.cell = now[cap.cell];
-      if(cap.cell != Field::npos) caps.push_back(cap);
-    }
-    m_caps.swap(caps);
+    m_thresholds.cells_were_refined(now);
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
@@ -532,96 +496,34 @@ private:
     return nearly * half_thickness(c) / m_field->cells().lattice().spacing();
   }
 
-  // In the middle of the clipped mesh's pieces, and at the corners of those that are not small beside their cells; where there are many, in the middle of
-  // some. Across a cell the field hardly varies more than that: enforce_conditions() finds the places where it is not enough. Where
-  // the field stays as it was, none are needed.
-  std::vector<Slope_condition> slope_conditions() const
-  {
-    constexpr double small = 0.25;
-    constexpr std::size_t few = 8, most = 48;       // pieces in a cell
-    const std::vector<Clipped_mesh_3::Piece>& pieces = m_clipped->pieces();
-    const auto is_small = [&](const Clipped_mesh_3::Piece& piece) {
-      std::array<double, 3> least = m_clipped->point(piece.first), most = least;
-      for(std::uint32_t v = 1; v < piece.size; ++v)
-        for(int a = 0; a < 3; ++a) {
-          least[a] = (std::min)(least[a], m_clipped->point(piece.first + v)[a]);
-          most[a] = (std::max)(most[a], m_clipped->point(piece.first + v)[a]);
-        }
-      return !((std::max)({ most[0] - least[0], most[1] - least[1], most[2] - least[2] }) > small * m_field->cells().width(piece.cell));
-    };
-    std::vector<Slope_condition> conditions;
-    for(std::size_t n = 0, next; n < pieces.size(); n = next) {
-      const Index c = pieces[n].cell;
-      for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}
-      if(m_part && !m_part->cells[c]) continue;
-      const Tricubic_cell_3 cell = m_field->cell(c);
-      const double largest = largest_on_mesh(c);
-      const std::size_t stride = (next - n + most - 1) / most;
-      for(std::size_t m = n; m < next; m += stride) {
-        const Clipped_mesh_3::Piece& piece = pieces[m];
-        if(!(m_wanted[piece.facet] > 0)) continue;        // at a singular vertex nothing helps
-        const auto add = [&](const std::array<double, 3>& p) {
-          conditions.push_back({ c, piece.facet, cell.local_coordinates(p), m_clipped->normal(piece.facet), m_wanted[piece.facet], largest });
-        };
-        std::array<double, 3> middle = {};
-        for(std::uint32_t v = 0; v < piece.size; ++v)
-          for(int a = 0; a < 3; ++a) middle[a] += m_clipped->point(piece.first + v)[a] / piece.size;
-        add(middle);
-        if(next - n > few || is_small(piece)) continue;
-        for(std::uint32_t v = 0; v < piece.size; ++v) add(m_clipped->point(piece.first + v));
-      }
-    }
-    return conditions;
-  }
-
-  // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has changed since then: most stay as
-  // they are.
-  struct Examined
-  {
-    Threshold inner, outer;
-    Shell_cover_3<Field, Threshold> cover;
-    std::vector<Index> now;
-  };
-
-  static std::vector<Index> cells_of(const std::vector<Obstacle>& obstacles)
-  {
-    std::vector<Index> cells;
-    for(const Obstacle& o : obstacles) cells.push_back(o.cell);
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
-  }
-
   // Chooses thresholds. Where that is not enough, and if these places are few, the field is asked to increase along the direction that the
   // facets nearby have in common; if it still is not, cells are marked.
   void choose_field_and_thresholds()
   {
     constexpr int max_exchanges = 3;
     constexpr double progress = 0.75;
-    Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-    // where the field is the same, these would be found again
-    for(const Cap& cap : m_caps) thresholds.cap(cap);
-    m_obstacles = choose_thresholds(thresholds);
+    m_thresholds.begin(*m_field, m_thickness);
+    m_obstacles = choose_thresholds();
     double before = std::numeric_limits<double>::infinity();
     for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
       const std::vector<Index> cells = cells_of(m_obstacles);
       if(are_many(cells) || double(cells.size()) > progress * before) break;
       before = double(cells.size());
       std::vector<Slope_condition> conditions;
-      for(const Obstacle& o : m_obstacles)
-        if(const std::optional<Slope_condition> c = common_slope(o)) conditions.push_back(*c);
+      for(const Threshold_obstacle& o : m_obstacles) {
+        const double distance = std::abs(m_oracle(Any_signed_distance_3::Point_3(o.point[0], o.point[1], o.point[2])));
+        const auto condition = common_slope(*m_field, *m_clipped, o.cell, o.point, distance, m_parameters.slope_fraction);
+        if(condition) conditions.push_back(*condition);
+      }
       if(conditions.empty()) break;
       m_enforcement->insert(conditions);
-      m_inner.reset();      // those of the field as it was
-      m_outer.reset();
       lap(CERTIFICATE);
       m_is_enforced = enforce_conditions();
       if(!m_is_enforced) break;
       lap(SLOPES);
       if(!m_marked.empty()) break;
-      m_obstacles = choose_thresholds(thresholds);
+      m_obstacles = choose_thresholds();
     }
-    m_caps = thresholds.caps();
     m_rounds.back().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
     if(are_due_to_thickness(cells)) {
@@ -634,118 +536,17 @@ private:
     lap(CERTIFICATE);
   }
 
-  // a condition along the direction that the facets near a box have in common, if there is one
-  std::optional<Slope_condition> common_slope(const Obstacle& o) const
+  // returns where the mesh needs thresholds wider than they should be
+  std::vector<Threshold_obstacle> choose_thresholds(int max_passes = Narrowing_limits().max_passes)
   {
-    constexpr double least_margin = 0.01;
-    const typename Field::Cell cell = m_field->cell(o.cell);
-    const double distance = std::abs(m_oracle(Any_signed_distance_3::Point_3(o.point[0], o.point[1], o.point[2])));
-    for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
-      const Bbox_3 box(o.point[0] - reach, o.point[1] - reach, o.point[2] - reach, o.point[0] + reach, o.point[1] + reach, o.point[2] + reach);
-      std::vector<std::uint32_t> facets;
-      m_field->visit_cells(box, [&](Index c) {
-        const auto& pieces = m_clipped->pieces();
-        for(auto piece = std::lower_bound(pieces.begin(), pieces.end(), c, [](const auto& p, Index cell) { return p.cell < cell; });
-            piece != pieces.end() && piece->cell == c; ++piece) {
-          Bbox_3 b;
-          for(std::uint32_t v = 0; v < piece->size; ++v) {
-            const auto& p = m_clipped->point(piece->first + v);
-            b += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-          }
-          if(do_overlap(b, box)) facets.push_back(piece->facet);
-        }
-      });
-      std::sort(facets.begin(), facets.end());
-      facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-      if(facets.empty()) continue;
-      std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
-      for(std::uint32_t f : facets) normals.emplace_back(m_clipped->normal(f)[0], m_clipped->normal(f)[1], m_clipped->normal(f)[2]);
-      std::array<double, 3> axis = cone_axis(normals);
-      const double margin = internal::norm(axis);
-      if(!(margin > least_margin)) continue;
-      for(double& x : axis) x /= margin;
-      return Slope_condition{ o.cell, facets.front(), cell.local_coordinates(o.point), axis, m_parameters.slope_fraction * margin };
-    }
-    return std::nullopt;
-  }
-
-  // Narrows thresholds where the shell may have a critical point, or reaches the end of the domain. Returns where the mesh needs
-  // them wider than that.
-  std::vector<Obstacle> choose_thresholds(Shell_thresholds_3<Field>& thresholds, int max_passes = 8)
-  {
-    constexpr double margin = 0.98;       // of a cap that makes a difference
-    constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
-    Refinement_round& log = m_rounds.back();
-    log.examined = true;
-    const auto sharpen = [&]() {
-      update_ranges(Mesh_ranges::SHARP);
-      thresholds.set_mesh_ranges(m_ranges.cells());
+    m_rounds.back().examined = true;
+    if(m_parameters.constant_thresholds)
+      m_thresholds.set_constant(Bspline_shells::facet_ranges<ConcurrencyTag>(*m_field, *m_clipped).mesh);
+    const auto ranges = [&](Mesh_ranges::Precision precision) -> const std::vector<Level_range>& {
+      update_ranges(precision);
+      return m_ranges.cells();
     };
-    // what the mesh needs counts where thresholds are capped
-    bool is_sharp = !thresholds.caps().empty();
-    if(is_sharp) sharpen();
-    else thresholds.set_mesh_ranges(m_ranges.cells());
-    if(m_parameters.constant_thresholds) thresholds.set_constant(Bspline_shells::facet_ranges<ConcurrencyTag>(*m_field, *m_clipped).mesh);
-    for(int pass = 0; ; ++pass) {
-      const double begin = m_total.time();
-      m_inner = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(NEGATIVE));
-      m_outer = std::make_unique<Threshold>(thresholds.template threshold<ConcurrencyTag>(POSITIVE));
-      Shell_cover_3<Field, Threshold> cover(*m_field, *m_inner, *m_outer);
-      if(m_examined)
-        cover.reuse(m_examined->cover, [&](Index c) {
-          const Index now = m_examined->now[c];
-          return now == Field::npos || is_changed(m_examined->inner.field(), c, m_inner->field(), now)
-              || is_changed(m_examined->outer.field(), c, m_outer->field(), now) ? Field::npos : now;
-        });
-      for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
-      // how near to the mesh's level the boxes come that are in the way, on either side
-      struct Nearest { double size; std::array<double, 3> point; };
-      std::map<std::pair<Index, int>, Nearest> nearest;
-      m_undecided_volume = 0;
-      std::vector<Obstacle> hopeless;
-      const auto note = [&](const Cover_box& box) {
-        const Level_range f = cover.function(box).range();
-        const Bbox_3 b = cover.bbox(box);
-        const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-        const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
-        if(side == 0) { hopeless.push_back({ box.cell, middle }); return; }
-        const double size = side > 0 ? f.min : -f.max;
-        const auto it = nearest.insert({ { box.cell, side }, { size, middle } }).first;
-        if(size < it->second.size) it->second = { size, middle };
-      };
-      if(cover.number_of_undecided_boxes() > 0)
-        for(const Cover_box& box : cover.boxes()) {
-          if(box.component == Cover_box::no_component || box.kind != Box_kind::UNDECIDED) continue;
-          m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
-          note(box);
-        }
-      for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
-      if(!is_sharp && !nearest.empty() && !m_parameters.constant_thresholds) {
-        sharpen();
-        is_sharp = true;
-      }
-      bool narrowed = false;
-      for(const auto& n : nearest) {
-        const Sign side = n.first.second > 0 ? POSITIVE : NEGATIVE;
-        const double needed = n.first.second * thresholds.needed(n.first.first, side), size = n.second.size;
-        if(m_parameters.constant_thresholds || !(needed < margin * size)) { hopeless.push_back({ n.first.first, n.second.point }); continue; }
-        thresholds.cap(n.first.first, side, n.first.second * ((std::max)(needed, 0.) + size) / 2);
-        narrowed = true;
-      }
-      std::vector<Index> now(m_field->number_of_cells());
-      std::iota(now.begin(), now.end(), Index(0));
-      m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
-      // another pass, and the certificate, take as long as this one
-      const bool is_enough = pass + 1 >= max_passes_of_many && are_many(cells_of(hopeless));
-      if(!narrowed || is_enough || pass + 1 == max_passes || is_late(2 * (m_total.time() - begin))) return hopeless;
-    }
-  }
-
-  // on a cell, by its numbers
-  static bool is_changed(const Field& before, Index c, const Field& now, Index n)
-  {
-    const double* x = before.cell(c).coefficients();
-    return before.cell(c).error_radius() != now.cell(n).error_radius() || !std::equal(x, x + 64, now.cell(n).coefficients());
+    return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_parameters.max_seconds - m_total.time() });
   }
 
   // Marked cells are split once, and obstacles, where they are many, twice, if the gap is that narrow.
@@ -762,10 +563,10 @@ private:
   // Asks the certificate, and marks cells that keep the claims from being proved.
   bool certify()
   {
-    m_examined.reset();       // the certificate finds out for itself
+    m_thresholds.forget_cover();    // the certificate finds out for itself
     m_enforcement.reset();    // with what it refers to: the field stays as it is now
     m_A = Fit_energy<Field>::Matrix();
-    m_certificate.emplace(*m_field, *m_inner, *m_outer);
+    m_certificate.emplace(*m_field, inner(), outer());
     m_certificate->template verify<ConcurrencyTag>(m_input);
     for(const Certificate_witness& w : m_certificate->witnesses())
       if(w.reason == Certificate_witness::TWO_SHEETS) {
@@ -782,26 +583,22 @@ private:
   Refinement_parameters m_parameters;
   std::vector<double> m_wanted;                       // the slope wanted for each triangle, per user unit
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
-  std::vector<Field::Point_3> m_seeds;                // a point of each component of the mesh
   std::unique_ptr<Field> m_field;
   std::vector<double> m_samples;
   std::optional<Clipped_mesh_3> m_clipped;
   Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x
   Eigen::VectorXd m_b, m_x;                           // in units of the width of root cells
   std::optional<Fitted_part> m_part;                  // of a partial round
-  std::vector<Cap> m_caps;                            // of the last thresholds
   std::optional<Slope_enforcement<Field> > m_enforcement;
   std::vector<char> m_unexamined;                     // of each triangle: whether its slope is to be examined (again)
   Mesh_ranges m_ranges;                               // of the last field
-  std::unique_ptr<Threshold> m_inner, m_outer;
-  std::optional<Examined> m_examined;
+  Narrowed_thresholds<Field> m_thresholds;
   std::optional<Certificate> m_certificate;
   std::vector<Index> m_marked;
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
-  std::vector<Obstacle> m_obstacles;                  // of the last thresholds
+  std::vector<Threshold_obstacle> m_obstacles;                  // of the last thresholds
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_is_enforced = false;                         // slopes of the last field
-  double m_undecided_volume = std::numeric_limits<double>::infinity();
   std::vector<Refinement_round> m_rounds;
   Real_timer m_total, m_timer;                        // of all rounds, and of a step
 };
@@ -809,11 +606,9 @@ private:
 template <typename ConcurrencyTag>
 Certified_refinement<ConcurrencyTag>::Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Any_signed_distance_3& oracle,
                                                            const Thickness& thickness, const Refinement_parameters& parameters)
-  : m_input(std::move(input)), m_oracle(oracle), m_thickness(thickness), m_parameters(parameters)
-{
-  find_wanted_slopes();
-  find_seeds();
-}
+  : m_input(std::move(input)), m_oracle(oracle), m_thickness(thickness), m_parameters(parameters),
+    m_wanted(wanted_slopes<ConcurrencyTag>(*m_input, parameters.slope_fraction)), m_refinements(m_wanted.size()), m_thresholds(seeds(*m_input))
+{}
 
 template <typename ConcurrencyTag>
 Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
@@ -833,10 +628,10 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     if(m_is_enforced && !are_many_thick()) {
       if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
       choose_field_and_thresholds();
-      if(m_marked.empty() && m_inner && certify()) return Refinement_status::CERTIFIED;
-      const bool better = log.thick_cells > 0 || m_undecided_volume < progress * least_volume || log.failing_facets < fewest_facets;
+      if(m_marked.empty() && m_thresholds.are_chosen() && certify()) return Refinement_status::CERTIFIED;
+      const bool better = log.thick_cells > 0 || m_thresholds.undecided_volume() < progress * least_volume || log.failing_facets < fewest_facets;
       rounds_in_vain = better ? 0 : rounds_in_vain + 1;
-      least_volume = (std::min)(least_volume, m_undecided_volume);
+      least_volume = (std::min)(least_volume, m_thresholds.undecided_volume());
       fewest_facets = (std::min)(fewest_facets, log.failing_facets);
     }
     std::sort(m_marked.begin(), m_marked.end());
@@ -848,11 +643,11 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     const bool over = round + 1 >= m_parameters.max_rounds
                    || (!in_vain && exceeds_limits(cells.number_of_cells()));
     if(in_vain || over) {
-      if(!m_inner) {
+      if(!m_thresholds.are_chosen()) {
         constexpr int once = 1;
         find_thick_cells();       // the field may have changed
-        Shell_thresholds_3<Field> thresholds(*m_field, m_thickness);
-        m_obstacles = choose_thresholds(thresholds, once);
+        m_thresholds.begin(*m_field, m_thickness);
+        m_obstacles = choose_thresholds(once);
       }
       if(!m_certificate) certify();
       return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
@@ -863,54 +658,17 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
 template <typename ConcurrencyTag>
 std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles()
 {
-  constexpr std::size_t most = 1000, chunk = 16;
-  constexpr double far = 4;       // widths of a cell
   std::map<Index, std::array<double, 3> > places;
-  for(const Obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
+  for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
     // of no place
     if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NEEDED) continue;
     const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });
   }
-  if(!places.empty() && !m_gap) m_gap.emplace(*m_input);
-  const std::vector<std::pair<Index, std::array<double, 3> > > list(places.begin(), places.end());
-  std::vector<Refinement_obstacle> result(list.size());
-  internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t n = begin; n < end; ++n) {
-      const Index c = list[n].first;
-      Refinement_obstacle& obstacle = result[n];
-      obstacle.point = list[n].second;
-      obstacle.cell_width = m_field->cells().width(c);
-      const double widest = far * obstacle.cell_width, wall = gap_in_cell(*m_gap, *m_clipped, c, NEGATIVE, widest);
-      const double gap = gap_in_cell(*m_gap, *m_clipped, c, POSITIVE, wall);
-      obstacle.is_wall = !(gap < wall);
-      if(gap < widest) obstacle.gap = gap;
-    }
-  });
-  std::stable_sort(result.begin(), result.end(), [](const Refinement_obstacle& a, const Refinement_obstacle& b) { return a.gap < b.gap; });
-  if(result.size() > most) result.resize(most);
-  return result;
-}
-
-template <typename ConcurrencyTag>
-std::pair<double, double> Certified_refinement<ConcurrencyTag>::thickness_on_mesh() const
-{
-  constexpr double narrower = 0.99;
-  const Clipped_mesh_3& clipped = *m_clipped;
-  double largest = 0, narrow_area = 0, area = 0;
-  for(std::size_t n = 0, next; n < clipped.number_of_pieces(); n = next) {
-    const Index c = clipped.pieces()[n].cell;
-    double in_cell = 0;
-    for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
-      in_cell += clipped.area(clipped.pieces()[next]);
-    const Level_range difference = Bspline_shells::difference(enclosed_value(m_outer->field().cell(c)),
-                                                              enclosed_value(m_inner->field().cell(c))).range();
-    largest = (std::max)(largest, difference.max);
-    area += in_cell;
-    if(difference.min < narrower * 2 * half_thickness(c)) narrow_area += in_cell;
-  }
-  return { largest, narrow_area / area };
+  if(places.empty()) return {};
+  if(!m_gap) m_gap.emplace(*m_input);
+  return refinement_obstacles<ConcurrencyTag>(m_field->cells(), *m_clipped, *m_gap, places);
 }
 
 } // namespace Bspline_shells

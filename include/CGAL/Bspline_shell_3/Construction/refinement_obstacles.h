@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_OBSTACLES_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_OBSTACLES_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief what the mesh is like at the places that stand in the way of a proof, narrowest first; at most a thousand of them.
+ *
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \param cells of the field
+ * \param clipped the mesh, cut by them
+ * \param gap of the mesh
+ * \param places a point in each cell that has one
+ */
+template <typename ConcurrencyTag>
+std::vector<Refinement_obstacle> refinement_obstacles(const Cell_hierarchy_3& cells, const Clipped_mesh_3& clipped, const Local_gap_3& gap,
+                                                      const std::map<Cell_hierarchy_3::Index, std::array<double, 3> >& places)
+{
+  constexpr std::size_t most = 1000, chunk = 16;
+  constexpr double far = 4;       // widths of a cell
+  const std::vector<std::pair<Cell_hierarchy_3::Index, std::array<double, 3> > > list(places.begin(), places.end());
+  std::vector<Refinement_obstacle> result(list.size());
+  internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const Cell_hierarchy_3::Index c = list[n].first;
+      Refinement_obstacle& obstacle = result[n];
+      obstacle.point = list[n].second;
+      obstacle.cell_width = cells.width(c);
+      const double widest = far * obstacle.cell_width, wall = gap_in_cell(gap, clipped, c, NEGATIVE, widest);
+      const double gap_in_front = gap_in_cell(gap, clipped, c, POSITIVE, wall);
+      obstacle.is_wall = !(gap_in_front < wall);
+      if(gap_in_front < widest) obstacle.gap = gap_in_front;
+    }
+  });
+  std::stable_sort(result.begin(), result.end(), [](const Refinement_obstacle& a, const Refinement_obstacle& b) { return a.gap < b.gap; });
+  if(result.size() > most) result.resize(most);
+  return result;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_OBSTACLES_H

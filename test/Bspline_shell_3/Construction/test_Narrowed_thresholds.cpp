@@ -1,0 +1,284 @@
+// Narrowed_thresholds.h: as wide as asked for where that is proved to be free of critical points, narrower elsewhere, and what is kept from
+// field to field makes no difference.
+#include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Sequential_tag Tag;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef BS::Narrowed_thresholds<Field> Thresholds;
+typedef BS::Threshold_obstacle Obstacle;
+typedef Field::Cell_index Index;
+
+// A function near the distance to the unit sphere, whose only critical point is near the center, on cells of width 1/2 and smaller ones.
+struct Ball
+{
+  BS::Input_mesh_3 input;
+  Field field;
+  BS::Clipped_mesh_3 clipped;
+  std::vector<BS::Level_range> ranges;
+
+  explicit Ball(double level = 1, double scale = 1)
+  {
+    const Mesh mesh = sphere(3);
+    REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
+    CGAL::Random random(1);
+    const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }), { -5, -5, -5 }, { 4, 4, 4 }));
+    set_field(cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) }), level, scale);
+  }
+
+  void set_field(const Hierarchy& cells, double level, double scale)
+  {
+    field = Field(cells);
+    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+    for(Index n = 0; n < field.number_of_coefficients(); ++n) x[n] = scale * (std::sqrt(squared_distance(field.support(n))) - level);
+    set_coefficients(x);
+  }
+
+  void set_coefficients(const Eigen::VectorXd& x)
+  {
+    field.set_coefficients(x);
+    clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
+    ranges = BS::facet_ranges<Tag>(field, clipped).cell;
+  }
+
+  template <typename ConcurrencyTag = Tag>
+  std::vector<Obstacle> choose(Thresholds& thresholds, const BS::Narrowing_limits& limits = {}) const
+  {
+    return thresholds.choose<ConcurrencyTag>([&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return ranges; }, limits);
+  }
+
+private:
+  static double squared_distance(const CGAL::Bbox_3& support)
+  {
+    double squared = 0;
+    for(int a = 0; a < 3; ++a) squared += std::pow(((support.min)(a) + (support.max)(a)) / 2, 2);
+    return squared;
+  }
+};
+
+std::vector<Field::Point_3> seed() { return { Field::Point_3(1, 0, 0) }; }
+
+// thicknesses asked for; with the second, both the center and the end of the domain are between thresholds as wide as that
+double thin(const Point_3&) { return 0.4; }
+constexpr double half = 1.7;
+double thick(const Point_3&) { return 2 * half; }
+
+Eigen::VectorXd inner(const Thresholds& t) { return t.inner().field().coefficients(); }
+Eigen::VectorXd outer(const Thresholds& t) { return t.outer().field().coefficients(); }
+
+bool are_equal(const std::vector<Obstacle>& a, const std::vector<Obstacle>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Obstacle& o, const Obstacle& p) { return o.cell == p.cell && o.point == p.point; });
+}
+
+} // namespace
+
+TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no critical point")
+{
+  const Ball ball;
+  Thresholds thresholds(seed());
+  CHECK_FALSE(thresholds.are_chosen());
+  CHECK(std::isinf(thresholds.undecided_volume()));
+  thresholds.begin(ball.field, thin);
+  CHECK(ball.choose(thresholds).empty());
+  REQUIRE(thresholds.are_chosen());
+  CHECK(thresholds.undecided_volume() == 0);
+  CHECK(inner(thresholds).minCoeff() == -0.2);
+  CHECK(inner(thresholds).maxCoeff() == -0.2);
+  CHECK(outer(thresholds).minCoeff() == 0.2);
+  CHECK(outer(thresholds).maxCoeff() == 0.2);
+  thresholds.reset();
+  CHECK_FALSE(thresholds.are_chosen());
+}
+
+TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the threshold next to them alone")
+{
+  const Ball ball;
+  Thresholds thresholds(seed());
+  thresholds.begin(ball.field, thick);
+  CHECK(ball.choose(thresholds).empty());
+  CHECK(thresholds.undecided_volume() == 0);
+  const double at_center = ball.field.value(Point_3(0, 0, 0)).value();
+  const double at_end = ball.field.value(Point_3(2.499, 0, 0)).value();
+  REQUIRE(at_center > -half);                             // so that something had to be done
+  REQUIRE(at_end < half);
+  CHECK(thresholds.inner().value(Point_3(0, 0, 0)) > at_center);
+  CHECK(thresholds.outer().value(Point_3(2.499, 0, 0)) < at_end);
+  for(Index c = 0; c < ball.field.number_of_cells(); ++c) {
+    if(!(ball.ranges[c].min <= ball.ranges[c].max)) continue;
+    CHECK(BS::threshold_range(thresholds.inner(), c).min <= ball.ranges[c].min);
+    CHECK(BS::threshold_range(thresholds.outer(), c).max >= ball.ranges[c].max);
+  }
+  // the one next to the place alone
+  const double less = 1.2;
+  REQUIRE(at_center > -less);
+  REQUIRE(at_end > less);
+  Thresholds only_inside(seed());
+  only_inside.begin(ball.field, [&](const Point_3&) { return 2 * less; });
+  CHECK(ball.choose(only_inside).empty());
+  CHECK(only_inside.inner().value(Point_3(0, 0, 0)) > at_center);
+  CHECK(outer(only_inside).minCoeff() == less);
+  // one pass finds out, but does not narrow
+  Thresholds once(seed());
+  once.begin(ball.field, thick);
+  BS::Narrowing_limits limits;
+  limits.max_passes = 1;
+  ball.choose(once, limits);
+  CHECK(once.undecided_volume() > 0);
+  CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
+  // nor does one for which there is no time
+  limits = {};
+  limits.max_seconds = 0;
+  once.forget();
+  once.begin(ball.field, thick);
+  ball.choose(once, limits);
+  CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
+}
+
+TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is an obstacle, in its cell")
+{
+  // zero everywhere
+  const Ball flat(1, 0);
+  Thresholds thresholds(seed());
+  thresholds.begin(flat.field, thin);
+  const std::vector<Obstacle> obstacles = flat.choose(thresholds);
+  const std::vector<Index> cells = BS::cells_of(obstacles);
+  CHECK(thresholds.undecided_volume() > 0);
+  CHECK(cells.size() > 100);
+  CHECK(std::adjacent_find(cells.begin(), cells.end(), [](Index a, Index b) { return !(a < b); }) == cells.end());
+  std::size_t wrong = 0;
+  for(const Obstacle& o : obstacles) wrong += flat.field.locate(Point_3(o.point[0], o.point[1], o.point[2])) != o.cell;
+  CHECK(wrong == 0);
+
+  // as wide as asked for everywhere is what the mesh needs: there is nothing to narrow
+  const Ball ball;
+  Thresholds needing(seed());
+  needing.begin(ball.field, thick);
+  const std::vector<BS::Level_range> everywhere(ball.field.number_of_cells(), BS::Level_range{ -half, half });
+  const std::vector<Obstacle> left =
+    needing.choose<Tag>([&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return everywhere; }, BS::Narrowing_limits());
+  REQUIRE_FALSE(left.empty());
+  const auto are_near = [&](const std::array<double, 3>& p) {
+    constexpr double near = 0.2;
+    return std::any_of(left.begin(), left.end(), [&](const Obstacle& o) {
+      return std::abs(o.point[0] - p[0]) < near && std::abs(o.point[1] - p[1]) < near && std::abs(o.point[2] - p[2]) < near;
+    });
+  };
+  CHECK(are_near({ 0, 0, 0 }));         // the critical point
+  CHECK(are_near({ 2.5, 0, 0 }));       // the end of the domain
+  CHECK_FALSE(are_near({ 1, 0, 0 }));
+  // constant ones are not narrowed, either
+  needing.forget();
+  needing.begin(ball.field, thick);
+  needing.set_constant({ -half, 0.2 });
+  CHECK_FALSE(ball.choose(needing).empty());
+  CHECK(inner(needing).maxCoeff() == -half);
+  CHECK(outer(needing).minCoeff() == 0.2);
+}
+
+TEST_CASE("Narrowed thresholds: what is kept where the field stays the same makes no difference")
+{
+  Ball ball;
+  Thresholds kept(seed());
+  kept.begin(ball.field, thick);
+  ball.choose(kept);
+  // flat around one point of the mesh
+  const Eigen::VectorXd before = ball.field.coefficients();
+  Eigen::VectorXd x = before;
+  std::vector<char> touched(ball.field.number_of_coefficients());
+  ball.field.visit_coefficients(ball.field.locate(Point_3(1, 0, 0)), [&](int, Index u, double) { touched[u] = 1; });
+  for(Index u = 0; u < touched.size(); ++u)
+    if(touched[u]) x[u] *= 0.1;
+  std::vector<char> changed(ball.field.number_of_cells());
+  for(Index c = 0; c < changed.size(); ++c)
+    ball.field.visit_coefficients(c, [&](int, Index u, double) { if(touched[u]) changed[c] = 1; });
+  REQUIRE(std::count(changed.begin(), changed.end(), 1) < std::ptrdiff_t(changed.size()));
+  ball.set_coefficients(x);
+  kept.field_has_changed(changed);
+  CHECK_FALSE(kept.are_chosen());
+  const std::vector<Obstacle> obstacles = ball.choose(kept);
+  // with the caps, and nothing else, of the first field
+  Ball first;
+  Thresholds fresh(seed());
+  fresh.begin(first.field, thick);
+  first.choose(fresh);
+  fresh.forget_cover();
+  fresh.begin(ball.field, thick);
+  CHECK(are_equal(ball.choose(fresh), obstacles));
+  CHECK(inner(fresh) == inner(kept));
+  CHECK(outer(fresh) == outer(kept));
+  CHECK(fresh.undecided_volume() == kept.undecided_volume());
+  // without caps, the shell is as thick where the first field was in the way
+  fresh.forget();
+  fresh.begin(ball.field, thin);
+  ball.choose(fresh);
+  CHECK(outer(fresh).maxCoeff() == 0.2);
+}
+
+TEST_CASE("Narrowed thresholds: on finer cells caps are kept, but in cells that are split, and covers under new numbers")
+{
+  Ball ball;
+  Thresholds kept(seed());
+  kept.begin(ball.field, thick);
+  ball.choose(kept);
+  const Eigen::VectorXd coarse = ball.field.coefficients();
+  const Field before = ball.field;
+  const Hierarchy fine = before.cells().refined({ before.locate(Point_3(-1, 0, 0.1)) });
+  Ball finer;
+  finer.field = Field(fine);
+  finer.set_coefficients(BS::refined_coefficients(before, coarse, finer.field));
+  std::vector<Index> now(before.number_of_cells());
+  std::size_t same = 0;
+  for(Index c = 0; c < now.size(); ++c) {
+    now[c] = fine.leaf(before.cells().level(c), before.cells().lattice_point(c));
+    if(now[c] != Field::npos && !BS::is_same_in_cell(before, c, finer.field, now[c])) now[c] = Field::npos;
+    same += now[c] != Field::npos && now[c] != c;
+  }
+  REQUIRE(same > 100);        // under other numbers
+  kept.cells_were_refined(now);
+  CHECK_FALSE(kept.are_chosen());
+  Thresholds uncovered = std::move(kept), covered(seed());
+  covered.begin(before, thick);
+  ball.choose(covered);
+  covered.cells_were_refined(now);
+  uncovered.forget_cover();
+  uncovered.begin(finer.field, thick);
+  covered.begin(finer.field, thick);
+  CHECK(are_equal(finer.choose(uncovered), finer.choose(covered)));
+  CHECK(inner(uncovered) == inner(covered));
+  CHECK(outer(uncovered) == outer(covered));
+  CHECK(covered.undecided_volume() == 0);
+  // what the first field needed is known before the first pass
+  BS::Narrowing_limits once;
+  once.max_passes = 1;
+  covered.begin(finer.field, thick);
+  finer.choose(covered, once);
+  CHECK(covered.undecided_volume() == 0);
+}
+
+TEST_CASE("Narrowed thresholds: the same with one and several threads")
+{
+  const Ball ball;
+  Thresholds one(seed()), several(seed());
+  one.begin(ball.field, thick);
+  several.begin(ball.field, thick);
+  CHECK(are_equal(ball.choose(one), ball.choose<CGAL::Parallel_if_available_tag>(several)));
+  CHECK(inner(one) == inner(several));
+  CHECK(outer(one) == outer(several));
+}

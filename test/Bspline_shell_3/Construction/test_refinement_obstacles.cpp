@@ -1,0 +1,104 @@
+// refinement_obstacles.h: walls and gaps at the places that are in the way, narrowest first; and what a report says of them.
+#include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef Hierarchy::Index Index;
+
+} // namespace
+
+TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell; the narrowest first")
+{
+  // a plate 0.3 thick at z = 1, and 0.2 above it one that is 0.6 thick, for y > 0
+  Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
+  mesh += box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1));
+  BS::Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
+  CGAL::Random random(1);
+  const auto cells_of_width = [&](double width) {
+    const int n = int(4 / width);
+    return Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }), { -n, -n, -n },
+                                { n - 1, n - 1, n - 1 }));
+  };
+  const Hierarchy cells = cells_of_width(0.25);
+  const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
+  const BS::Local_gap_3 gap(input);
+  std::map<Index, std::array<double, 3> > places;
+  const auto add = [&](double x, double y, double z) { places[cells.locate(Point_3(x, y, z))] = { x, y, z }; };
+  add(0.1, -1.1, 1.05);       // a wall
+  add(0.1, 1.1, 1.3);         // the gap
+  add(0.1, 1.1, 2.1);         // a wall
+  add(0.1, 1.1, 3.1);         // nothing
+  const std::vector<BS::Refinement_obstacle> found = BS::refinement_obstacles<CGAL::Sequential_tag>(cells, clipped, gap, places);
+  REQUIRE(found.size() == 4);
+  const double gaps[] = { 0.2, 0.3, 0.6 }, heights[] = { 1.3, 1.05, 2.1, 3.1 };
+  for(int n = 0; n < 4; ++n) {
+    CHECK(found[n].point[2] == heights[n]);
+    CHECK(found[n].cell_width == 0.25);
+    if(n < 3) CHECK(found[n].gap == Approx(gaps[n]));
+    if(n < 3) CHECK(found[n].is_wall == (n > 0));
+  }
+  CHECK(std::isinf(found[3].gap));
+  const auto same = BS::refinement_obstacles<CGAL::Parallel_if_available_tag>(cells, clipped, gap, places);
+  CHECK(std::equal(same.begin(), same.end(), found.begin(), [](const auto& a, const auto& b) { return a.point == b.point && a.gap == b.gap; }));
+
+  // far wider than small cells
+  const Hierarchy small = cells_of_width(0.125);
+  const BS::Clipped_mesh_3 in_small = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, small);
+  const std::map<Index, std::array<double, 3> > one = { { small.locate(Point_3(0.1, 1.1, 2.1)), { 0.1, 1.1, 2.1 } } };
+  CHECK(std::isinf(BS::refinement_obstacles<CGAL::Sequential_tag>(small, in_small, gap, one).front().gap));
+}
+
+TEST_CASE("Obstacles: where a limit ends refinement, the report has the wall, where it is and how small cells may have to be")
+{
+  const double thickness = 0.002;
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters::resolution(10.).memory_limit(1e7));
+  REQUIRE(shell);
+  CHECK_FALSE(shell.is_certified());
+  const auto& obstacles = shell.report().obstacles;
+  REQUIRE_FALSE(obstacles.empty());
+  std::size_t wrong = 0;
+  for(const BS::Refinement_obstacle& o : obstacles) {
+    const Index c = shell.field().locate(Point_3(o.point[0], o.point[1], o.point[2]));
+    wrong += c == Hierarchy::npos || o.cell_width != shell.field().cells().width(c);
+    wrong += std::isfinite(o.gap) && !(o.is_wall && o.gap > 0.999 * thickness);
+  }
+  CHECK(wrong == 0);
+  CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
+  CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
+  const std::string sentence = message(obstacles.front(), shell.report().unit);
+  CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
+  CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
+
+  // a certified shell has none
+  const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
+  REQUIRE(proved.is_certified());
+  CHECK(proved.report().obstacles.empty());
+}
+
+TEST_CASE("Obstacles: sentences say gap or wall, and where nothing is narrow, that there is no proof")
+{
+  BS::Refinement_obstacle o;
+  o.point = { 1, 2, 3 };
+  o.cell_width = 0.5;
+  CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
+  o.gap = 0.1;
+  CHECK(message(o, 10) == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
+  o.is_wall = true;
+  o.gap = 1;
+  CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
+}

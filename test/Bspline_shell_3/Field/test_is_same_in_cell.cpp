@@ -1,0 +1,42 @@
+// is_same_in_cell.h: the same numbers, in the cells where no coefficient has changed, whatever their numbers.
+#include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
+#include "random_hierarchies.h"
+
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef Field::Cell_index Index;
+
+TEST_CASE("Same in a cell: all cells but those on which a coefficient acts that is another one, be it by a rounding error")
+{
+  CGAL::Random random(1);
+  const Hierarchy cells = random_hierarchy(random, some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -4, -4, -4 }, { 3, 3, 3 }),
+                                                              { -4, -4, -4 }, { 3, 3, 3 }), 2);
+  Field f(cells), g(cells);
+  Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
+  for(double& value : x) value = random.get_double(1, 2);
+  f.set_coefficients(x);
+  for(int n = 0; n < 10; ++n) {
+    const Index u = Index(random.get_int(0, int(x.size())));
+    Eigen::VectorXd y = x;
+    // of a function on small cells, a change of the last digit may vanish in sums
+    y[u] = n % 2 == 0 ? x[u] + 1e-9 : -x[u];
+    g.set_coefficients(y);
+    std::size_t wrong = 0;
+    for(Index c = 0; c < f.number_of_cells(); ++c) {
+      bool acts = false;
+      f.visit_coefficients(c, [&](int, Index v, double) { acts |= v == u; });
+      wrong += BS::is_same_in_cell(f, c, g, c) == acts;
+    }
+    CHECK(wrong == 0);
+  }
+  CHECK_FALSE(BS::is_same_in_cell(f, 0, f, 1));
+  CHECK(BS::is_same_in_cell(f, 1, f, 1));
+}
