@@ -290,8 +290,8 @@ private:
   std::vector<Facet_verdict> examine_facets(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
-    constexpr std::size_t chunk = 64;
     const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
+    const std::size_t chunk = internal::chunk_size(triangles.size(), 64);
     struct Result
     {
       std::vector<Certificate_witness> witnesses;
@@ -300,7 +300,7 @@ private:
     };
     std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
     std::vector<Facet_verdict> verdicts(triangles.size());
-    constexpr std::size_t most_bisections = 1024;
+    constexpr std::size_t most_bisections = 65536;      // large facets meet thousands of cells
     if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer, ConcurrencyTag());
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       Result& result = results[begin / chunk];

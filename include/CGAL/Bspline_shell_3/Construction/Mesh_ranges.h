@@ -127,7 +127,7 @@ public:
       for(std::size_t n = begin; n < end; ++n) {
         const Cell_index c = pieces[n].cell;
         if(n == begin || c != pieces[n-1].cell) bounds.emplace(field, c);
-        const Level_range range = bounds->by_corners(clipped, pieces[n], scratch.corners).first;
+        const Level_range range = bounds->by_corners(clipped, pieces[n], scratch.corners).range;
         of_piece[n] = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
       }
     });
@@ -156,15 +156,31 @@ private:
 
     Bounds(const Field& field, Cell_index c) : in(field, c), corner_bounds(enclosed_value(in.cell)) {}
 
-    // on a piece, and their excess; gets the corners in the cell
-    std::pair<Level_range, double> by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece,
-                                              std::vector<std::array<double, 3> >& corners) const
+    struct On_piece
+    {
+      Level_range range;
+      double excess;                // of the range beyond the values at corners
+      std::uint32_t corner;         // where the field is largest, and its size there
+      double size;
+    };
+
+    // also gets the corners in the cell
+    On_piece by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
     {
       in.get_corners(clipped, piece, corners);
       const std::pair<double, double> excess = corner_bounds.excess(corners, in.shift);
       Level_range range;
-      for(std::uint32_t v = 0; v < piece.size; ++v) range.include(in.cell.value(clipped.point(piece.first + v)));
-      return { { range.min - excess.first - in.error, range.max + excess.second + in.error }, (std::max)(excess.first, excess.second) };
+      On_piece result = { {}, (std::max)(excess.first, excess.second), piece.first, -1 };
+      for(std::uint32_t v = piece.first; v < piece.first + piece.size; ++v) {
+        const double value = in.cell.value(clipped.point(v));
+        range.include(value);
+        if(std::abs(value) > result.size) {
+          result.size = std::abs(value);
+          result.corner = v;
+        }
+      }
+      result.range = { range.min - excess.first - in.error, range.max + excess.second + in.error };
+      return result;
     }
   };
 
@@ -181,11 +197,18 @@ private:
     Level_range range;
     Thick_cell place = { c, clipped.pieces()[first].facet, clipped.point(clipped.pieces()[first].first) };
     double most = -1;
+    // a cell is thick whatever else is found, if it is at a point; that should be about the worst one
+    const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
     for(std::size_t n = first; n < last; ++n) {
       const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
-      const std::pair<Level_range, double> by_corners = bounds.by_corners(clipped, piece, scratch.corners);
-      if(is_within(by_corners.first, size) && (precision == SUFFICIENT || by_corners.second <= sharp * size)) {
-        range.include(by_corners.first);
+      const auto by_corners = bounds.by_corners(clipped, piece, scratch.corners);
+      if(by_corners.size > most) {
+        most = by_corners.size;
+        place.facet = piece.facet;
+        place.point = clipped.point(by_corners.corner);
+      }
+      if(is_within(by_corners.range, open_from()) && (precision == SUFFICIENT || by_corners.excess <= sharp * size)) {
+        range.include(by_corners.range);
         continue;
       }
       const auto& corners = scratch.corners;
@@ -205,7 +228,7 @@ private:
         const auto hull = std::minmax_element(b.begin(), b.end());
         const Level_range part = { *hull.first - in.error, *hull.second + in.error };
         // so written that bounds that are not numbers end the search
-        const bool is_open = (std::max)(-part.min, part.max) > (most > size ? most / nearly_largest : size);
+        const bool is_open = (std::max)(-part.min, part.max) > open_from();
         if(is_open && t.depth < max_depth) t.push_quarters(stack);
         else range.include(part);
       }

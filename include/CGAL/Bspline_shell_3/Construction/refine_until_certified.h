@@ -397,11 +397,11 @@ private:
   // among those that were not examined since the field changed there
   std::vector<Failure> failing_facets()
   {
-    constexpr std::size_t chunk = 64;
     const Field_predicates_3<Field> predicates(*m_field);
     std::vector<std::uint32_t> triangles;
     for(auto f : m_input->mesh().faces())
       if(m_unexamined[f]) triangles.push_back(std::uint32_t(f));
+    const std::size_t chunk = internal::chunk_size(triangles.size(), 64);
     const auto find = [&](std::size_t begin, std::size_t end, std::vector<Failure>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         const auto t = m_input->triangle(Input_mesh_3::Triangle_mesh::Face_index(triangles[n]));

@@ -332,7 +332,8 @@ private:
       largest = (std::max)(largest, largest_at[point]);
       is_free = is_free && m_basis->coefficient_of_point[point] != npos;
     }
-    internal::to_bernstein(b);
+    // thresholds are constant in most cells
+    if(!std::all_of(b + 1, b + 64, [b](double x) { return x == b[0]; })) internal::to_bernstein(b);
     for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]);      // sums may overflow
     m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free) : std::numeric_limits<double>::infinity();
   }

@@ -297,7 +297,7 @@ private:
 template <typename ConcurrencyTag, typename InputMesh>
 std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const Lattice_3& lattice)
 {
-  constexpr std::size_t chunk = 512;
+  const std::size_t size = input.mesh().number_of_faces(), chunk = internal::chunk_size(size, 512);
   typedef std::vector<std::uint64_t> Keys;
   const auto find = [&](std::size_t begin, std::size_t end, Keys& found) {
     internal::Polygon_cutter cutter(lattice);
@@ -309,7 +309,7 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
     }
     sort_unique(found);
   };
-  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(input.mesh().number_of_faces(), chunk, find);
+  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(size, chunk, find);
   sort_unique(keys);
   return keys;
 }
@@ -331,7 +331,7 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
   Clipped_mesh_3 clipped;
   clipped.m_normals.resize(size);
 
-  constexpr std::size_t chunk = 512;
+  const std::size_t chunk = internal::chunk_size(size, 512);
   std::vector<std::vector<Clipped_mesh_3::Piece> > pieces((size + chunk - 1) / chunk);
   std::vector<std::vector<Point> > points(pieces.size());
   internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {

@@ -20,6 +20,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
+// The size of chunks of things that are cheap where they are many, and may be expensive where they are few, as the facets of a mesh: at most `most`,
+// and less where that would leave but a few chunks.
+inline std::size_t chunk_size(std::size_t size, std::size_t most)
+{
+  constexpr std::size_t few = 64;
+  return (std::max)(std::size_t(1), (std::min)(most, size / few));
+}
+
 // Calls f(begin, end) for consecutive chunks of [0, size). Where the chunks begin depends on `size` and `chunk` alone,
 // never on the number of threads: what is computed per chunk is the same with any number.
 template <typename ConcurrencyTag, typename Function>

@@ -48,8 +48,8 @@ public:
   {
     set_up(std::uint32_t(lower.cols()));
     for_each_chunk<ConcurrencyTag>(m_first.size() - 1, chunk, [&](std::size_t begin, std::size_t end) {
-      Eigen::MatrixXd B, W;
-      for(std::size_t b = begin; b < end; ++b) factorize_block(lower, b, B, W);
+      Eigen::MatrixXd B;
+      for(std::size_t b = begin; b < end; ++b) factorize_block(lower, b, B);
     });
     return *this;
   }
@@ -123,7 +123,7 @@ private:
   }
 
   template <typename Matrix>
-  void factorize_block(const Matrix& lower, std::size_t b, Eigen::MatrixXd& B, Eigen::MatrixXd& W)
+  void factorize_block(const Matrix& lower, std::size_t b, Eigen::MatrixXd& B)
   {
     const std::uint32_t* begin = &m_unknowns[m_first[b]];
     const std::uint32_t* end = begin + (m_first[b+1] - m_first[b]);
@@ -141,13 +141,31 @@ private:
     for(Eigen::Index i = 0; i < size; ++i) scale[i] = B(i, i) > 0 ? 1 / std::sqrt(B(i, i)) : 1;
     for(Eigen::Index c = 0; c < size; ++c)
       for(Eigen::Index r = c; r < size; ++r) B(r, c) *= scale[r] * scale[c];
-    W.setIdentity(size, size);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd> > factorization(B);
     // a block without a factor, which rounding may cause, gets its diagonal
-    if(factorization.info() == Eigen::Success) factorization.matrixL().solveInPlace(W);
+    if(factorization.info() == Eigen::Success) invert_lower_triangle(B);
+    else B.setIdentity();
     float* packed = &m_factors[m_first_factor[b]];
     for(Eigen::Index i = 0; i < size; ++i)
-      for(Eigen::Index j = 0; j <= i; ++j) *packed++ = float(W(i, j) * scale[j]);
+      for(Eigen::Index j = 0; j <= i; ++j) *packed++ = float(B(i, j) * scale[j]);
+  }
+
+  // by halves, so that products do most of the work, and nothing is multiplied by zeros
+  static void invert_lower_triangle(Eigen::Ref<Eigen::MatrixXd> L)
+  {
+    constexpr int small = 16;
+    const Eigen::Index size = L.rows(), half = size / 2, rest = size - half;
+    if(size <= small) {
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, small, small> W;
+      W.setIdentity(size, size);
+      L.triangularView<Eigen::Lower>().solveInPlace(W);
+      L.triangularView<Eigen::Lower>() = W;
+      return;
+    }
+    invert_lower_triangle(L.topLeftCorner(half, half));
+    invert_lower_triangle(L.bottomRightCorner(rest, rest));
+    const Eigen::MatrixXd product = L.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() * L.bottomLeftCorner(rest, half);
+    L.bottomLeftCorner(rest, half).noalias() = -product * L.topLeftCorner(half, half).triangularView<Eigen::Lower>();
   }
 
   const Unknown_blocks* m_blocks = nullptr;
