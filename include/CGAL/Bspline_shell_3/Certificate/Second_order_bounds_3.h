@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/second_derivatives.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -166,14 +167,13 @@ private:
   static Slopes slopes(const Enclosed_tricubic& f, double width)
   {
     Slopes slopes;
-    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
-      double least = std::numeric_limits<double>::infinity(), most = -least;
-      for(int n = 0; n < 64; ++n) {
-        if((n / stride) % 4 == 3) continue;
-        const double x = f.coefficients[n + stride] - f.coefficients[n];
-        least = (std::min)(least, x);
-        most = (std::max)(most, x);
-      }
+    std::array<Level_range, 3> differences;
+    internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+      const double* b = &f.coefficients[std::size_t(n)];
+      for(int m = 0; m < 3; ++m) differences[std::size_t(axis)].include(b[(m + 1) * stride] - b[m * stride]);
+    });
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const double least = differences[axis].min, most = differences[axis].max;
       const double error = (1 + 16 * internal::rounding)
                          * (8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius + internal::underflow);
       slopes.least[axis] = 3 * (least - error) / width - internal::underflow;

@@ -18,6 +18,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -370,11 +371,13 @@ private:
   {
     const typename Field::Cell cell = m_field->cell(c);
     const double* b = cell.coefficients();
+    std::array<double, 3> steepest = {};
+    internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+      double& most = steepest[std::size_t(axis)];
+      for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
+    });
     double squared = 0;
-    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
-      double largest = 0;
-      for(int n = 0; n < 64; ++n)
-        if((n / stride) % 4 != 3) largest = (std::max)(largest, std::abs(b[n + stride] - b[n]));
+    for(double largest : steepest) {
       largest = 3 * (largest + 2 * cell.error_radius());
       squared += largest * largest;
     }

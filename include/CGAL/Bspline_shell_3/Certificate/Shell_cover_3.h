@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
@@ -595,17 +596,15 @@ private:
   static Vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
   {
     Vectors gradient;
-    for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
-      for(int n = 0; n < 64; ++n) {
-        if((n / stride) % 4 != 0) continue;
-        const double* b = &f.coefficients[n];
-        double* g = &gradient[axis][n];
-        const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
-        g[0] = 3 * s0;
-        g[stride] = s0 + 2 * s1;
-        g[2*stride] = 2 * s1 + s2;
-        g[3*stride] = 3 * s2;
-      }
+    internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+      const double* b = &f.coefficients[std::size_t(n)];
+      double* g = &gradient[std::size_t(axis)][std::size_t(n)];
+      const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+      g[0] = 3 * s0;
+      g[stride] = s0 + 2 * s1;
+      g[2*stride] = 2 * s1 + s2;
+      g[3*stride] = 3 * s2;
+    });
     return gradient;
   }
 

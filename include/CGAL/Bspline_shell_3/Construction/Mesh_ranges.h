@@ -139,12 +139,21 @@ public:
 private:
   static constexpr int max_depth = 5;               // each takes three quarters of the excess of a bound
   static constexpr double nearly_largest = 0.95;    // a point whose value is that part of the largest will do
-  static constexpr double sharp = 0.004;            // excess of a bound that is not to be improved, relative to the size asked for
+  // excess of a bound that is not to be improved, beyond values at corners in the cell, relative to the size asked for
+  static constexpr double sharp = 0.004;
+
+  struct Bounds_by_corners
+  {
+    Level_range at_corners, range;
+    std::size_t corner;           // where the field is largest, and its size there
+    double size;
+  };
 
   struct Scratch
   {
     std::vector<internal::Subtriangle> stack;
     std::vector<std::array<double, 3> > corners;
+    std::vector<Bounds_by_corners> by_corners;
   };
 
   // in a cell
@@ -156,22 +165,14 @@ private:
 
     Bounds(const Field& field, Cell_index c) : in(field, c), corner_bounds(enclosed_value(in.cell)) {}
 
-    struct On_piece
-    {
-      Level_range range;
-      double excess;                // of the range beyond the values at corners
-      std::uint32_t corner;         // where the field is largest, and its size there
-      double size;
-    };
-
     // also gets the corners in the cell
-    On_piece by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
+    Bounds_by_corners by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
     {
       in.get_corners(clipped, piece, corners);
       const std::pair<double, double> excess = corner_bounds.excess(corners, in.shift);
-      Level_range range;
-      On_piece result = { {}, (std::max)(excess.first, excess.second), piece.first, -1 };
-      for(std::uint32_t v = piece.first; v < piece.first + piece.size; ++v) {
+      Bounds_by_corners result = { {}, {}, piece.first, -1 };
+      Level_range& range = result.at_corners;
+      for(std::size_t v = piece.first; v < piece.first + piece.size; ++v) {
         const double value = in.cell.value(clipped.point(v));
         range.include(value);
         if(std::abs(value) > result.size) {
@@ -194,23 +195,36 @@ private:
     const Cell_index c = clipped.pieces()[first].cell;
     const Bounds<Field> bounds(field, c);
     const auto& in = bounds.in;
-    Level_range range;
+    // first, what the corners say
+    auto& by_corners = scratch.by_corners;
+    by_corners.clear();
+    Level_range attained;
     Thick_cell place = { c, clipped.pieces()[first].facet, clipped.point(clipped.pieces()[first].first) };
     double most = -1;
-    // a cell is thick whatever else is found, if it is at a point; that should be about the worst one
-    const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
     for(std::size_t n = first; n < last; ++n) {
       const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
-      const auto by_corners = bounds.by_corners(clipped, piece, scratch.corners);
-      if(by_corners.size > most) {
-        most = by_corners.size;
+      by_corners.push_back(bounds.by_corners(clipped, piece, scratch.corners));
+      attained.include(by_corners.back().at_corners);
+      if(by_corners.back().size > most) {
+        most = by_corners.back().size;
         place.facet = piece.facet;
-        place.point = clipped.point(by_corners.corner);
+        place.point = clipped.point(by_corners.back().corner);
       }
-      if(is_within(by_corners.range, open_from()) && (precision == SUFFICIENT || by_corners.excess <= sharp * size)) {
-        range.include(by_corners.range);
+    }
+    // a cell is thick whatever else is found, if it is at a point; that should be about the worst one
+    const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
+    // pieces on which the field is nearly between values that it has elsewhere need not be known better
+    const double excess = sharp * size;
+    Level_range range;
+    for(std::size_t n = first; n < last; ++n) {
+      const Level_range& coarse = by_corners[n - first].range;
+      const bool is_close = coarse.min >= attained.min - excess && coarse.max <= attained.max + excess;
+      if(is_within(coarse, open_from()) && (precision == SUFFICIENT || is_close)) {
+        range.include(coarse);
         continue;
       }
+      const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
+      in.get_corners(clipped, piece, scratch.corners);
       const auto& corners = scratch.corners;
       auto& stack = scratch.stack;
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });

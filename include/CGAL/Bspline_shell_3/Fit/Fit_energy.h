@@ -33,7 +33,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the four terms of the paper's energy, and a fifth.
+ * \brief the four terms of the paper's energy, and two more.
  */
 enum class Energy_term
 {
@@ -41,14 +41,15 @@ enum class Energy_term
   SURFACE,            ///< squared value on the facets; not in the paper
   ANGLE,              ///< \f$E_{angle}\f$ (Eq. 4.3): squared difference of gradient and normal, on the facets
   SINGULAR_HESSIAN,   ///< \f$E_{singularH}\f$ (Eq. 4.4): absolute determinant of the Hessian, in the shell
-  NORMAL              ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal part and one
+  NORMAL,             ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal part and one
+  COEFFICIENTS        ///< squared difference of the coefficients and the signed distance, extended linearly from each cell; not in the paper
 };
 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
- * (Eq. 4.6, where \f$\beta = \nu = 0\f$).
+ * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \delta E_{coefficients} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
+ * (Eq. 4.6, where \f$\beta = \nu = \delta = 0\f$).
  */
 struct Energy_weights
 {
@@ -62,11 +63,14 @@ struct Energy_weights
   /// \f$\nu\f$: \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term keeps the field from varying along the facets, what
   /// \f$E_{angle}\f$ adds is little, and half of the work.
   double normal = 0;
+  /// \f$\delta\f$: 0 in the paper. Functions that reach into the domain by a corner only are hardly determined by the other terms; a small
+  /// weight lets the field go on smoothly there, and solvers converge faster.
+  double coefficients = 0;
 
   /// whether all are finite and not negative
   bool are_valid() const
   {
-    for(double w : { mu, zeta, singular_hessian, surface, normal })
+    for(double w : { mu, zeta, singular_hessian, surface, normal, coefficients })
       if(!(std::isfinite(w) && w >= 0)) return false;
     return true;
   }
@@ -88,9 +92,10 @@ struct Energy_weights
  * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
  * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
  * per unit, the energy divided by the squared width is
- * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
+ * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2 + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
  *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
  * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
+ * \f$D_c\f$ is the linear function next to the samples in the cell of \f$p\f$, and \f$a_i\f$ the middle of the support of \f$B_i\f$.
  * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
  *
  * \tparam Field a model of `FittableBsplineField_3`
@@ -128,6 +133,8 @@ public:
         m_sample_basis[s][1][a] = Cubic_bspline<>::first_derivatives(t);
         m_sample_basis[s][2][a] = Cubic_bspline<>::second_derivatives(t);
       }
+    m_share.setZero();
+    for(int s = 0; s < Distance_samples::per_cell; ++s) m_share += sample_row(s);
     find_pieces();
   }
 
@@ -139,6 +146,7 @@ public:
       case Energy_term::SURFACE: return m_weights.surface;
       case Energy_term::ANGLE: return m_weights.mu;
       case Energy_term::NORMAL: return m_weights.normal + m_weights.mu * m_weights.zeta;
+      case Energy_term::COEFFICIENTS: return m_weights.coefficients;
       case Energy_term::SINGULAR_HESSIAN: return m_weights.mu * m_weights.singular_hessian * m_gamma * m_gamma;
     }
     return 0;
@@ -177,18 +185,14 @@ public:
     return range;
   }
 
-  /// a field near the signed distance: each coefficient is the mean of the samples under its function
+  /// a field near the signed distance, whose coefficients minimize the term `COEFFICIENTS`
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
     Vector sum = Vector::Zero(Eigen::Index(m_field.number_of_points())), weight = sum;
-    Local_vector w = Local_vector::Zero();
-    for(int s = 0; s < Distance_samples::per_cell; ++s) w += sample_row(s);
     m_colors.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
-      Local_vector s;
-      sample_right_hand_side(c, s);
-      scatter(s / (scale(c) * scale(c)), c, sum);
-      scatter(w / scale(c), c, weight);
+      scatter(m_share.cwiseProduct(extended_samples(c)) / (scale(c) * scale(c)), c, sum);
+      scatter(m_share / scale(c), c, weight);
     });
     return m_field.collect(sum).cwiseQuotient(m_field.collect(weight));
   }
@@ -217,7 +221,7 @@ public:
   {
     double sum = 0;
     for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
-                             Energy_term::NORMAL })
+                             Energy_term::NORMAL, Energy_term::COEFFICIENTS })
       if(weight(term) > 0) sum += value<ConcurrencyTag>(term, x);
     return sum;
   }
@@ -247,9 +251,9 @@ public:
   template <typename ConcurrencyTag>
   void assemble(Matrix& A, Vector& b) const
   {
-    const Local_matrix mass = sample_matrix();
+    const Local_matrix of_samples = sample_matrix();
     assemble_cells<ConcurrencyTag>(nullptr, A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
-      local = mass;
+      local = of_samples;
       sample_right_hand_side(c, rhs);
       add_surface_terms(c, local, rhs);
       return true;
@@ -261,11 +265,11 @@ public:
   template <typename ConcurrencyTag>
   void assemble(const Fitted_part& part, const Vector& x, Matrix& A, Vector& b) const
   {
-    const Local_matrix mass = sample_matrix();
+    const Local_matrix of_samples = sample_matrix();
     const Vector points = m_field.extend(x);
     assemble_cells<ConcurrencyTag>(&part.points, A, b, [&](Cell_index c, Local_matrix& local, Local_vector& rhs) {
       if(!part.cells[c]) return false;
-      local = mass;
+      local = of_samples;
       sample_right_hand_side(c, rhs);
       add_surface_terms(c, local, rhs);
       const std::array<double, 64> at_x = gather(points, c);
@@ -462,6 +466,12 @@ private:
         }
         return;
       }
+      case Energy_term::COEFFICIENTS: {
+        const std::array<double, 64> local = gather(points, c);
+        const Local_vector extended = extended_samples(c);
+        for(int n = 0; n < 64; ++n) visit(local[n] - extended[n], m_share[n], [&]() { return Local_vector(Local_vector::Unit(n)); });
+        return;
+      }
       case Energy_term::SURFACE:
       case Energy_term::ANGLE:
       case Energy_term::NORMAL: {
@@ -505,7 +515,26 @@ private:
     }
   }
 
-  // the same for all cells
+  // The signed distance at the middles of the supports of the 64 functions, in cell units: that of the linear function next to the samples, which
+  // are at the corners of a cube with sides of one half.
+  Local_vector extended_samples(Cell_index c) const
+  {
+    constexpr int n = Distance_samples::per_cell;
+    double mean = 0;
+    std::array<double, 3> slope = {};
+    for(int s = 0; s < n; ++s) {
+      const double d = sample(c, s);
+      mean += d / n;
+      for(int a = 0; a < 3; ++a) slope[a] += (s >> a & 1 ? 4 : -4) * d / n;
+    }
+    Local_vector extended;
+    for(int k = 0; k < 4; ++k)
+      for(int j = 0; j < 4; ++j)
+        for(int i = 0; i < 4; ++i) extended[16*k + 4*j + i] = mean + slope[0] * (i - 1.5) + slope[1] * (j - 1.5) + slope[2] * (k - 1.5);
+    return extended;
+  }
+
+  // of the terms of all cells alike: DISTANCE and COEFFICIENTS
   Local_matrix sample_matrix() const
   {
     Local_matrix m = Local_matrix::Zero();
@@ -513,6 +542,7 @@ private:
       const Local_vector row = sample_row(s);
       m += row * row.transpose();
     }
+    m.diagonal() += weight(Energy_term::COEFFICIENTS) * m_share;
     return m;
   }
 
@@ -521,6 +551,8 @@ private:
     rhs.setZero();
     for(int s = 0; s < Distance_samples::per_cell; ++s)
       rhs += sample(c, s) * sample_row(s);
+    const double w = weight(Energy_term::COEFFICIENTS);
+    if(w > 0) rhs += w * m_share.cwiseProduct(extended_samples(c));
   }
 
   // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
@@ -572,6 +604,7 @@ private:
   double m_gamma;
   internal::Cell_colors<Field> m_colors;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
+  Local_vector m_share;                       // of the 64 functions in the samples of a cell
   std::vector<std::size_t> m_first_piece;     // of each cell, and the end
   std::vector<char> m_hessian_domain;         // by cell, or empty
 };

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
 
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -225,12 +226,12 @@ private:
   {
     double value = 0, squared = 0;
     for(int n = 0; n < 64; ++n) value = (std::max)(value, std::abs(local[n]));
-    for(int stride : { 1, 4, 16 }) {
-      double difference = 0;
-      for(int n = 0; n < 64; ++n)
-        if(n / stride % 4 > 0) difference = (std::max)(difference, std::abs(local[n] - local[n - stride]));
-      squared += difference * difference;
-    }
+    std::array<double, 3> difference = {};
+    internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+      double& most = difference[std::size_t(axis)];
+      for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(local[n + (m + 1) * stride] - local[n + m * stride]));
+    });
+    for(double d : difference) squared += d * d;
     return { scale * std::sqrt(squared), value, value };
   }
 

@@ -98,7 +98,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
     }
   }
   for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
-                           Energy_term::NORMAL })
+                           Energy_term::NORMAL, Energy_term::COEFFICIENTS })
     report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
   field.template set_coefficients<ConcurrencyTag>(x * field.cells().lattice().spacing());
   return report;

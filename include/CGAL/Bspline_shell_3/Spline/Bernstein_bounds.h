@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 
 #include <algorithm>
 #include <array>
@@ -136,16 +137,14 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
   Enclosed_tricubic r = f;
   double largest = 0;
   for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
-  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
-    for(int n = 0; n < 64; ++n) {
-      if((n / stride) % 4 != 0) continue;
-      double* b = &r.coefficients[n];
-      const double b0 = b[0], b1 = b[stride], b2 = b[2*stride], b3 = b[3*stride];
-      const double m01 = (b0 + b1) / 2, m12 = (b1 + b2) / 2, m23 = (b2 + b3) / 2;
-      const double l = (m01 + m12) / 2, u = (m12 + m23) / 2, middle = (l + u) / 2;
-      if((octant >> axis) & 1) { b[0] = middle; b[stride] = u; b[2*stride] = m23; b[3*stride] = b3; }
-      else { b[0] = b0; b[stride] = m01; b[2*stride] = l; b[3*stride] = middle; }
-    }
+  internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+    double* b = &r.coefficients[std::size_t(n)];
+    const double b0 = b[0], b1 = b[stride], b2 = b[2*stride], b3 = b[3*stride];
+    const double m01 = (b0 + b1) / 2, m12 = (b1 + b2) / 2, m23 = (b2 + b3) / 2;
+    const double l = (m01 + m12) / 2, u = (m12 + m23) / 2, middle = (l + u) / 2;
+    if((octant >> axis) & 1) { b[0] = middle; b[stride] = u; b[2*stride] = m23; b[3*stride] = b3; }
+    else { b[0] = b0; b[stride] = m01; b[2*stride] = l; b[3*stride] = middle; }
+  });
   // averages: three additions per axis, halving is exact
   r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest + internal::underflow);
   return r;
@@ -188,25 +187,25 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
 {
   Enclosed_tricubic g;
   g.coefficients.fill(0);
-  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
-    const double d = direction[axis];
-    double steepest = 0;
-    for(int n = 0; n < 64; ++n) {
-      if((n / stride) % 4 != 0) continue;
-      const double* b = &f.coefficients[n];
-      const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
-      // the derivative 3 s0, 3 s1, 3 s2 of degree two, raised to degree three
-      g.coefficients[n] += d * (3*s0);
-      g.coefficients[n + stride] += d * (s0 + 2*s1);
-      g.coefficients[n + 2*stride] += d * (2*s1 + s2);
-      g.coefficients[n + 3*stride] += d * (3*s2);
-      steepest = (std::max)({ steepest, std::abs(s0), std::abs(s1), std::abs(s2) });
-    }
-    // each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
-    // over the axes two: together at most six of three times the steepest
-    g.radius += std::abs(d) * (6 * f.radius + 18 * internal::rounding * steepest)
-              + direction_radius * (6 * f.radius + 3 * (1 + 4 * internal::rounding) * steepest);
-  }
+  std::array<double, 3> steepest = {};
+  internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
+    const double* b = &f.coefficients[std::size_t(n)];
+    double* along = &g.coefficients[std::size_t(n)];
+    const double d = direction[std::size_t(axis)];
+    const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+    // the derivative 3 s0, 3 s1, 3 s2 of degree two, raised to degree three
+    along[0] += d * (3*s0);
+    along[stride] += d * (s0 + 2*s1);
+    along[2*stride] += d * (2*s1 + s2);
+    along[3*stride] += d * (3*s2);
+    double& most = steepest[std::size_t(axis)];
+    most = (std::max)(most, (std::max)((std::max)(std::abs(s0), std::abs(s1)), std::abs(s2)));
+  });
+  // each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
+  // over the axes two: together at most six of three times the steepest
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    g.radius += std::abs(direction[axis]) * (6 * f.radius + 18 * internal::rounding * steepest[axis])
+              + direction_radius * (6 * f.radius + 3 * (1 + 4 * internal::rounding) * steepest[axis]);
   g.radius = (1 + 16 * internal::rounding) * (g.radius + internal::underflow);
   return g;
 }

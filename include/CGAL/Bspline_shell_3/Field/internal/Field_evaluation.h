@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 
 #include <Eigen/Core>
 
@@ -24,12 +25,10 @@ namespace internal {
 template <typename NT>
 inline void to_bernstein(NT* b)
 {
-  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
-    for(int n = 0; n < 64; ++n) {
-      if((n / stride) % 4 != 0) continue;
-      const std::array<NT, 4> r = Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
-      for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
-    }
+  for_each_coefficient_line([b](int, int n, auto stride) {
+    const std::array<NT, 4> r = Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
+    for(int m = 0; m < 4; ++m) b[n + m*stride] = r[std::size_t(m)];
+  });
 }
 
 // How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps times its result, or by

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SPLINE_COEFFICIENT_LINES_H
+#define CGAL_BSPLINE_SHELL_3_SPLINE_COEFFICIENT_LINES_H
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+template <int axis, typename Visitor>
+inline void for_each_line_along(const Visitor& visit)
+{
+  constexpr int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;
+  for(int slab = 0; slab < 64; slab += 4 * stride)
+    for(int n = slab; n < slab + stride; ++n) visit(axis, n, std::integral_constant<int, stride>());
+}
+
+// The 64 coefficients of a tricubic form 16 lines of four along each axis: calls visit(axis, n, stride) for each of them, along x first, then y,
+// then z. Its coefficients are n, n + stride, n + 2 stride and n + 3 stride. The stride is a constant, so that neighboring lines are worked out at once.
+template <typename Visitor>
+inline void for_each_coefficient_line(const Visitor& visit)
+{
+  for_each_line_along<0>(visit);
+  for_each_line_along<1>(visit);
+  for_each_line_along<2>(visit);
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SPLINE_COEFFICIENT_LINES_H
