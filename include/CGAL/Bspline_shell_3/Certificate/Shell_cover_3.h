@@ -134,7 +134,8 @@ public:
     const std::size_t most_boxes = m_undecided < many_undecided_boxes ? max_boxes_of_a_cell : max_boxes_of_a_hopeless_cell;
     std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
     internal::for_each_chunk<ConcurrencyTag>(cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], most_boxes, boxes[begin / chunk]);
+      std::vector<Part> queue;
+      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], most_boxes, queue, boxes[begin / chunk]);
     });
     for(const std::vector<Cover_box>& part : boxes)
       for(const Cover_box& box : part) {
@@ -367,11 +368,11 @@ private:
                   std::nextafter(b.xmax(), infinity), std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
   }
 
-  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive.
-  void subdivide(std::uint32_t c, std::size_t most_boxes, std::vector<Cover_box>& boxes) const
+  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive. The queue is scratch memory.
+  void subdivide(std::uint32_t c, std::size_t most_boxes, std::vector<Part>& queue, std::vector<Cover_box>& boxes) const
   {
     // breadth first, so that where boxes run out, they are of equal size
-    std::vector<Part> queue(1);
+    queue.resize(1);
     queue[0].box.cell = c;
     queue[0].box.depth = 0;
     for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
@@ -562,7 +563,12 @@ private:
   {
     std::array<double, 64> along;
     for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
-    worst = std::size_t(std::min_element(along.begin(), along.end()) - along.begin());
+    // four searches at a time: one would wait for each of its comparisons
+    std::array<double, 4> least = { along[0], along[1], along[2], along[3] };
+    for(std::size_t n = 4; n < 64; n += 4)
+      for(std::size_t m = 0; m < 4; ++m) least[m] = (std::min)(least[m], along[n + m]);
+    const double of_all = (std::min)((std::min)(least[0], least[1]), (std::min)(least[2], least[3]));
+    worst = (std::min)(std::size_t(std::find(along.begin(), along.end(), of_all) - along.begin()), along.size() - 1);
     return along[worst];
   }
 

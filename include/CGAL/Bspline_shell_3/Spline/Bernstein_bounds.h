@@ -45,6 +45,15 @@ struct Enclosed_tricubic
 
 namespace internal {
 
+// The largest absolute value of those that are numbers. Four searches at a time: one would wait for each of its comparisons.
+inline double largest_size(const std::array<double, 64>& b)
+{
+  std::array<double, 4> largest = {};
+  for(std::size_t n = 0; n < 64; n += 4)
+    for(std::size_t m = 0; m < 4; ++m) largest[m] = (std::max)(largest[m], std::abs(b[n + m]));
+  return (std::max)((std::max)(largest[0], largest[1]), (std::max)(largest[2], largest[3]));
+}
+
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double underflow = 1024 * (std::numeric_limits<double>::min)();
 
@@ -135,8 +144,7 @@ inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array
 inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octant)
 {
   Enclosed_tricubic r = f;
-  double largest = 0;
-  for(double x : f.coefficients) largest = (std::max)(largest, std::abs(x));
+  const double largest = internal::largest_size(f.coefficients);
   internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
     double* b = &r.coefficients[std::size_t(n)];
     const double b0 = b[0], b1 = b[stride], b2 = b[2*stride], b3 = b[3*stride];
@@ -166,11 +174,8 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
 inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
 {
   Enclosed_tricubic d;
-  double largest = 0;
-  for(int n = 0; n < 64; ++n) {
-    d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
-    largest = (std::max)(largest, std::abs(d.coefficients[n]));
-  }
+  for(int n = 0; n < 64; ++n) d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
+  const double largest = internal::largest_size(d.coefficients);
   d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest + internal::underflow);
   return d;
 }

@@ -80,8 +80,7 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
 {
   constexpr int stride[3] = { 1, 4, 16 };
   const std::array<double, 64>& b = f.coefficients;
-  double largest = 0;
-  for(double x : b) largest = (std::max)(largest, std::abs(x));
+  const double largest = internal::largest_size(b);
   // a difference of four coefficients, and three roundings of at most four times the largest
   const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
   Symmetric_matrix_range_3 h;
