@@ -28,11 +28,12 @@ inline Energy_weights all_four_terms()
   return weights;
 }
 
-// and the one that is not in the paper
+// and those that are not in the paper
 inline Energy_weights all_terms_weighted()
 {
   Energy_weights weights = all_four_terms();
   weights.surface = 30;
+  weights.coefficients = 0.25;
   return weights;
 }
 

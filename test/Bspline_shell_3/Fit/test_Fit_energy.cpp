@@ -11,8 +11,8 @@
 
 namespace {
 
-constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
-constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL };
+constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL, Term::COEFFICIENTS };
+constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 constexpr double everywhere = 1e9;
 
 // A cube of five cells on the lattice of integers, its sides in the middle of cells: user units are cell units, and
@@ -98,12 +98,18 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   CHECK(cube_problem().energy(Energy_weights::paper()).weight(Term::SURFACE) == 0);
   CHECK(Energy_weights().surface == 0);
   CHECK(Energy_weights().normal == 0);
+  CHECK(Energy_weights().coefficients == 0);
   weights.normal = 5;
   CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 261);
   weights.mu = 0;
   CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 5);
   CHECK(weights.are_valid());
+  weights.coefficients = 0.5;
+  CHECK(cube_problem().energy(weights).weight(Term::COEFFICIENTS) == 0.5);
   weights.normal = -1;
+  CHECK_FALSE(weights.are_valid());
+  weights.normal = 0;
+  weights.coefficients = -1;
   CHECK_FALSE(weights.are_valid());
 }
 
@@ -198,17 +204,43 @@ TEST_CASE("The range on the mesh is that of the quadrature points, which lie ins
   CHECK(range.first < -11 * half + 11);
 }
 
-TEST_CASE("The initial guess averages the samples")
+TEST_CASE("E_coefficients is the squared difference of a coefficient to the distance that a cell extends linearly, by the function's share in the samples")
+{
+  const Fit_problem& problem = cube_problem();
+  Energy_weights weights;
+  weights.mu = 0;
+  weights.coefficients = 0.5;
+  const Energy energy = problem.energy(weights);
+  // in a cell, the energy is half of the sum of eight squared differences by the partition of unity, if all differ alike
+  const Eigen::VectorXd guess = energy.initial_guess();
+  const std::vector<double> constant(problem.samples.size(), 3 * problem.width());
+  const Energy of_constant(problem.field, constant, problem.clipped, problem.gamma(), weights);
+  const Eigen::VectorXd five = Eigen::VectorXd::Constant(guess.size(), 5.);
+  CHECK(of_constant.value(Term::COEFFICIENTS, five) == Approx(0.5 * 4 * double(problem.samples.size())).epsilon(1e-12));
+  CHECK(problem.energy().value(Term::COEFFICIENTS, guess) == 0);
+  // one coefficient more than the minimizer's costs its share in all samples, and the minimizer is where the derivatives vanish
+  CHECK(energy.gradient(Term::COEFFICIENTS, guess).cwiseAbs().maxCoeff() < 1e-11);
+  const double least = energy.value(Term::COEFFICIENTS, guess);
+  const Eigen::Index middle = guess.size() / 2;
+  Field function = problem.field;
+  function.set_coefficients(Eigen::VectorXd::Unit(guess.size(), middle));
+  double share = 0;
+  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) { share += function.cell(c).value(p); });
+  REQUIRE(share > 0);
+  CHECK(energy.value(Term::COEFFICIENTS, Eigen::VectorXd(guess + 2 * Eigen::VectorXd::Unit(guess.size(), middle))) - least
+        == Approx(0.5 * 4 * share).epsilon(1e-9));
+}
+
+TEST_CASE("The initial guess extends the samples linearly")
 {
   const Fit_problem& problem = cube_problem();
   const Eigen::VectorXd guess = problem.energy().initial_guess();
-  const auto range = std::minmax_element(problem.samples.begin(), problem.samples.end());
-  CHECK(guess.minCoeff() >= *range.first);
-  CHECK(guess.maxCoeff() <= *range.second);
-  // means weighted by nonnegative functions: constants are reproduced, to rounding
-  const std::vector<double> constant(problem.samples.size(), 3.);
-  const Energy energy(problem.field, constant, problem.clipped, problem.gamma(), all_four_terms());
-  CHECK((energy.initial_guess().array() - 3).abs().maxCoeff() < 1e-13);
+  // linear functions are reproduced, to rounding, also by functions that reach into the domain by a corner only
+  const auto f = [](double x, double y, double z) { return 0.3 * x - 2 * y + z + 0.7; };
+  std::vector<double> linear;
+  for_each_sample(problem, [&](Field::Cell_index, const Point_3& p) { linear.push_back(f(p.x(), p.y(), p.z())); });
+  const Energy energy(problem.field, linear, problem.clipped, problem.gamma(), all_four_terms());
+  CHECK((energy.initial_guess() - problem.coefficients(f)).cwiseAbs().maxCoeff() < 1e-12);
   // and a closed mesh's distance is near: nowhere off by more than the function's reach of two cells
   Field field = problem.field;
   field.set_coefficients(guess * problem.width());
@@ -256,13 +288,14 @@ TEST_CASE("Gradients are the derivatives of the values")
   }
 }
 
-TEST_CASE("The normal equations are those of the four quadratic terms")
+TEST_CASE("The normal equations are those of the quadratic terms")
 {
   const Fit_problem problem(sphere(1), 4.3, 1);
   Energy_weights without_angle;
   without_angle.mu = 0;
   without_angle.normal = 10;
   without_angle.surface = 100;
+  without_angle.coefficients = 0.002;
   const Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
   const std::size_t size = problem.field.number_of_coefficients();
   Eigen::SparseMatrix<double> A;

@@ -101,6 +101,16 @@ Exact_coefficients derivative(const Exact_coefficients& b, int axis)
 
 } // namespace
 
+TEST_CASE("The largest size is found wherever it is")
+{
+  for(std::size_t n = 0; n < 64; ++n) {
+    std::array<double, 64> b;
+    b.fill(0.5);
+    b[n] = n % 2 == 0 ? 2 : -2;
+    CHECK(BS::internal::largest_size(b) == 2);
+  }
+}
+
 TEST_CASE("Bounds: the range of the coefficients encloses the functions at both ends of the radius")
 {
   const Enclosed_tricubic f = constant(1, 0.25);

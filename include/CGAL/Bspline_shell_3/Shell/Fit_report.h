@@ -25,7 +25,7 @@ struct Fit_report
   std::size_t linear_solves = 0;            ///< one, and one for each Gauss-Newton step
   std::size_t iterations = 0;               ///< of the linear solver, all solves together
   double residual = 0;                      ///< relative, of the last solve
-  std::array<double, 5> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
+  std::array<double, 6> energy = {};        ///< weighted terms at the solution, in cell units, in the order of `Energy_term`
   double seconds_assembly = 0;
   double seconds_solver = 0;                ///< with the assembly of Gauss-Newton steps
 };
