@@ -20,8 +20,8 @@ typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
 typedef BS::Fit_energy<Hierarchical_field> Hierarchical_energy;
 typedef Hierarchical_field::Cell_index Index;
 
-constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL };
-constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL };
+constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL, Term::COEFFICIENTS };
+constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 
 // a mesh, and leaves that are refined at one point of it
 struct Problem

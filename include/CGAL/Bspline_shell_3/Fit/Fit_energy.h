@@ -185,7 +185,8 @@ public:
     return range;
   }
 
-  /// a field near the signed distance, whose coefficients minimize the term `COEFFICIENTS`
+  /// A field near the signed distance: each coefficient is the mean of what the leaves of its level around it extend to the middle of its function.
+  /// On cells of one size, these minimize the term `COEFFICIENTS`.
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
@@ -194,7 +195,12 @@ public:
       scatter(m_share.cwiseProduct(extended_samples(c)) / (scale(c) * scale(c)), c, sum);
       scatter(m_share / scale(c), c, weight);
     });
-    return m_field.collect(sum).cwiseQuotient(m_field.collect(weight));
+    Vector guess(Eigen::Index(m_field.number_of_coefficients()));
+    for(Eigen::Index u = 0; u < guess.size(); ++u) {
+      const Eigen::Index point = Eigen::Index(m_field.point_of_coefficient(Cell_index(u)));
+      guess[u] = sum[point] / weight[point];
+    }
+    return guess;
   }
 
   /// the weighted term at `x`
