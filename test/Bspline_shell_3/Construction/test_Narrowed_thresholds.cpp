@@ -151,6 +151,23 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
 }
 
+TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as long as the shell reaches it")
+{
+  const Ball large(1.9);
+  constexpr double width = 1.6;
+  REQUIRE(large.field.value(Point_3(0, 0, 0)).value() < -width / 2 - 0.3);        // not in the shell
+  REQUIRE(large.field.value(Point_3(2.499, 0, 0)).value() < width / 2);           // in it
+  Thresholds thresholds(seed());
+  BS::Narrowing_limits limits;
+  limits.max_passes = 1;
+  thresholds.begin(large.field, [](const Point_3&) { return width; });
+  large.choose(thresholds, limits);
+  CHECK(thresholds.undecided_volume() > 0);
+  thresholds.begin(large.field, [](const Point_3&) { return width; });
+  CHECK(large.choose(thresholds).empty());
+  CHECK(thresholds.undecided_volume() == 0);
+}
+
 TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is an obstacle, in its cell")
 {
   // zero everywhere

@@ -157,7 +157,8 @@ public:
   /// \pre `are_chosen()`
   const Threshold& outer() const { return *m_outer; }
 
-  /// of the boxes where the last `choose()` left undecided whether the shell has a critical point; infinite before the first one
+  /// of the boxes where the last `choose()` left undecided whether the shell has a critical point, and of those at the end of the domain; infinite
+  /// before the first one
   double undecided_volume() const { return m_undecided_volume; }
 
   /// leaves nothing chosen
@@ -232,7 +233,9 @@ private:
   std::map<std::pair<Cell_index, int>, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
   {
     std::map<std::pair<Cell_index, int>, Nearest> nearest;
+    m_undecided_volume = 0;
     const auto note = [&](const Cover_box& box) {
+      m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
       const Level_range f = cover.function(box).range();
       const Bbox_3 b = cover.bbox(box);
       const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
@@ -242,13 +245,9 @@ private:
       const auto it = nearest.insert({ { box.cell, side }, { size, middle } }).first;
       if(size < it->second.size) it->second = { size, middle };
     };
-    m_undecided_volume = 0;
     if(cover.number_of_undecided_boxes() > 0)
-      for(const Cover_box& box : cover.boxes()) {
-        if(box.component == Cover_box::no_component || box.kind != Box_kind::UNDECIDED) continue;
-        m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
-        note(box);
-      }
+      for(const Cover_box& box : cover.boxes())
+        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box);
     for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
     return nearest;
   }

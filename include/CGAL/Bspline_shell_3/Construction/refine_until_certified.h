@@ -617,7 +617,7 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
   constexpr int max_rounds_in_vain = 4;
   constexpr double progress = 0.9;
   double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
-  std::size_t fewest_facets = std::numeric_limits<std::size_t>::max();
+  std::size_t fewest_facets = std::numeric_limits<std::size_t>::max(), fewest_obstacles = fewest_facets;
   int rounds_in_vain = 0;
   m_total.start();
   m_timer.start();
@@ -630,10 +630,13 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
       if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
       choose_field_and_thresholds();
       if(m_marked.empty() && m_thresholds.are_chosen() && certify()) return Refinement_status::CERTIFIED;
-      const bool better = log.thick_cells > 0 || m_thresholds.undecided_volume() < progress * least_volume || log.failing_facets < fewest_facets;
+      // boxes are larger where there are many: few obstacles may have more volume than others before them
+      const bool better = log.thick_cells > 0 || log.failing_facets < fewest_facets || m_thresholds.undecided_volume() < progress * least_volume
+                       || double(log.undecided_cells) < progress * double(fewest_obstacles);
       rounds_in_vain = better ? 0 : rounds_in_vain + 1;
       least_volume = (std::min)(least_volume, m_thresholds.undecided_volume());
       fewest_facets = (std::min)(fewest_facets, log.failing_facets);
+      fewest_obstacles = (std::min)(fewest_obstacles, log.undecided_cells);
     }
     std::sort(m_marked.begin(), m_marked.end());
     m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
