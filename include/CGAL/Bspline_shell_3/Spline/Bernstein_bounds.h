@@ -203,8 +203,9 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
     along[stride] += d * (s0 + 2*s1);
     along[2*stride] += d * (2*s1 + s2);
     along[3*stride] += d * (3*s2);
+    // what is not a number is passed over, and hides no other
     double& most = steepest[std::size_t(axis)];
-    most = (std::max)(most, (std::max)((std::max)(std::abs(s0), std::abs(s1)), std::abs(s2)));
+    most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
   // each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
   // over the axes two: together at most six of three times the steepest
