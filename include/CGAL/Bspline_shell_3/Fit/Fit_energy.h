@@ -48,7 +48,8 @@ enum class Energy_term
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \delta E_{coefficients} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
+ * \brief weights of the terms,
+ * \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \delta E_{coefficients} + \mu (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$
  * (Eq. 4.6, where \f$\beta = \nu = \delta = 0\f$).
  */
 struct Energy_weights
@@ -92,7 +93,8 @@ struct Energy_weights
  * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
  * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
  * per unit, the energy divided by the squared width is
- * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2 + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
+ * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2
+ *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
  *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
  * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
  * \f$D_c\f$ is the linear function next to the samples in the cell of \f$p\f$, and \f$a_i\f$ the middle of the support of \f$B_i\f$.
