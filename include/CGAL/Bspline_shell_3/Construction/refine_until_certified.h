@@ -151,7 +151,8 @@ private:
   static constexpr std::size_t many_thick_at_first = 24;        // one of so many, before small changes
   static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
   static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
-  static constexpr std::size_t least_many_obstacles = 40, obstacles_to_refine = 128;        // cells; one of so many
+  static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
+  static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
   void lap(Step step)
@@ -530,8 +531,9 @@ private:
     if(are_due_to_thickness(cells)) {
       for(Index c : m_thick_at_first) mark(c);
     } else {
+      const bool alone = cells.size() > m_field->number_of_cells() / cells_to_split_alone;
       for(Index c : cells)
-        if(are_many(cells)) mark(c);
+        if(alone) mark(c);
         else mark_widely(c);
     }
     lap(CERTIFICATE);
