@@ -258,6 +258,19 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
   CHECK_FALSE(is_contained(field, at_corners + 1e-12, 1, large));
 }
 
+TEST_CASE("Second-order bounds: a facet that rises from a threshold may bend towards it by much more than the least distance")
+{
+  // x^2 + z: where z is 0.1, by 0.001 above the inner threshold where x is 0, and by 0.04 more at the other end
+  constexpr double low = 0.001;
+  const Triangle t = { Point_3(0, 0.1, 0.1), Point_3(0.2, 0.1, 0.1), Point_3(0.2, 0.2, 0.1) };
+  CHECK(is_contained(uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 0, 1 } } }), 0.1 - low, 1, t, 0));
+  CHECK(is_contained(uniform_field({ { -1, { 2, 0, 0 } }, { 1, { 0, 0, 1 } } }), -1, 0.1 + low, t, 0));
+  // 4 (x - 0.1)^2 is as high at both ends, and does not bend away from zero in between
+  const Polynomial sinking = { { 4, { 2, 0, 0 } }, { -0.8, { 1, 0, 0 } }, { 0.04, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } };
+  CHECK_FALSE(is_contained(uniform_field(sinking), 0.1 + low, 1, t));
+  CHECK(is_contained(uniform_field(sinking), 0.1 - low, 1, t));
+}
+
 TEST_CASE("Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
 {
   // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4: the largest curvature is nearly twice the mean one

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Spline/is_positive_on_triangle.h>
 #include <CGAL/Bspline_shell_3/Spline/second_derivatives.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -37,10 +38,10 @@ namespace Bspline_shells {
  * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle, and let the second derivatives of a function \f$g\f$ on the cells that the
  * triangle meets differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's formula at \f$x\f$ for each
  * corner, weighted by \f$\lambda_i\f$, has no terms of first order. With \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$ it gives
- * \f[ g(x) \ge \min_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j)
- *          \ge \min_i g(v_i) - \frac{1}{6} \max (0, \max_{i<j} q(v_i - v_j)), \f]
+ * \f[ g(x) \ge \sum_i \lambda_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j), \f]
  * where \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal: what does not curve upwards in the
- * triangle's plane costs next to nothing. In the slope along the normal \f$n\f$, \f$C\f$ drops out in the same way:
+ * triangle's plane costs next to nothing. `is_positive_on_triangle()` tells whether that is positive. In the slope along the normal \f$n\f$,
+ * \f$C\f$ drops out in the same way:
  * \f[ n \cdot \nabla g(x) \ge \min_i n \cdot \nabla g(v_i) - \frac{1}{2} \sum_{a, b} |n_a| R_{ab} w_b \f]
  * with the widths \f$w\f$ of the triangle's box, as numbers differ from their mean by at most half the length of the interval that they lie
  * in, in the mean. The field has two continuous derivatives, so that this holds across cells. Triangles are bisected until it is enough.
@@ -486,19 +487,22 @@ private:
       // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these underflow.
       const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift
                          + region.curvature * internal::underflow;
-      const double above = (largest_on_edges(region.above, e) / 6 + error) * up, below = (largest_on_edges(region.below, e) / 6 + error) * up;
-      for(const Sample& s : part.corner)
-        if(!(s.above > above && s.below > below)) return false;
-      return true;
+      std::array<double, 3> above, below;
+      for(std::size_t v = 0; v < 3; ++v) {
+        above[v] = part.corner[v].above - error * up;
+        below[v] = part.corner[v].below - error * up;
+      }
+      return is_positive_on_triangle(above, on_edges(region.above, e)) && is_positive_on_triangle(below, on_edges(region.below, e));
     }
 
-    // max(0, q)
-    static double largest_on_edges(const Symmetric_matrix& q, const Edges& e)
+    static std::array<double, 3> on_edges(const Symmetric_matrix& q, const Edges& e)
     {
-      double largest = 0;
-      for(const Symmetric_matrix& p : e.products)
-        largest = (std::max)(largest, q[0]*p[0] + q[1]*p[1] + q[2]*p[2] + q[3]*p[3] + q[4]*p[4] + q[5]*p[5]);
-      return largest;
+      std::array<double, 3> on_edges;
+      for(std::size_t v = 0; v < 3; ++v) {
+        const Symmetric_matrix& p = e.products[v];
+        on_edges[v] = q[0]*p[0] + q[1]*p[1] + q[2]*p[2] + q[3]*p[3] + q[4]*p[4] + q[5]*p[5];
+      }
+      return on_edges;
     }
 
     bool is_transversal(const Part& part, const Bbox_3& box, const Region& region)
