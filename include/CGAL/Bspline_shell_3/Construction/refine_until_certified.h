@@ -92,8 +92,8 @@ struct Refinement_parameters
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
  * too small a slope (`slope_conditions()`), small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
  * (`Narrowed_thresholds`); where the mesh needs them wider than they should be, the field is asked to increase. Cells where none of this helps are
- * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too large in many cells before small
- * changes, these are instead. When nothing is found wanting, the certificate is asked.
+ * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too
+ * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
