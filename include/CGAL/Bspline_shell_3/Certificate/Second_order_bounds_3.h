@@ -58,11 +58,13 @@ public:
   typedef typename Field::Point_3 Point_3;
   typedef typename Field::Cell_index Cell_index;
 
+  static constexpr Cell_index no_cell = Field::npos;
+
   /// what is known at a point
   struct Sample
   {
     std::array<double, 3> point;
-    Cell_index cell;                      ///< one that contains the point; `npos` outside the domain
+    Cell_index cell;                      ///< one that contains the point; `no_cell` outside the domain
     double above, below;                  ///< lower bounds of the field minus the inner threshold, and of the outer one minus the field
     std::array<double, 3> gradient;       ///< per user unit, rounded
   };
@@ -87,6 +89,9 @@ public:
       for(std::size_t c = begin; c < end; ++c) bound(Cell_index(c));
     });
   }
+
+  /// of a cell, in user units
+  double width(Cell_index c) const { return m_cells[c].width; }
 
   Sample sample(const Point_3& p) const { return sample({ p[0], p[1], p[2] }, m_field->locate(p), true, true); }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/estimate_facet.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
@@ -39,6 +40,14 @@
 namespace CGAL {
 namespace Bspline_shells {
 
+/// \ingroup PkgBsplineShell3Certificate
+/// which of the facets that a `Shell_facet_oracle_3` accepts are proved
+enum class Facet_proofs
+{
+  ALL,
+  WHERE_DOUBTFUL      ///< those that an estimate from a few points does not clear: several times as fast, but what is accepted still has to be proved
+};
+
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
@@ -47,6 +56,9 @@ namespace Bspline_shells {
  *
  * Answers come from `Second_order_bounds_3`. Rejections are no proofs: a triangle that is in the shell by less than rounding may be
  * rejected, and one that would take too many bisections.
+ *
+ * On request (`Facet_proofs::WHERE_DOUBTFUL`), it proves only what is doubtful, and what it accepts is proved no more. That is for edits
+ * that make many facets of which few are left: their results are certified, whatever was accepted before.
  *
  * The oracle is immutable: const member functions may be called from several threads at once.
  *
@@ -84,7 +96,7 @@ public:
   };
 
   /// \pre there is a shell, and it outlives this object
-  explicit Shell_facet_oracle_3(const Shell& shell);
+  explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
 
   /// what the oracle knows of the field, for others that ask about facets in the shell
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
@@ -118,12 +130,38 @@ private:
   // whether a facet faces along the gradient at a point, rounded
   static bool faces_along(const Sample& s, const Point_3& p, const Point_3& q, const Point_3& r)
   {
+    return Bounds::slope(s, rounded_normal(p, q, r)) > 0;
+  }
+
+  static Coordinates rounded_normal(const Point_3& p, const Point_3& q, const Point_3& r)
+  {
     Coordinates u, v;
     for(int a = 0; a < 3; ++a) {
       u[a] = q[a] - p[a];
       v[a] = r[a] - p[a];
     }
-    return Bounds::slope(s, internal::cross(u, v)) > 0;
+    return internal::cross(u, v);
+  }
+
+  typedef internal::Facet_estimate Estimate;
+  Estimate estimate(const std::array<Sample, 3>& corners, const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    if(m_proofs == Facet_proofs::ALL) return Estimate::DOUBTFUL;
+    return internal::Facet_estimator<Bounds>(*m_bounds, rounded_normal(p, q, r))(corners);
+  }
+
+  // a facet whose corners are in the shell
+  Placement_verdict judge(const std::array<Sample, 3>& corners, const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    switch(estimate(corners, p, q, r)) {
+      case Estimate::CLEAR:        return Placement_verdict::ACCEPTED;
+      case Estimate::LEAVES_SHELL: return Placement_verdict::LEAVES_SHELL;
+      case Estimate::FACES_AWAY:   return Placement_verdict::FACES_AWAY;
+      case Estimate::DOUBTFUL:     break;
+    }
+    const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
+    if(!found.is_contained) return Placement_verdict::LEAVES_SHELL;
+    return found.is_transversal ? Placement_verdict::ACCEPTED : Placement_verdict::FACES_AWAY;
   }
 
   void find_samples(const std::vector<Point_3>& link, Memory& memory) const
@@ -140,14 +178,15 @@ private:
   static constexpr std::size_t most_bisections = 4096;
 
   const Shell* m_shell;
+  Facet_proofs m_proofs;
   Field_predicates_3<Field> m_predicates;
   std::shared_ptr<const Bounds> m_bounds;
   double m_largest_width = 0;       // of a cell
 };
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell)
-  : m_shell(&shell), m_predicates(shell.field())
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs)
+  : m_shell(&shell), m_proofs(proofs), m_predicates(shell.field())
   , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
 {
   CGAL_precondition(bool(shell));
@@ -192,10 +231,8 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    const Facet_bounds found = m_bounds->examine({ at_p, memory.m_samples[n], memory.m_samples[m] }, facet_normal(p, link[n], link[m]),
-                                                 most_bisections);
-    if(found.is_contained && found.is_transversal) return;
-    verdicts[n] = found.is_contained ? Placement_verdict::FACES_AWAY : Placement_verdict::LEAVES_SHELL;
+    verdicts[n] = judge({ at_p, memory.m_samples[n], memory.m_samples[m] }, p, link[n], link[m]);
+    if(verdicts[n] == Placement_verdict::ACCEPTED) return;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
   };
@@ -222,6 +259,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
   for(const Sample& s : corners)
     if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
+  if(estimate(corners, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
   const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
   if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
   if(found.faces_away) return Placement_verdict::FACES_AWAY;

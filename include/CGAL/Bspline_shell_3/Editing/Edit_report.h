@@ -33,6 +33,9 @@ struct Edit_report
   std::size_t constrained_edges = 0;            ///< of the result; 0 if the mesh was not edited
   Placement_statistics placements;              ///< all that were tried, by verdict
   Certificate_report certificate;               ///< of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
+  /// whether the edit was undone, and done again with a proof for each facet: the first time, facets that an estimate cleared were accepted as
+  /// they were, and the certificate failed
+  bool is_repeated = false;
   /// times of the first check, the edit, the certificate, and the location of vertices
   double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;
 

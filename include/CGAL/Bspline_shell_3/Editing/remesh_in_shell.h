@@ -155,7 +155,9 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, np, result,
+  // a map that is written to would see a run that is undone
+  constexpr bool may_repeat = CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
                                                           [&](const auto& oracle, const auto& frozen, const auto& all) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     typedef Shell_projection_3<Shell, TriangleMesh> Projection;

@@ -357,7 +357,13 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   if(usable != Status::SUCCESS) return ended(usable);
 
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, np, result,
+  // nobody sees a run that is undone
+  constexpr bool may_repeat =
+    is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
+    && is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value && !has_constraints
+    && (is_default_parameter<CGAL_NP_CLASS, tags::stop_t>::value
+        || std::is_same<std::remove_cv_t<decltype(stop)>, Facet_count_stop_predicate>::value);
+  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, may_repeat, np, result,
                                                           [&](const auto& oracle, auto& frozen, const auto& all) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
     SMS::internal::Dummy_filter default_filter;

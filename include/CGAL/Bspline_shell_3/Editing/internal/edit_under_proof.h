@@ -22,6 +22,7 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
@@ -317,15 +318,23 @@ private:
   std::optional<Shell_closing_3::Attached<TriangleMesh> > m_attached;
 };
 
+// Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they are.
+template <typename TriangleMesh>
+bool is_restored_in_place(const TriangleMesh&) { return false; }
+template <typename Point>
+bool is_restored_in_place(const Surface_mesh<Point>& mesh) { return !mesh.has_garbage(); }
+
 // Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
 // `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches
 // to the mesh must be gone when it returns. `all` has a vertex for each that the mesh had: itself, or, where the mesh was truncated first, as the
 // shell does it, one nearby. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
 // \pre `check_before_edits()` accepts the mesh
+// \param proofs which of the facets that the oracle accepts are proved. All of them are where facets may be frozen.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>
-Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
-                             const Bspline_shell_3<Field, Threshold>& shell, const NamedParameters& np, Result& result, const Edit& edit)
+Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
+                             const Bspline_shell_3<Field, Threshold>& shell, Facet_proofs proofs, const NamedParameters& np, Result& result,
+                             const Edit& edit)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   typedef Frozen_facets<TriangleMesh> Frozen;
@@ -366,11 +375,12 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     is_truncated = truncate(*shell.truncation(), mesh, vpm, all);
   }
 
-  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell);
+  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell, proofs);
   Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
   if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
   lap(result.check_seconds);
   const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+  CGAL_assertion(!freezes || proofs == Facet_proofs::ALL);
   if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size())) {
     if(!is_truncated) return Edit_status::NOT_IN_SHELL;
     renumber(faces(mesh), facets_before, result.offending_simplices.facets);
@@ -409,6 +419,32 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
       lap(result.location_seconds);
     }
   return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
+}
+
+// The same, with proofs only where facets are doubtful, if `may_repeat`. The certificate decides; if it fails, all is undone, and done again
+// with all proofs: that must not harm what others know of the mesh, and `edit` must do the same when it is called again.
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
+          typename NamedParameters, typename Result, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
+                             const Bspline_shell_3<Field, Threshold>& shell, bool may_repeat, const NamedParameters& np, Result& result,
+                             const Edit& edit)
+{
+  const auto edited = [&](Facet_proofs proofs) {
+    return edit_and_certify<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, proofs, np, result, edit);
+  };
+  const bool freezes = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+  if(!may_repeat || freezes || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
+  const Result before = result;
+  const Edit_status status = edited(Facet_proofs::WHERE_DOUBTFUL);
+  if(status != Edit_status::NOT_CERTIFIED) return status;
+  const Edit_report first = result;
+  result = before;
+  const Edit_status again = edited(Facet_proofs::ALL);
+  result.is_repeated = true;
+  result.check_seconds += first.check_seconds;
+  result.edit_seconds += first.edit_seconds;
+  result.certificate_seconds += first.certificate_seconds;
+  return again;
 }
 
 } // namespace internal

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_ESTIMATE_FACET_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_ESTIMATE_FACET_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+enum class Facet_estimate
+{
+  CLEAR,              // in the shell and facing along the gradient, by all that is seen: not a proof
+  LEAVES_SHELL,       // at a point that was looked at
+  FACES_AWAY,         // the same
+  DOUBTFUL
+};
+
+// Guesses what Second_order_bounds_3 proves of a triangle, for some tenths of the time. Values and gradients at the corners of a part give a cubic
+// triangle, whose Bernstein coefficients bound the margins, and slopes at corners and middles of edges a quadratic one. How far the cubics are off
+// at the middles, and how much slopes bend, is what they may be wrong by. Parts are bisected until that is enough.
+template <typename Bounds>
+class Facet_estimator
+{
+  typedef typename Bounds::Sample Sample;
+  typedef std::array<double, 3> Coordinates;
+public:
+  // \param normal of any length
+  Facet_estimator(const Bounds& bounds, const Coordinates& normal) : m_bounds(bounds), m_normal(normal) {}
+
+  // \param corners samples of the corners, in cells
+  Facet_estimate operator()(const std::array<Sample, 3>& corners)
+  {
+    for(const Sample& s : corners) {
+      const Facet_estimate there = at(s);
+      if(there != Facet_estimate::CLEAR) return there;
+    }
+    m_bisections_left = most_bisections;
+    return estimate(corners);
+  }
+
+private:
+  static constexpr int most_bisections = 512;
+  static constexpr double large_extent = 3;         // cells, of parts that are bisected without a look at their cubics
+  static constexpr double safety = 2;               // margins, relative to what the cubics are off by
+  static constexpr double slope_safety = 0.5;       // slopes, relative to how much they bend
+
+  struct Edge { const Sample &p, &q; };
+  static Edge edge(const std::array<Sample, 3>& corners, std::size_t v) { return { corners[(v + 1) % 3], corners[(v + 2) % 3] }; }
+
+  // what a point says
+  Facet_estimate at(const Sample& s) const
+  {
+    if(s.cell == Bounds::no_cell || !(s.above > 0 && s.below > 0)) return Facet_estimate::LEAVES_SHELL;
+    return Bounds::slope(s, m_normal) > 0 ? Facet_estimate::CLEAR : Facet_estimate::FACES_AWAY;
+  }
+
+  Facet_estimate estimate(const std::array<Sample, 3>& corners)
+  {
+    double width = 0, longest = -1;
+    std::size_t top = 0;
+    std::array<Coordinates, 3> along;
+    for(std::size_t v = 0; v < 3; ++v) {
+      width = (std::max)(width, m_bounds.width(corners[v].cell));
+      const Edge e = edge(corners, v);
+      double squared = 0;
+      for(std::size_t a = 0; a < 3; ++a) {
+        along[v][a] = e.q.point[a] - e.p.point[a];
+        squared += along[v][a] * along[v][a];
+      }
+      if(squared > longest) {
+        longest = squared;
+        top = v;
+      }
+    }
+    if(longest > large_extent * large_extent * width * width) {
+      const Edge e = edge(corners, top);
+      const Sample middle = m_bounds.sample_middle(e.p, e.q);
+      const Facet_estimate there = at(middle);
+      return there == Facet_estimate::CLEAR ? bisect(corners, top, middle) : there;
+    }
+
+    std::array<Sample, 3> middles;
+    Coordinates slopes;
+    for(std::size_t v = 0; v < 3; ++v) slopes[v] = Bounds::slope(corners[v], m_normal);
+    double least = std::numeric_limits<double>::infinity(), off = 0;
+    double least_slope = least, bend = 0;
+    // sums of the coefficients at corners, and of those on edges
+    double above_at_corners = 0, below_at_corners = 0, above_on_edges = 0, below_on_edges = 0;
+    for(std::size_t v = 0; v < 3; ++v) {
+      const Edge e = edge(corners, v);
+      const Sample& middle = middles[v] = m_bounds.sample_middle(e.p, e.q);
+      const Facet_estimate there = at(middle);
+      if(there != Facet_estimate::CLEAR) return there;
+      // thresholds hardly vary: the margins rise and fall as the field does
+      const double rise_p = Bounds::slope(e.p, along[v]), rise_q = Bounds::slope(e.q, along[v]);
+      const double above_p = e.p.above + rise_p / 3, above_q = e.q.above - rise_q / 3;
+      const double below_p = e.p.below - rise_p / 3, below_q = e.q.below + rise_q / 3;
+      least = (std::min)({ least, corners[v].above, corners[v].below, above_p, above_q, below_p, below_q });
+      above_at_corners += corners[v].above;
+      below_at_corners += corners[v].below;
+      above_on_edges += above_p + above_q;
+      below_on_edges += below_p + below_q;
+      const double bulge = (rise_p - rise_q) / 8;
+      off = (std::max)({ off, std::abs((e.p.above + e.q.above) / 2 + bulge - middle.above),
+                         std::abs((e.p.below + e.q.below) / 2 - bulge - middle.below) });
+      const double mean = (slopes[(v + 1) % 3] + slopes[(v + 2) % 3]) / 2, slope = Bounds::slope(middle, m_normal);
+      least_slope = (std::min)({ least_slope, slopes[v], 2 * slope - mean });
+      bend = (std::max)(bend, std::abs(slope - mean));
+    }
+    // the coefficient in the middle, by which quadratic functions are reproduced
+    least = (std::min)({ least, above_on_edges / 4 - above_at_corners / 6, below_on_edges / 4 - below_at_corners / 6 });
+    if(least > safety * off && least_slope > slope_safety * bend) return Facet_estimate::CLEAR;
+    return bisect(corners, top, middles[top]);
+  }
+
+  // by the middle of the edge opposite to a corner
+  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle)
+  {
+    if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
+    --m_bisections_left;
+    for(std::size_t end : { 1, 2 }) {
+      std::array<Sample, 3> half = corners;
+      half[(top + end) % 3] = middle;
+      const Facet_estimate found = estimate(half);
+      if(found != Facet_estimate::CLEAR) return found;
+    }
+    return Facet_estimate::CLEAR;
+  }
+
+  const Bounds& m_bounds;
+  Coordinates m_normal;
+  int m_bisections_left = 0;
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_ESTIMATE_FACET_H
