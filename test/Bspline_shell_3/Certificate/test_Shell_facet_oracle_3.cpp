@@ -187,3 +187,14 @@ TEST_CASE("Facet oracle: what is between the thresholds but in cells that are no
     CHECK((oracle(at(0.01, 0.02), link, memory) == Placement_verdict::ACCEPTED) == is_in_shell);
   }
 }
+
+TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is rejected where all is proved")
+{
+  // the slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1), the same at all corners and middles of edges, and negative between
+  const auto shell = shell_of(uniform_field({ { 0.01, { 0, 0, 1 } }, { 1, { 1, 0, 1 } }, { -6, { 2, 0, 1 } }, { 8, { 3, 0, 1 } } }), -5, 5);
+  const double z = 0.1;
+  const Point_3 p(0, -0.2, z), q(0.5, -0.2, z), r(0, 0.2, z);
+  CHECK(Oracle(shell, BS::Facet_proofs::WHERE_DOUBTFUL)(p, q, r) == Placement_verdict::ACCEPTED);
+  CHECK(Oracle(shell)(p, q, r) == Placement_verdict::FACES_AWAY);
+  CHECK(Oracle(shell, BS::Facet_proofs::ALL)(p, q, r) == Placement_verdict::FACES_AWAY);
+}

@@ -99,6 +99,8 @@ public:
   Sample sample_middle(const Sample& p, const Sample& q) const
   {
     const Coordinates x = middle(p, q);
+    for(Cell_index c : { p.cell, q.cell })
+      if(c != no_cell && contains(m_cells[c], x)) return sample(x, c, true, true);
     return sample(x, locate(x), true, true);
   }
 
@@ -143,6 +145,13 @@ private:
   }
 
   Cell_index locate(const Coordinates& x) const { return m_field->locate(Point_3(x[0], x[1], x[2])); }
+
+  static bool contains(const Cell_bounds& cell, const Coordinates& x)
+  {
+    for(int a = 0; a < 3; ++a)
+      if(x[a] < cell.corner[a] || x[a] > cell.corner[a] + cell.width) return false;
+    return true;
+  }
 
   // in a cell that contains the point
   Sample sample(const Coordinates& x, Cell_index c, bool wants_margins, bool wants_gradient) const
@@ -349,12 +358,6 @@ private:
     {
       for(int a = 0; a < 3; ++a)
         if((box.max)(a) < cell.corner[a] || (box.min)(a) > cell.corner[a] + cell.width) return false;
-      return true;
-    }
-    static bool contains(const Cell_bounds& cell, const Coordinates& x)
-    {
-      for(int a = 0; a < 3; ++a)
-        if(x[a] < cell.corner[a] || x[a] > cell.corner[a] + cell.width) return false;
       return true;
     }
 

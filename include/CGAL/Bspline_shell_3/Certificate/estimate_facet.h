@@ -44,7 +44,7 @@ public:
       if(there != Facet_estimate::CLEAR) return there;
     }
     m_bisections_left = most_bisections;
-    return estimate(corners);
+    return estimate(corners, 0, nullptr);
   }
 
 private:
@@ -63,7 +63,8 @@ private:
     return Bounds::slope(s, m_normal) > 0 ? Facet_estimate::CLEAR : Facet_estimate::FACES_AWAY;
   }
 
-  Facet_estimate estimate(const std::array<Sample, 3>& corners)
+  // \param known the middle of the edge opposite to corner `n`, if it is known
+  Facet_estimate estimate(const std::array<Sample, 3>& corners, std::size_t n, const Sample* known)
   {
     double width = 0, longest = -1;
     std::size_t top = 0;
@@ -83,9 +84,9 @@ private:
     }
     if(longest > large_extent * large_extent * width * width) {
       const Edge e = edge(corners, top);
-      const Sample middle = m_bounds.sample_middle(e.p, e.q);
+      const Sample middle = known && n == top ? *known : m_bounds.sample_middle(e.p, e.q);
       const Facet_estimate there = at(middle);
-      return there == Facet_estimate::CLEAR ? bisect(corners, top, middle) : there;
+      return there == Facet_estimate::CLEAR ? bisect(corners, top, middle, nullptr) : there;
     }
 
     std::array<Sample, 3> middles;
@@ -97,7 +98,7 @@ private:
     double above_at_corners = 0, below_at_corners = 0, above_on_edges = 0, below_on_edges = 0;
     for(std::size_t v = 0; v < 3; ++v) {
       const Edge e = edge(corners, v);
-      const Sample& middle = middles[v] = m_bounds.sample_middle(e.p, e.q);
+      const Sample& middle = middles[v] = known && n == v ? *known : m_bounds.sample_middle(e.p, e.q);
       const Facet_estimate there = at(middle);
       if(there != Facet_estimate::CLEAR) return there;
       // thresholds hardly vary: the margins rise and fall as the field does
@@ -119,18 +120,20 @@ private:
     // the coefficient in the middle, by which quadratic functions are reproduced
     least = (std::min)({ least, above_on_edges / 4 - above_at_corners / 6, below_on_edges / 4 - below_at_corners / 6 });
     if(least > safety * off && least_slope > slope_safety * bend) return Facet_estimate::CLEAR;
-    return bisect(corners, top, middles[top]);
+    return bisect(corners, top, middles[top], &middles);
   }
 
   // by the middle of the edge opposite to a corner
-  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle)
+  // \param middles of all edges, if they are known
+  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle, const std::array<Sample, 3>* middles)
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
     for(std::size_t end : { 1, 2 }) {
+      const std::size_t replaced = (top + end) % 3;
       std::array<Sample, 3> half = corners;
-      half[(top + end) % 3] = middle;
-      const Facet_estimate found = estimate(half);
+      half[replaced] = middle;
+      const Facet_estimate found = estimate(half, replaced, middles ? &(*middles)[replaced] : nullptr);
       if(found != Facet_estimate::CLEAR) return found;
     }
     return Facet_estimate::CLEAR;
