@@ -81,7 +81,8 @@ std::string quality(const Mesh& before, Mesh mesh, double unit, const Options& o
 std::string numbers(const BS::Simplification_report& report)
 {
   std::ostringstream out;
-  out << "\"certified\":" << (report.status == BS::Edit_status::SUCCESS ? "true" : "false") << ",\"selected\":" << report.selected
+  out << "\"certified\":" << (report.status == BS::Edit_status::SUCCESS ? "true" : "false")
+      << ",\"repeated\":" << (report.is_repeated ? "true" : "false") << ",\"selected\":" << report.selected
       << ",\"collapsed\":" << report.collapsed << ",\"retried\":" << report.retried << ",\"placements\":{";
   for(std::size_t n = 0; n < report.placements.by_verdict.size(); ++n)
     out << (n > 0 ? "," : "") << "\"" << name(BS::Placement_verdict(n)) << "\":" << report.placements.by_verdict[n];

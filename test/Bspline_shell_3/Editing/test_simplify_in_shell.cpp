@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_triangle_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -263,6 +264,28 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
   verdicts.clear();
   CHECK(edited(with_garbage, true, 1, of_garbage, verdicts) == Status::NOT_CERTIFIED);
   CHECK(verdicts == once);
+}
+
+TEST_CASE("Simplification: what is done again is what would have been done at once, also with policies that have a state")
+{
+  // two spheres in one shell: each facet is good, but the mesh covers the shell twice
+  Mesh mesh = sphere(2);
+  CGAL::copy_face_graph(sphere(2, 0.98), mesh);
+  const Mesh start = mesh;
+  const SMS::GarlandHeckbert_triangle_policies<Mesh, Kernel> policies(mesh);
+  const auto np = P::stop(BS::Facet_count_stop_predicate(300)).get_cost(policies.get_cost()).get_placement(policies.get_placement());
+  const auto repeated = simplify(mesh, sphere_shell(), np);
+  CHECK(repeated.status == Status::NOT_CERTIFIED);
+  CHECK(repeated.is_repeated);
+  CHECK(is_equal(mesh, start));
+  Counting_visitor visitor;
+  const auto once = simplify(mesh, sphere_shell(), np.visitor(std::ref(visitor)));
+  CHECK(once.status == Status::NOT_CERTIFIED);
+  CHECK_FALSE(once.is_repeated);
+  CHECK(once.collapsed > 100);
+  CHECK(repeated.collapsed == once.collapsed);
+  CHECK(repeated.selected == once.selected);
+  CHECK(repeated.placements.by_verdict == once.placements.by_verdict);
 }
 
 TEST_CASE("Simplification: it finds the same with estimates as with all proofs")

@@ -66,7 +66,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *        the mesh, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
  *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
  *        of them are invalid. With all other statuses it was not touched, unless it has tips that `Bspline_shell_3::truncation()` replaces: such a
- *        mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained edges that lead to a tip end where it is cut.
+ *        mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in
+ *        the shell. Constrained edges that lead to a tip end where it is cut.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
  *        there are less than 2^30 facets
  * \param shell a shell. Whether it is certified for another mesh does not matter.
@@ -88,7 +89,10 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
  *
- * \cgalHeading{Cost} an operation costs the proofs for the facets at one vertex. The certificate costs what it costs for any mesh
+ * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage, constrained edges and frozen facets, facets are proved on the
+ * way only where an estimate leaves them in doubt; `target_edge_length` is asked again, from the beginning, if all has to be done again.
+ *
+ * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex. The certificate costs what it costs for any mesh
  * in the shell. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,

@@ -287,8 +287,8 @@ struct Accepted_filter
  *        edited, it is as before: if the status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the
  *        values that they had, then, and so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that
  *        descriptors and other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
- *        `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`. Constrained
- *        edges that lead to a tip end where it is cut.
+ *        `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is
+ *        one of which an estimate took all facets for facets in the shell. Constrained edges that lead to a tip end where it is cut.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
@@ -314,9 +314,15 @@ struct Accepted_filter
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
  *
- * \cgalHeading{Cost} a collapse costs the proofs for the facets at one vertex, and these a bound for each cell that they pass through,
- * where the field is curved. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the result's facets, and
- * some microseconds a vertex and core.
+ * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from a few points leaves them in
+ * doubt, as most of them vanish again. If the certificate fails, the mesh is filled again with what it was, and simplified with a proof for each
+ * facet (`Edit_report::is_repeated`). This is only done where it is not seen: for a `Surface_mesh` without garbage, and without visitor, filter,
+ * constrained edges, frozen facets, and stop predicates other than `Facet_count_stop_predicate`. Otherwise all facets are proved at once. Costs are
+ * initialized for each run, as \cgal does.
+ *
+ * \cgalHeading{Cost} a collapse costs some points at which the field is evaluated for each facet at one vertex, or the proofs for these facets, with a
+ * bound for each cell that they pass through. The certificate costs what it costs for any mesh in the shell; a mesh that cannot be certified
+ * costs two runs. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
           typename TriangleMesh, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -357,10 +363,10 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   if(usable != Status::SUCCESS) return ended(usable);
 
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
-  // nobody sees a run that is undone
+  // nobody sees a run that is undone; costs are initialized for each run
   constexpr bool may_repeat =
     is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
-    && is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value && !has_constraints
+    && !has_constraints
     && (is_default_parameter<CGAL_NP_CLASS, tags::stop_t>::value
         || std::is_same<std::remove_cv_t<decltype(stop)>, Facet_count_stop_predicate>::value);
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, may_repeat, np, result,
