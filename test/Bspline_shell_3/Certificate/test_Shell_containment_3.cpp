@@ -156,7 +156,11 @@ TEST_CASE("Containment: levels belong to the shell, exactly, for points; what is
 {
   namespace BS = CGAL::Bspline_shells;
   const auto without_cover = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), 0.25, 0.5);
-  auto with_cover = without_cover;
+  // the field has no critical point
+  auto report = without_cover.report();
+  report.certificate.verdicts[std::size_t(BS::Claim::GRADIENT)] = BS::Verdict::PROVED;
+  CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(), { without_cover.inner_level(), without_cover.outer_level() },
+                                                  without_cover.shell_cells(), {}, report);
   BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
   REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
   with_cover.set_proved_cover(cover.boxes());
