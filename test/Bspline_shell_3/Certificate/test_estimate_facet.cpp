@@ -4,7 +4,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/estimate_facet.h>
-#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 
 #include <catch2/catch.hpp>
 

@@ -221,15 +221,13 @@ TEST_CASE("Simplification: without a stop it ends where every collapse is refuse
 TEST_CASE("Simplification: an edit that is not certified is done again with all proofs, where nobody sees that")
 {
   const Mesh start = sphere(2);
-  const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result, std::vector<BS::Placement_verdict>& verdicts) {
+  const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result, std::vector<BS::Facet_proofs>& proofs) {
     // the first edits move a vertex out of the shell
-    const auto edit = [&](const auto& oracle, auto&, const auto& all) {
+    const auto edit = [&](const auto& oracle, auto&, const auto& vertices_before) {
       auto vpm = get(CGAL::vertex_point, mesh);
-      // a facet that is in the shell and faces along the gradient, as a few points tell, and one that is far outside
-      const auto h = halfedge(*faces(mesh).begin(), mesh);
-      verdicts.push_back(oracle(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh))));
-      result.images.assign(all.begin(), all.end());
-      if(int(verdicts.size()) <= failures) put(vpm, *vertices(mesh).begin(), Point_3(9, 9, 9));
+      proofs.push_back(oracle.proofs());
+      result.images.assign(vertices_before.begin(), vertices_before.end());
+      if(int(proofs.size()) <= failures) put(vpm, *vertices(mesh).begin(), Point_3(9, 9, 9));
       return Status::SUCCESS;
     };
     typedef typename boost::graph_traits<std::decay_t<decltype(mesh)> >::edge_descriptor Edge;
@@ -237,17 +235,18 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
                                                                            CGAL::Static_boolean_property_map<Edge, false>(), sphere_shell(),
                                                                            may_repeat, CGAL::parameters::default_values(), result, edit);
   };
-  const std::vector<BS::Placement_verdict> once(1, Placement_verdict::ACCEPTED), twice(2, Placement_verdict::ACCEPTED);
+  typedef std::vector<BS::Facet_proofs> Proofs;
+  const BS::Facet_proofs all = BS::Facet_proofs::ALL, doubtful = BS::Facet_proofs::WHERE_DOUBTFUL;
   for(int failures : { 0, 1, 2 })
     for(bool may_repeat : { true, false }) {
       Mesh mesh = start;
       BS::Simplification_result<Mesh> result;
-      std::vector<BS::Placement_verdict> verdicts;
-      const Status status = edited(mesh, may_repeat, failures, result, verdicts);
+      Proofs proofs;
+      const Status status = edited(mesh, may_repeat, failures, result, proofs);
       const bool is_repeated = may_repeat && failures > 0;
       CHECK(status == (failures > (may_repeat ? 1 : 0) ? Status::NOT_CERTIFIED : Status::SUCCESS));
       CHECK(result.is_repeated == is_repeated);
-      CHECK(verdicts == (is_repeated ? twice : once));
+      CHECK(proofs == (!may_repeat ? Proofs{ all } : is_repeated ? Proofs{ doubtful, all } : Proofs{ doubtful }));
       CHECK(is_equal(mesh, start));
       CHECK(result.images.size() == (status == Status::SUCCESS ? start.number_of_vertices() : 0));
     }
@@ -255,15 +254,15 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
   CGAL::Polyhedron_3<Kernel> polyhedron;
   CGAL::copy_face_graph(start, polyhedron);
   BS::Simplification_result<CGAL::Polyhedron_3<Kernel> > of_polyhedron;
-  std::vector<BS::Placement_verdict> verdicts;
-  CHECK(edited(polyhedron, true, 1, of_polyhedron, verdicts) == Status::NOT_CERTIFIED);
-  CHECK(verdicts == once);
+  Proofs proofs;
+  CHECK(edited(polyhedron, true, 1, of_polyhedron, proofs) == Status::NOT_CERTIFIED);
+  CHECK(proofs == Proofs{ all });
   Mesh with_garbage = start;
   with_garbage.remove_vertex(with_garbage.add_vertex(Point_3(0, 0, 0)));
   BS::Simplification_result<Mesh> of_garbage;
-  verdicts.clear();
-  CHECK(edited(with_garbage, true, 1, of_garbage, verdicts) == Status::NOT_CERTIFIED);
-  CHECK(verdicts == once);
+  proofs.clear();
+  CHECK(edited(with_garbage, true, 1, of_garbage, proofs) == Status::NOT_CERTIFIED);
+  CHECK(proofs == Proofs{ all });
 }
 
 TEST_CASE("Simplification: what is done again is what would have been done at once, also with policies that have a state")

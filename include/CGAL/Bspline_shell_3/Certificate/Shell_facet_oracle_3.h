@@ -45,7 +45,7 @@ namespace Bspline_shells {
 enum class Facet_proofs
 {
   ALL,
-  WHERE_DOUBTFUL      ///< those that an estimate from a few points does not clear: several times as fast, but what is accepted still has to be proved
+  WHERE_DOUBTFUL      ///< those that an estimate from a few points does not clear: faster, but what is accepted still has to be proved
 };
 
 /*!
@@ -97,6 +97,9 @@ public:
 
   /// \pre there is a shell, and it outlives this object
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
+
+  /// which of the facets that are accepted are proved
+  Facet_proofs proofs() const { return m_proofs; }
 
   /// what the oracle knows of the field, for others that ask about facets in the shell
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
