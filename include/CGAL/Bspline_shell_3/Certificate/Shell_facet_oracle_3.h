@@ -9,7 +9,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/estimate_facet.h>
+#include <CGAL/Bspline_shell_3/Certificate/internal/Facet_estimator.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>

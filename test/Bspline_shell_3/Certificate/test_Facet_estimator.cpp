@@ -1,9 +1,9 @@
-// estimate_facet.h: what an estimate clears is nearly always proved, and what it rejects never is.
+// Facet_estimator.h: what an estimate clears is nearly always proved, and what it rejects never is.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/estimate_facet.h>
+#include <CGAL/Bspline_shell_3/Certificate/internal/Facet_estimator.h>
 
 #include <catch2/catch.hpp>
 
