@@ -25,6 +25,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <boost/container/small_vector.hpp>
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
@@ -147,16 +148,19 @@ private:
   }
 
   typedef internal::Facet_estimate Estimate;
-  Estimate estimate(const std::array<Sample, 3>& corners, const Point_3& p, const Point_3& q, const Point_3& r) const
+  typedef internal::Facet_estimator<Bounds> Estimator;
+  Estimate estimate(const std::array<Sample, 3>& corners, const typename Estimator::Middles& middles,
+                    const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     if(m_proofs == Facet_proofs::ALL) return Estimate::DOUBTFUL;
-    return internal::Facet_estimator<Bounds>(*m_bounds, rounded_normal(p, q, r))(corners);
+    return Estimator(*m_bounds, rounded_normal(p, q, r))(corners, middles);
   }
 
   // a facet whose corners are in the shell
-  Placement_verdict judge(const std::array<Sample, 3>& corners, const Point_3& p, const Point_3& q, const Point_3& r) const
+  Placement_verdict judge(const std::array<Sample, 3>& corners, const typename Estimator::Middles& middles,
+                          const Point_3& p, const Point_3& q, const Point_3& r) const
   {
-    switch(estimate(corners, p, q, r)) {
+    switch(estimate(corners, middles, p, q, r)) {
       case Estimate::CLEAR:        return Placement_verdict::ACCEPTED;
       case Estimate::LEAVES_SHELL: return Placement_verdict::LEAVES_SHELL;
       case Estimate::FACES_AWAY:   return Placement_verdict::FACES_AWAY;
@@ -209,8 +213,11 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
     if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
   // for most facets, both ends of an edge at `p` are in the shell, and the middle decides
   find_samples(link, memory);
+  boost::container::small_vector<Sample, 16> middles;
   for(std::size_t n = 0; n < size; ++n) {
-    const Sample &q = memory.m_samples[n], middle = m_bounds->sample_middle(at_p, q);
+    const Sample& q = memory.m_samples[n];
+    middles.push_back(m_bounds->sample_middle(at_p, q));
+    const Sample& middle = middles.back();
     if(!is_in(q) || !is_in(middle)) return Placement_verdict::LEAVES_SHELL;
     for(const Sample& s : { q, middle })
       if(!faces_along(s, p, link[n], link[(n + 1) % size]) || !faces_along(s, p, link[(n + size - 1) % size], link[n]))
@@ -234,7 +241,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    verdicts[n] = judge({ at_p, memory.m_samples[n], memory.m_samples[m] }, p, link[n], link[m]);
+    verdicts[n] = judge({ at_p, memory.m_samples[n], memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
     if(verdicts[n] == Placement_verdict::ACCEPTED) return;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
@@ -262,7 +269,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
   for(const Sample& s : corners)
     if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
-  if(estimate(corners, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
+  if(estimate(corners, {}, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
   const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
   if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
   if(found.faces_away) return Placement_verdict::FACES_AWAY;

@@ -179,8 +179,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
       remesher.collapse_short_edges();
       remesher.flip_to_regular_valences();
       for(unsigned int j = 0; j < relaxations; ++j)
-        if(do_project) remesher.relax(project);
-        else remesher.relax([](const Point& p) { return p; });
+        if(do_project) remesher.template relax<ConcurrencyTag>(project);
+        else remesher.template relax<ConcurrencyTag>([](const Point& p) { return p; });
     }
     remesher.flip_to_larger_angles();
     result.images = remesher.images();

@@ -98,11 +98,11 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
   std::array<NT, 10> r;
   r.fill(NT(0));
   for(int i = 0; i < 4; ++i) {
-    const std::array<NT, 16> x = internal::contract_rows<16>(c, weights[0][i]);
+    const std::array<NT, 16> z = internal::contract_slowest<16>(c, weights[2][i]);
     for(int j = 0; j < 4; ++j) {
-      const std::array<NT, 4> y = internal::contract_rows<4>(x.data(), weights[1][j]);
+      const std::array<NT, 4> y = internal::contract_slowest<4>(z.data(), weights[1][j]);
       for(int k = 0; k < 4; ++k)
-        r[i+j+k] += internal::dot4(y.data(), weights[2][k]);
+        r[i+j+k] += internal::dot4(y.data(), weights[0][k]);
     }
   }
   for(int m = 0; m < 10; ++m) r[m] = r[m] / NT(internal::binomial(9, m));
@@ -135,14 +135,14 @@ std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT,
       weights[a][n] = internal::polar_weights(*argument[0], *argument[1], *argument[2], cubic.multinomial(n));
     }
   }
-  // sum over x and y exponents first: what is left is linear in the z rows
-  std::array<std::array<NT, 4>, 28> xy;
-  for(auto& row : xy) row.fill(NT(0));
+  // sum over z and y exponents first: what is left is linear in the x rows
+  std::array<std::array<NT, 4>, 28> yz;
+  for(auto& row : yz) row.fill(NT(0));
   for(int i = 0; i < 10; ++i) {
-    const std::array<NT, 16> x = internal::contract_rows<16>(c, weights[0][i]);
+    const std::array<NT, 16> z = internal::contract_slowest<16>(c, weights[2][i]);
     for(int j = 0; j < 10; ++j) {
-      const std::array<NT, 4> y = internal::contract_rows<4>(x.data(), weights[1][j]);
-      std::array<NT, 4>& row = xy[table.pair[i][j]];
+      const std::array<NT, 4> y = internal::contract_slowest<4>(z.data(), weights[1][j]);
+      std::array<NT, 4>& row = yz[table.pair[i][j]];
       for(int k = 0; k < 4; ++k) row[k] += y[k];
     }
   }
@@ -150,7 +150,7 @@ std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT,
   f.fill(NT(0));
   for(int n = 0; n < 28; ++n)
     for(int k = 0; k < 10; ++k)
-      f[table.triple[n][k]] += internal::dot4(xy[n].data(), weights[2][k]);
+      f[table.triple[n][k]] += internal::dot4(yz[n].data(), weights[0][k]);
   for(int m = 0; m < 55; ++m) f[m] = f[m] / NT(nonic.multinomial(m));
   return f;
 }

@@ -23,22 +23,22 @@ inline NT dot4(const NT* c, const Weights<NT>& w)
   return c[0]*w[0] + c[1]*w[1] + c[2]*w[2] + c[3]*w[3];
 }
 
-// r[m] = sum_i c[4m + i] w[i]
-template <int rows, typename NT, typename Coefficient>
-inline std::array<NT, rows> contract_rows(const Coefficient* c, const Weights<NT>& w)
+// r[m] = sum_k c[size k + m] w[k]: along the slowest axis, so that neighboring results are worked out at once
+template <int size, typename NT, typename Coefficient>
+inline std::array<NT, size> contract_slowest(const Coefficient* c, const Weights<NT>& w)
 {
-  std::array<NT, rows> r;
-  for(int m = 0; m < rows; ++m)
-    r[m] = w[0]*c[4*m] + w[1]*c[4*m+1] + w[2]*c[4*m+2] + w[3]*c[4*m+3];
+  std::array<NT, size> r;
+  for(int m = 0; m < size; ++m)
+    r[m] = w[0]*c[m] + w[1]*c[size+m] + w[2]*c[2*size+m] + w[3]*c[3*size+m];
   return r;
 }
 
 template <typename NT, typename Coefficient>
 inline NT contract(const Coefficient* c, const Weights<NT>& x, const Weights<NT>& y, const Weights<NT>& z)
 {
-  const std::array<NT, 16> rx = contract_rows<16>(c, x);
-  const std::array<NT, 4> ry = contract_rows<4>(rx.data(), y);
-  return dot4(ry.data(), z);
+  const std::array<NT, 16> rz = contract_slowest<16>(c, z);
+  const std::array<NT, 4> ry = contract_slowest<4>(rz.data(), y);
+  return dot4(ry.data(), x);
 }
 
 // value, gradient (x, y, z) of a tricubic
@@ -65,42 +65,42 @@ using Basis_jet = std::array<std::array<Weights<NT>, 3>, orders>;
 template <typename NT, typename Coefficient>
 inline First_order_jet<NT> first_order_jet(const Coefficient* c, const Basis_jet<NT, 2>& b)
 {
-  const std::array<NT, 16> x0 = contract_rows<16>(c, b[0][0]);
-  const std::array<NT, 16> x1 = contract_rows<16>(c, b[1][0]);
-  const std::array<NT, 4> x0y0 = contract_rows<4>(x0.data(), b[0][1]);
-  const std::array<NT, 4> x0y1 = contract_rows<4>(x0.data(), b[1][1]);
-  const std::array<NT, 4> x1y0 = contract_rows<4>(x1.data(), b[0][1]);
+  const std::array<NT, 16> z0 = contract_slowest<16>(c, b[0][2]);
+  const std::array<NT, 16> z1 = contract_slowest<16>(c, b[1][2]);
+  const std::array<NT, 4> y0z0 = contract_slowest<4>(z0.data(), b[0][1]);
+  const std::array<NT, 4> y1z0 = contract_slowest<4>(z0.data(), b[1][1]);
+  const std::array<NT, 4> y0z1 = contract_slowest<4>(z1.data(), b[0][1]);
   First_order_jet<NT> jet;
-  jet.value = dot4(x0y0.data(), b[0][2]);
-  jet.gradient[0] = dot4(x1y0.data(), b[0][2]);
-  jet.gradient[1] = dot4(x0y1.data(), b[0][2]);
-  jet.gradient[2] = dot4(x0y0.data(), b[1][2]);
+  jet.value = dot4(y0z0.data(), b[0][0]);
+  jet.gradient[0] = dot4(y0z0.data(), b[1][0]);
+  jet.gradient[1] = dot4(y1z0.data(), b[0][0]);
+  jet.gradient[2] = dot4(y0z1.data(), b[0][0]);
   return jet;
 }
 
 template <typename NT, typename Coefficient>
 inline Second_order_jet<NT> second_order_jet(const Coefficient* c, const Basis_jet<NT, 3>& b)
 {
-  const std::array<NT, 16> x0 = contract_rows<16>(c, b[0][0]);
-  const std::array<NT, 16> x1 = contract_rows<16>(c, b[1][0]);
-  const std::array<NT, 16> x2 = contract_rows<16>(c, b[2][0]);
-  const std::array<NT, 4> x0y0 = contract_rows<4>(x0.data(), b[0][1]);
-  const std::array<NT, 4> x0y1 = contract_rows<4>(x0.data(), b[1][1]);
-  const std::array<NT, 4> x0y2 = contract_rows<4>(x0.data(), b[2][1]);
-  const std::array<NT, 4> x1y0 = contract_rows<4>(x1.data(), b[0][1]);
-  const std::array<NT, 4> x1y1 = contract_rows<4>(x1.data(), b[1][1]);
-  const std::array<NT, 4> x2y0 = contract_rows<4>(x2.data(), b[0][1]);
+  const std::array<NT, 16> z0 = contract_slowest<16>(c, b[0][2]);
+  const std::array<NT, 16> z1 = contract_slowest<16>(c, b[1][2]);
+  const std::array<NT, 16> z2 = contract_slowest<16>(c, b[2][2]);
+  const std::array<NT, 4> y0z0 = contract_slowest<4>(z0.data(), b[0][1]);
+  const std::array<NT, 4> y1z0 = contract_slowest<4>(z0.data(), b[1][1]);
+  const std::array<NT, 4> y2z0 = contract_slowest<4>(z0.data(), b[2][1]);
+  const std::array<NT, 4> y0z1 = contract_slowest<4>(z1.data(), b[0][1]);
+  const std::array<NT, 4> y1z1 = contract_slowest<4>(z1.data(), b[1][1]);
+  const std::array<NT, 4> y0z2 = contract_slowest<4>(z2.data(), b[0][1]);
   Second_order_jet<NT> jet;
-  jet.value = dot4(x0y0.data(), b[0][2]);
-  jet.gradient[0] = dot4(x1y0.data(), b[0][2]);
-  jet.gradient[1] = dot4(x0y1.data(), b[0][2]);
-  jet.gradient[2] = dot4(x0y0.data(), b[1][2]);
-  jet.hessian[0] = dot4(x2y0.data(), b[0][2]);
-  jet.hessian[1] = dot4(x0y2.data(), b[0][2]);
-  jet.hessian[2] = dot4(x0y0.data(), b[2][2]);
-  jet.hessian[3] = dot4(x1y1.data(), b[0][2]);
-  jet.hessian[4] = dot4(x1y0.data(), b[1][2]);
-  jet.hessian[5] = dot4(x0y1.data(), b[1][2]);
+  jet.value = dot4(y0z0.data(), b[0][0]);
+  jet.gradient[0] = dot4(y0z0.data(), b[1][0]);
+  jet.gradient[1] = dot4(y1z0.data(), b[0][0]);
+  jet.gradient[2] = dot4(y0z1.data(), b[0][0]);
+  jet.hessian[0] = dot4(y0z0.data(), b[2][0]);
+  jet.hessian[1] = dot4(y2z0.data(), b[0][0]);
+  jet.hessian[2] = dot4(y0z2.data(), b[0][0]);
+  jet.hessian[3] = dot4(y1z0.data(), b[1][0]);
+  jet.hessian[4] = dot4(y0z1.data(), b[1][0]);
+  jet.hessian[5] = dot4(y1z1.data(), b[0][0]);
   return jet;
 }
 

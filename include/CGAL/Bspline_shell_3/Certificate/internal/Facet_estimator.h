@@ -36,15 +36,18 @@ public:
   // \param normal of any length
   Facet_estimator(const Bounds& bounds, const Coordinates& normal) : m_bounds(bounds), m_normal(normal) {}
 
+  // samples of the middles of edges, each with the number of the opposite corner; null where they are not known
+  typedef std::array<const Sample*, 3> Middles;
+
   // \param corners samples of the corners, in cells
-  Facet_estimate operator()(const std::array<Sample, 3>& corners)
+  Facet_estimate operator()(const std::array<Sample, 3>& corners, const Middles& middles = {})
   {
     for(const Sample& s : corners) {
       const Facet_estimate there = at(s);
       if(there != Facet_estimate::CLEAR) return there;
     }
     m_bisections_left = most_bisections;
-    return estimate(corners, 0, nullptr);
+    return estimate(corners, middles);
   }
 
 private:
@@ -63,8 +66,7 @@ private:
     return Bounds::slope(s, m_normal) > 0 ? Facet_estimate::CLEAR : Facet_estimate::FACES_AWAY;
   }
 
-  // \param known the middle of the edge opposite to corner `n`, if it is known
-  Facet_estimate estimate(const std::array<Sample, 3>& corners, std::size_t n, const Sample* known)
+  Facet_estimate estimate(const std::array<Sample, 3>& corners, const Middles& known)
   {
     double width = 0, longest = -1;
     std::size_t top = 0;
@@ -84,9 +86,9 @@ private:
     }
     if(longest > large_extent * large_extent * width * width) {
       const Edge e = edge(corners, top);
-      const Sample middle = known && n == top ? *known : m_bounds.sample_middle(e.p, e.q);
+      const Sample middle = known[top] ? *known[top] : m_bounds.sample_middle(e.p, e.q);
       const Facet_estimate there = at(middle);
-      return there == Facet_estimate::CLEAR ? bisect(corners, top, middle, nullptr) : there;
+      return there == Facet_estimate::CLEAR ? bisect(corners, top, middle, known) : there;
     }
 
     std::array<Sample, 3> middles;
@@ -98,7 +100,7 @@ private:
     double above_at_corners = 0, below_at_corners = 0, above_on_edges = 0, below_on_edges = 0;
     for(std::size_t v = 0; v < 3; ++v) {
       const Edge e = edge(corners, v);
-      const Sample& middle = middles[v] = known && n == v ? *known : m_bounds.sample_middle(e.p, e.q);
+      const Sample& middle = middles[v] = known[v] ? *known[v] : m_bounds.sample_middle(e.p, e.q);
       const Facet_estimate there = at(middle);
       if(there != Facet_estimate::CLEAR) return there;
       // thresholds hardly vary: the margins rise and fall as the field does
@@ -120,12 +122,11 @@ private:
     // the coefficient in the middle, by which quadratic functions are reproduced
     least = (std::min)({ least, above_on_edges / 4 - above_at_corners / 6, below_on_edges / 4 - below_at_corners / 6 });
     if(least > safety * off && least_slope > slope_safety * bend) return Facet_estimate::CLEAR;
-    return bisect(corners, top, middles[top], &middles);
+    return bisect(corners, top, middles[top], {{ &middles[0], &middles[1], &middles[2] }});
   }
 
   // by the middle of the edge opposite to a corner
-  // \param middles of all edges, if they are known
-  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle, const std::array<Sample, 3>* middles)
+  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle, const Middles& known)
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
@@ -133,7 +134,9 @@ private:
       const std::size_t replaced = (top + end) % 3;
       std::array<Sample, 3> half = corners;
       half[replaced] = middle;
-      const Facet_estimate found = estimate(half, replaced, middles ? &(*middles)[replaced] : nullptr);
+      Middles known_of_half = {};
+      known_of_half[replaced] = known[replaced];
+      const Facet_estimate found = estimate(half, known_of_half);
       if(found != Facet_estimate::CLEAR) return found;
     }
     return Facet_estimate::CLEAR;

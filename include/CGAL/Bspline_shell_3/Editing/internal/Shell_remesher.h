@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -17,6 +18,8 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/squared_distance_3.h>
 #include <CGAL/property_map.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -160,28 +163,39 @@ public:
   }
 
   // Moves vertices towards the centroids of their facets, within the tangent plane; along sharp edges only within these, and not at corners.
-  // Then `project` may change the place.
-  template <typename Projection>
+  // Then `project` may change the place. Vertices that share no edge are moved at the same time.
+  template <typename ConcurrencyTag, typename Projection>
   void relax(const Projection& project)
   {
-    for(vertex_descriptor v : vertices(m_mesh)) {
-      if(halfedge(v, m_mesh) == Graph_traits::null_halfedge() || is_fixed(v)) continue;
-      const Point& p = get(m_vpm, v);
-      find_link(v);
-      const Vector move = tangential_move(p);
-      const double before = (std::min)(quality_of_star(p), good_quality);
-      for(double part : { 1., 0.5, 0.25 }) {
-        const Point q = project(p + part * move);
-        if(q == p || !(quality_of_star(q) >= before)) continue;
-        if(judge(q) != Placement_verdict::ACCEPTED) continue;
-        put(m_vpm, v, q);
+    constexpr std::size_t chunk = 64;
+    for(const std::vector<vertex_descriptor>& independent : independent_vertices()) {
+      std::vector<Move> moves(independent.size());
+      for_each_chunk<ConcurrencyTag>(independent.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        Link link;
+        for(std::size_t n = begin; n < end; ++n) {
+          find_link(independent[n], link);
+          moves[n] = find_move(point(independent[n]), link, project);
+        }
+      });
+      for(std::size_t n = 0; n < moves.size(); ++n) {
+        for(Placement_verdict verdict : moves[n].verdicts) count(verdict);
+        if(moves[n].verdicts.empty() || moves[n].verdicts.back() != Placement_verdict::ACCEPTED) continue;
+        put(m_vpm, independent[n], moves[n].place);
         ++m_report.moves;
-        break;
       }
     }
   }
 
 private:
+  typedef std::vector<Point> Link;
+
+  // the places that were tried for a vertex, and the last one, which may have been accepted
+  struct Move
+  {
+    boost::container::static_vector<Placement_verdict, 3> verdicts;
+    Point place;
+  };
+
   // the facets (a, b, c) and (b, a, d) at a halfedge from a to b
   struct Quadrilateral
   {
@@ -196,6 +210,7 @@ private:
   static constexpr double regular_quality = 0.3;      // that a flip towards regular valences must leave, if it was better before
   static constexpr double good_quality = 0.7;         // that a move must leave, if it was better before
   static constexpr double least_gain = 1.01;          // of quality, by a flip
+  static constexpr std::array<double, 3> parts_of_moves = {{ 1, 0.5, 0.25 }};       // that are tried
   static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
 
   // a reference, or a point, as the map has it
@@ -257,11 +272,11 @@ private:
     return (std::min)(quality(point(q.a), point(q.b), point(q.c)), quality(point(q.b), point(q.a), point(q.d)));
   }
 
-  // the worst quality of the facets (p, m_link[n], m_link[n+1])
-  double quality_of_star(const Point& p) const
+  // the worst quality of the facets (p, link[n], link[n+1])
+  static double quality_of_star(const Point& p, const Link& link)
   {
     double least = 1;
-    for(std::size_t n = 0; n < m_link.size(); ++n) least = (std::min)(least, quality(p, m_link[n], m_link[(n + 1) % m_link.size()]));
+    for(std::size_t n = 0; n < link.size(); ++n) least = (std::min)(least, quality(p, link[n], link[(n + 1) % link.size()]));
     return least;
   }
 
@@ -289,13 +304,13 @@ private:
   // the next halfedge to the same target, in the direction in which facets turn
   halfedge_descriptor turn(halfedge_descriptor h) const { return prev(opposite(h, m_mesh), m_mesh); }
 
-  void find_link(vertex_descriptor v)
+  void find_link(vertex_descriptor v, Link& link) const
   {
-    m_link.clear();
+    link.clear();
     const halfedge_descriptor first = halfedge(v, m_mesh);
     halfedge_descriptor h = first;
     do {
-      m_link.push_back(point(source(h, m_mesh)));
+      link.push_back(point(source(h, m_mesh)));
       h = turn(h);
     } while(h != first);
   }
@@ -395,7 +410,7 @@ private:
       const bool is_short = std::all_of(m_link.begin(), m_link.end(), [&](const Point& q) {
         return std::sqrt(CGAL::squared_distance(places[n], q)) <= longest * m_sizing(CGAL::midpoint(places[n], q));
       });
-      if(is_short && quality_of_star(places[n]) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) { p = places[n]; return true; }
+      if(is_short && quality_of_star(places[n], m_link) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) { p = places[n]; return true; }
     }
     return false;
   }
@@ -436,14 +451,50 @@ private:
     return true;
   }
 
-  // for a vertex with the link that was found
-  Vector tangential_move(const Point& p) const
+  // The vertices that may move, in classes without edges within one: each vertex is in the first class that has none of its neighbors.
+  std::vector<std::vector<vertex_descriptor> > independent_vertices() const
+  {
+    std::vector<std::vector<vertex_descriptor> > classes;
+    const auto class_of = get(dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    for(vertex_descriptor v : vertices(m_mesh)) put(class_of, v, none);
+    std::vector<char> is_taken;
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      if(halfedge(v, m_mesh) == Graph_traits::null_halfedge() || is_fixed(v)) continue;
+      is_taken.assign(classes.size() + 1, 0);
+      for(halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh))
+        if(const std::size_t c = get(class_of, source(h, m_mesh)); c != none) is_taken[c] = 1;
+      const std::size_t c = std::size_t(std::find(is_taken.begin(), is_taken.end(), 0) - is_taken.begin());
+      if(c == classes.size()) classes.emplace_back();
+      classes[c].push_back(v);
+      put(class_of, v, c);
+    }
+    return classes;
+  }
+
+  // the first of several parts of the move of a vertex after which its facets are good
+  template <typename Projection>
+  Move find_move(const Point& p, const Link& link, const Projection& project) const
+  {
+    Move found;
+    const Vector move = tangential_move(p, link);
+    const double before = (std::min)(quality_of_star(p, link), good_quality);
+    for(double part : parts_of_moves) {
+      found.place = project(p + part * move);
+      if(found.place == p || !(quality_of_star(found.place, link) >= before)) continue;
+      typename Oracle::Memory none;
+      found.verdicts.push_back(m_oracle(found.place, link, none));
+      if(found.verdicts.back() == Placement_verdict::ACCEPTED) break;
+    }
+    return found;
+  }
+
+  static Vector tangential_move(const Point& p, const Link& link)
   {
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     double area = 0;
-    for(std::size_t n = 0; n < m_link.size(); ++n) {
-      const Vector u = m_link[n] - p, v = m_link[(n + 1) % m_link.size()] - p, normal = CGAL::cross_product(u, v);
+    for(std::size_t n = 0; n < link.size(); ++n) {
+      const Vector u = link[n] - p, v = link[(n + 1) % link.size()] - p, normal = CGAL::cross_product(u, v);
       const double a = std::sqrt(normal.squared_length());
       if(!(a > 0)) continue;
       const Eigen::Vector3d e(normal.x(), normal.y(), normal.z());
@@ -478,7 +529,7 @@ private:
   // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one the next
   typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first_old;
   std::vector<std::size_t> m_next_old;
-  std::vector<Point> m_link;
+  Link m_link;
 };
 
 } // namespace internal
