@@ -72,6 +72,35 @@ TEST_CASE("Estimates: of random triangles, what is cleared is proved, and what i
   CHECK(number[std::size_t(Facet_estimate::DOUBTFUL)] < 100);
 }
 
+TEST_CASE("Estimates: middles of edges that are known are used, and change nothing else")
+{
+  const auto shell = ball_shell();
+  const Oracle oracle(shell);
+  const Bounds& bounds = *oracle.bounds();
+  std::mt19937 random(3);
+  std::array<std::size_t, 4> number = {};
+  for(int n = 0; n < 1000; ++n) {
+    const Triangle t = random_triangle(random, 0.1 * (1 + n % 8));
+    const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    const std::array<Bounds::Sample, 3> corners = {{ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }};
+    const auto with = [&](const BS::internal::Facet_estimator<Bounds>::Middles& middles) {
+      return BS::internal::Facet_estimator<Bounds>(bounds, { normal.x(), normal.y(), normal.z() })(corners, middles);
+    };
+    const Facet_estimate expected = with({});
+    ++number[std::size_t(expected)];
+    for(int v = 0; v < 3; ++v) {
+      Bounds::Sample middle = bounds.sample_middle(corners[(v + 1) % 3], corners[(v + 2) % 3]);
+      BS::internal::Facet_estimator<Bounds>::Middles middles = {};
+      middles[v] = &middle;
+      CHECK(with(middles) == expected);
+      middle.above = middle.below = -1;
+      if(expected == Facet_estimate::CLEAR) CHECK(with(middles) == Facet_estimate::LEAVES_SHELL);
+    }
+  }
+  CHECK(number[std::size_t(Facet_estimate::CLEAR)] > 100);
+  CHECK(number[std::size_t(Facet_estimate::LEAVES_SHELL)] > 100);
+}
+
 TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middle of an edge is not cleared")
 {
   const auto ball = ball_shell();

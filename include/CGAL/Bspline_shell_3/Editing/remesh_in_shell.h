@@ -51,11 +51,10 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that are longer than 4/3 of the
  * target length, collapses those that are shorter than 4/5 of it, flips edges towards six edges at each vertex, and moves vertices within the tangent
  * plane towards the centroid of their neighbors; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges
- * are
- * flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
+ * are flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
  * flipped. An operation that the shell forbids is left out, or done by a part.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the moves of vertices;
  *         the result is the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
  *         predicates and `FT` = `double`
@@ -87,12 +86,14 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *     facet of the mesh, and for each equilateral triangle of the size asked for that its area has room for; a `Surface_mesh` takes about a third of
  *     that. If they are more, the status is `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
+ *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
+ *     the map must take new vertices: those that close the mesh while it is edited.
  *
  * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage, constrained edges and frozen facets, facets are proved on the
  * way only where an estimate leaves them in doubt; `target_edge_length` is asked again, from the beginning, if all has to be done again.
  *
- * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex. The certificate costs what it costs for any mesh
+ * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex, and a move a projection. Vertices that share no
+ * edge are moved at the same time, which takes most of the time; other operations follow each other. The certificate costs what it costs for any mesh
  * in the shell. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
