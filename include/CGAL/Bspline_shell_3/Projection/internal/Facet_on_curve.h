@@ -191,7 +191,7 @@ private:
   }
 
   static constexpr int max_moves = 64;
-  static constexpr double overshoot = 1.015;
+  static constexpr double overshoot = 1.015;            // of steps, so that facets are near their ends, where cutting them is cheap
   static constexpr double bend = 0.1;                   // of a curve, as a part of its length
 
   const Shell* m_shell;
