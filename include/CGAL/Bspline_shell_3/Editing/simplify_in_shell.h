@@ -312,7 +312,8 @@ struct Accepted_filter
  *     not collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal. If the mesh is open, the map must take new vertices: those that close the mesh while it is edited.
+ *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
+ *     the map must take new vertices: those that close the mesh while it is edited.
  *
  * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from a few points leaves them in
  * doubt, as most of them vanish again. If the certificate fails, the mesh is filled again with what it was, and simplified with a proof for each
