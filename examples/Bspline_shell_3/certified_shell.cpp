@@ -34,6 +34,7 @@ int main(int argc, char** argv)
   std::cout << shell.message() << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
             << report.unknowns << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
             << 100 * report.narrowed_area << " % of the mesh\n";
+  if(report.limit.resource != BS::Refinement_resource::NONE) std::cout << message(report.limit) << "\n";
   for(std::size_t n = 0; n < (std::min)(report.obstacles.size(), std::size_t(5)); ++n)
     std::cout << message(report.obstacles[n], report.unit) << "\n";
   if(!shell.is_certified()) std::cout << report.certificate.total_number_of_witnesses() << " witnesses, among them:\n";

@@ -94,9 +94,10 @@ inline void list_witnesses(const BS::Certificate_report& certificate)
     std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
 }
 
-// Lists the narrowest places that stand in the way, and writes all of them as points.
+// Says which limit was reached, if one was, lists the narrowest places that stand in the way, and writes all of them as points.
 inline bool report_obstacles(const BS::Shell_report& report, const std::string& file)
 {
+  if(report.limit.resource != BS::Refinement_resource::NONE) std::cerr << message(report.limit) << "\n";
   std::vector<Kernel::Point_3> places;
   for(const BS::Refinement_obstacle& o : report.obstacles) {
     places.emplace_back(o.point[0], o.point[1], o.point[2]);

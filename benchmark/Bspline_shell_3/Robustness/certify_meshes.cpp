@@ -181,6 +181,7 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
       if(certificate.verdicts[c] != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
   if(!r.rounds.empty() && r.refinement != BS::Refinement_status::CERTIFIED)
     reason += (reason.empty() ? "" : ". ") + std::string(message(r.refinement));
+  if(r.limit.resource != BS::Refinement_resource::NONE) reason += " " + message(r.limit);
   const auto tier = [](const BS::Predicate_statistics& p) {
     std::ostringstream out;
     out << "{\"cell\":" << p.by_cell << ",\"form\":" << p.by_form << ",\"subdivided\":" << p.subdivisions << "}";

@@ -153,8 +153,9 @@ def obstacles(report):
     if not places:
         return ""
     rows = "\n".join(f"<tr><td>{' '.join(f'{x:.6g}' for x in place['point'])}</td><td>{escape(place['message'])}</td></tr>" for place in places)
+    limit = f"<p>{escape(report['limit'])}</p>\n" if "limit" in report else ""
     return f"""<section><h2>Places of failure</h2>
-<table class="places"><thead><tr><th scope="col">Where</th><th scope="col">What stands in the way</th></tr></thead>
+{limit}<table class="places"><thead><tr><th scope="col">Where</th><th scope="col">What stands in the way</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></section>"""

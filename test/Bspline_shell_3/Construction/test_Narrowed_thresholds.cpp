@@ -149,6 +149,8 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   once.begin(ball.field, thick);
   ball.choose(once, limits);
   CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
+  CHECK(once.are_too_late());
+  CHECK_FALSE(thresholds.are_too_late());
 }
 
 TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as long as the shell reaches it")
@@ -207,6 +209,137 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   CHECK_FALSE(ball.choose(needing).empty());
   CHECK(inner(needing).maxCoeff() == -half);
   CHECK(outer(needing).minCoeff() == 0.2);
+}
+
+// ((r - R)^2 - (g / 2)^2) / h on cells of width h, all around: zero on both sides of the wall of a hollow ball, and critical in its middle
+struct Hollow_ball
+{
+  static constexpr double width = 0.25, radius = 2, small = 0.006;
+  double depth;
+  Field field;
+  std::vector<BS::Level_range> ranges;        // on the mesh, as they are at the rims of walls
+
+  explicit Hollow_ball(double wall) : depth(wall * wall / (4 * width))
+  {
+    CGAL::Random random(1);
+    const Lattice_point first = { -14, -14, -14 }, last = { 13, 13, 13 };
+    field = Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last)));
+    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+    for(Index n = 0; n < field.number_of_coefficients(); ++n) {
+      const CGAL::Bbox_3 b = field.support(n);
+      const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+      // splines with these coefficients exceed the squared distance by a third of the squared width
+      x[n] = (std::pow(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius, 2) - width * width / 3) / width - depth;
+    }
+    field.set_coefficients(x);
+    ranges.assign(field.number_of_cells(), BS::Level_range());
+    for(Index c = 0; c < ranges.size(); ++c)
+      if(is_at_wall(c)) ranges[c] = { -small, small };
+  }
+
+  bool is_at_wall(Index c) const
+  {
+    const CGAL::Bbox_3 b = field.cell(c).bbox();
+    const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+    return std::abs(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius) < width;
+  }
+
+  std::vector<Obstacle> choose(Thresholds& thresholds) const
+  {
+    thresholds.begin(field, [](const Point_3&) { return 0.3; });
+    BS::Narrowing_limits limits;
+    limits.many_obstacles = 100;
+    return thresholds.choose<CGAL::Parallel_if_available_tag>(
+      [&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return ranges; }, limits);
+  }
+
+  std::vector<Field::Point_3> seeds() const
+  {
+    return { Field::Point_3(radius - std::sqrt(depth * width), 0, 0), Field::Point_3(radius + std::sqrt(depth * width), 0, 0) };
+  }
+};
+
+TEST_CASE("Narrowed thresholds: a wall that is thinner than a cell is left out, with room that is told from the field in its middle")
+{
+  const Hollow_ball ball(0.6 * Hollow_ball::width);
+  REQUIRE(ball.depth == Approx(0.0225));
+  Thresholds thresholds(ball.seeds());
+  CHECK(ball.choose(thresholds).empty());
+  CHECK(thresholds.undecided_volume() == 0);
+  CHECK(thresholds.tight_places().empty());
+  for(double x : { -1., 1. })
+    for(double y : { -1., 1. }) {
+      const Point_3 middle(x * 1.2, y * 0.96, 1.28);
+      REQUIRE(ball.field.value(middle).value() == Approx(-ball.depth).epsilon(0.1));
+      CHECK(thresholds.inner().value(middle) < -Hollow_ball::small);
+      CHECK(thresholds.inner().value(middle) > -0.8 * ball.depth);
+    }
+}
+
+TEST_CASE("Narrowed thresholds: places are tight where the mesh takes most of the room, and obstacles where it takes all")
+{
+  Hollow_ball ball(0.6 * Hollow_ball::width);
+  const auto ask_for = [&](double size) {
+    for(Index c = 0; c < ball.ranges.size(); ++c)
+      if(ball.is_at_wall(c) && ball.field.cell(c).bbox().xmin() > 1) ball.ranges[c].min = -size;
+  };
+  const auto are_there = [&](const std::vector<Obstacle>& places) {
+    return places.size() > 50 && std::all_of(places.begin(), places.end(), [&](const Obstacle& o) {
+      return o.point[0] > 0.2 && o.side == CGAL::NEGATIVE && o.size > 0.6 * ball.depth && o.size < 1.2 * ball.depth;
+    });
+  };
+  ask_for(0.8 * ball.depth);
+  Thresholds tight(ball.seeds());
+  CHECK(ball.choose(tight).empty());
+  CHECK(are_there(tight.tight_places()));
+  ask_for(1.2 * ball.depth);
+  Thresholds none(ball.seeds());
+  CHECK(are_there(ball.choose(none)));
+}
+
+TEST_CASE("Narrowed thresholds: a wall much thinner than its cells is an obstacle everywhere, in these cells")
+{
+  Hollow_ball ball(0.2 * Hollow_ball::width);
+  REQUIRE(ball.depth < 0.0026);
+  for(BS::Level_range& r : ball.ranges)
+    if(r.min < r.max) r = { -ball.depth / 4, ball.depth / 4 };
+  Thresholds thresholds(ball.seeds());
+  const std::vector<Obstacle> obstacles = ball.choose(thresholds);
+  CHECK(obstacles.size() > 1000);
+  CHECK(std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) { return o.side == CGAL::ZERO && ball.is_at_wall(o.cell); }));
+}
+
+TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider where cells are narrower")
+{
+  const Ball ball;
+  Thresholds thresholds(seed());
+  thresholds.begin(ball.field, thick);
+  ball.choose(thresholds);
+  const double at_center = thresholds.inner().value(Point_3(0, 0, 0)), at_end = thresholds.outer().value(Point_3(2.49, 0, 0));
+  REQUIRE(at_center > -half);
+  BS::Narrowing_limits once;
+  once.max_passes = 1;
+  const auto choose_once = [&]() {
+    thresholds.begin(ball.field, thick);
+    ball.choose(thresholds, once);
+  };
+  thresholds.forget_field(ball.field.cells(), ball.field.cells());
+  CHECK_FALSE(thresholds.are_chosen());
+  choose_once();
+  CHECK(thresholds.inner().value(Point_3(0, 0, 0)) == Approx(at_center));
+  CHECK(thresholds.outer().value(Point_3(2.49, 0, 0)) == Approx(at_end));
+  CHECK(thresholds.undecided_volume() == 0);
+  // half as narrow on all cells: then they are no less wide than asked for
+  std::vector<Index> all(ball.field.number_of_cells());
+  for(Index c = 0; c < all.size(); ++c) all[c] = c;
+  const Hierarchy before = ball.field.cells();
+  Ball finer;
+  finer.field = Field(before.refined(all));
+  finer.set_coefficients(BS::refined_coefficients(ball.field, ball.field.coefficients(), finer.field));
+  thresholds.forget_field(before, finer.field.cells());
+  thresholds.begin(finer.field, thick);
+  finer.choose(thresholds, once);
+  CHECK(thresholds.inner().value(Point_3(0, 0, 0)) == Approx((std::max)(2 * at_center, -half)));
 }
 
 TEST_CASE("Narrowed thresholds: what is kept where the field stays the same makes no difference")

@@ -157,8 +157,31 @@ TEST_CASE("certified shells: limits end refinement with what there is")
     CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
     // nothing is taken over from a shell that may have critical points
     CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
+    CHECK(shell.report().limit.cells > shell.report().cells);
   }
+  const BS::Refinement_limit time = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).time_limit(1e-9)).report().limit;
+  CHECK(time.resource == BS::Refinement_resource::TIME);
+  CHECK(time.seconds > 1e-9);
+  const BS::Refinement_limit memory = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7)).report().limit;
+  CHECK(memory.resource == BS::Refinement_resource::MEMORY);
+  CHECK(memory.bytes > 5e7);
+  CHECK(memory.bytes < 5e9);
+  CHECK(CGAL::certified_bspline_shell_3(mesh).report().limit.resource == BS::Refinement_resource::NONE);
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
+}
+
+TEST_CASE("certified shells: limits have sentences")
+{
+  BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 61.5, 4.2e9 };
+  CHECK(message(limit).empty());
+  limit.resource = BS::Refinement_resource::TIME;
+  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and end after about 62 s: that is beyond the time limit.");
+  limit.resource = BS::Refinement_resource::MEMORY;
+  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
+  limit.resource = BS::Refinement_resource::NUMBERS;
+  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
+  limit.resource = BS::Refinement_resource::ROUNDS;
+  CHECK(message(limit) == "There were as many rounds of refinement as are allowed.");
 }
 
 TEST_CASE("certified shells: constant thresholds are the tightest two levels")

@@ -148,6 +148,23 @@ TEST_CASE("E_surface is the integral of the squared value over the facets")
   CHECK(energy.value(x) == Approx(sum).epsilon(1e-14));
 }
 
+TEST_CASE("E_surface counts more in cells with larger factors, and nothing else does")
+{
+  const Fit_problem& problem = cube_problem();
+  Energy energy = problem.energy(all_terms_weighted());
+  const Eigen::VectorXd x = problem.coefficients([](double, double, double) { return 1.; });
+  const double all = energy.value(Term::SURFACE, x);
+  const double others = energy.value(x) - all;
+  // three times as much on the one half of the cube
+  std::vector<float> factors(problem.field.number_of_cells(), 1);
+  for(Field::Cell_index c = 0; c < factors.size(); ++c)
+    if(problem.field.cell(c).bbox().xmax() <= 0) factors[c] = 3;
+  REQUIRE(std::count(factors.begin(), factors.end(), 3.f) * 2 == std::ptrdiff_t(factors.size()));
+  energy.set_surface_factors(factors);
+  CHECK(energy.value(Term::SURFACE, x) == Approx(2 * all).epsilon(1e-12));
+  CHECK(energy.value(x) == Approx(2 * all + others).epsilon(1e-12));
+}
+
 TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are what one computes by hand")
 {
   const Fit_problem& problem = cube_problem();
@@ -296,8 +313,13 @@ TEST_CASE("The normal equations are those of the quadratic terms")
   without_angle.normal = 10;
   without_angle.surface = 100;
   without_angle.coefficients = 0.002;
-  const Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
+  Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
   const std::size_t size = problem.field.number_of_coefficients();
+  if(GENERATE(false, true)) {
+    std::vector<float> factors(problem.field.number_of_cells());
+    for(std::size_t c = 0; c < factors.size(); ++c) factors[c] = float(1 + c % 7);
+    energy.set_surface_factors(factors);
+  }
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;
   energy.assemble<CGAL::Sequential_tag>(A, b);

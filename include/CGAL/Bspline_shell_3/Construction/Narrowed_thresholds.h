@@ -6,9 +6,12 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_NARROWED_THRESHOLDS_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_NARROWED_THRESHOLDS_H
 
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include <CGAL/Bspline_shell_3/Construction/critical_value.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
@@ -36,28 +39,6 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a place where a shell may have a critical point, or reaches the end of the domain, and the mesh needs it to be in the shell.
- */
-struct Threshold_obstacle
-{
-  std::uint32_t cell;
-  std::array<double, 3> point;        ///< user units
-};
-
-/// \ingroup PkgBsplineShell3Construction
-/// \return the cells of obstacles, ascending
-inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>& obstacles)
-{
-  std::vector<std::uint32_t> cells;
-  for(const Threshold_obstacle& o : obstacles) cells.push_back(o.cell);
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return cells;
-}
-
-/*!
- * \ingroup PkgBsplineShell3Construction
- *
  * \brief when the search for thresholds ends although some could be narrowed further.
  */
 struct Narrowing_limits
@@ -72,6 +53,9 @@ struct Narrowing_limits
  *
  * \brief chooses the thresholds of a shell. Where it is undecided whether the shell has a critical point, or where it reaches the end of the domain,
  * the threshold next to that place is narrowed, as far as the mesh allows.
+ *
+ * Within a thin wall, critical points are all over. Where they are so many that the cover is coarse, it says little about how near to zero the field
+ * is there, which is estimated (`critical_value()`): obstacles that have no room are told from places that only a finer cover would decide.
  *
  * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What is known is kept for further
  * fields, too: on the same cells (`field_has_changed()`), and on finer ones (`cells_were_refined()`).
@@ -123,34 +107,52 @@ public:
     timer.start();
     // what the mesh needs counts where thresholds are capped
     bool is_sharp = !m_wanted->caps().empty();
+    m_tight.clear();
     if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
+    std::size_t unresolved_before = std::numeric_limits<std::size_t>::max();
     for(int pass = 0; ; ++pass) {
       const double begin = timer.time();
       m_inner = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(POSITIVE));
       Cover cover = covered<ConcurrencyTag>();
       std::vector<Threshold_obstacle> obstacles;
-      const std::map<std::pair<Cell_index, int>, Nearest> nearest = nearest_in_the_way(cover, obstacles);
+      const std::map<Cell_and_side, Nearest> nearest = nearest_in_the_way(cover, obstacles);
       if(!is_sharp && !nearest.empty() && !m_is_constant) {
         m_wanted->set_mesh_ranges(ranges(Mesh_ranges::SHARP));
         is_sharp = true;
       }
-      const bool narrowed = narrow(nearest, obstacles);
+      std::vector<Threshold_obstacle> unresolved;
+      const bool narrowed = narrow(nearest, obstacles, unresolved);
       std::vector<Cell_index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Cell_index(0));
+      for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;      // there may be more boxes for them next time
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
-      const bool is_enough = pass + 1 >= max_passes_of_many && cells_of(obstacles).size() > limits.many_obstacles;
+      const bool is_enough = pass + 1 >= max_passes_of_many && !obstacles.empty()
+                          && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
+      const bool helps = narrowed || (obstacles.empty() && unresolved.size() < unresolved_before);
+      unresolved_before = unresolved.size();
       // another pass, and the certificate, take as long as this one
-      const bool is_late = timer.time() + 2 * (timer.time() - begin) > limits.max_seconds;
-      if(!narrowed || is_enough || pass + 1 == limits.max_passes || is_late) {
+      m_is_late = helps && timer.time() + 2 * (timer.time() - begin) > limits.max_seconds;
+      if(!helps || is_enough || pass + 1 == limits.max_passes || m_is_late) {
         m_caps = m_wanted->caps();
-        return obstacles;
+        return obstacles.empty() ? unresolved : obstacles;
       }
     }
   }
 
+  /// where there was room in the last `choose()`, but little
+  std::vector<Threshold_obstacle> tight_places() const
+  {
+    std::vector<Threshold_obstacle> places;
+    for(const auto& tight : m_tight) places.push_back(tight.second);
+    return places;
+  }
+
   /// whether the last call of `choose()` was for the present field
   bool are_chosen() const { return bool(m_inner); }
+
+  /// whether the last `choose()` ended as there was no time for another pass
+  bool are_too_late() const { return m_is_late; }
 
   /// \pre `are_chosen()`
   const Threshold& inner() const { return *m_inner; }
@@ -162,13 +164,37 @@ public:
   double undecided_volume() const { return m_undecided_volume; }
 
   /// leaves nothing chosen
-  void reset() { m_inner.reset(); m_outer.reset(); }
+  void reset()
+  {
+    m_inner.reset();
+    m_outer.reset();
+    m_is_late = false;
+  }
 
-  /// forgets what is kept from field to field
+  /// forgets all that is kept from field to field
   void forget()
   {
     m_examined.reset();
     m_caps.clear();
+  }
+
+  /// forgets which parts of the shell were covered, and keeps the caps for another field on finer cells: as they are, or where cells were halved, twice
+  /// as wide: within a thin wall, a field on narrower cells gets farther from zero
+  /// \param before the last ones
+  /// \param cells the finer ones
+  void forget_field(const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells)
+  {
+    reset();
+    m_examined.reset();
+    std::vector<Cap> caps;
+    for(Cap cap : m_caps) {
+      const std::array<double, 3> corner = before.corner(cap.cell);
+      const double width = before.width(cap.cell), half = width / 2;
+      cap.cell = cells.locate(Point_3(corner[0] + half, corner[1] + half, corner[2] + half));
+      cap.size *= width / cells.width(cap.cell);
+      caps.push_back(cap);
+    }
+    m_caps.swap(caps);
   }
 
   /// forgets which parts of the shell were covered, and by that frees memory
@@ -212,8 +238,10 @@ private:
     std::vector<Cell_index> now;
   };
 
-  // how near to the mesh's level a box comes that is in the way
-  struct Nearest { double size; std::array<double, 3> point; };
+  typedef std::pair<Cell_index, int> Cell_and_side;
+
+  // how near to the mesh's level a box comes that is in the way, and whether it is one of too few
+  struct Nearest { double size; std::array<double, 3> point; bool is_coarse; };
 
   template <typename ConcurrencyTag>
   Cover covered() const
@@ -230,51 +258,73 @@ private:
   }
 
   // in each cell and on either side; boxes that the field may be zero in are obstacles
-  std::map<std::pair<Cell_index, int>, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
+  std::map<Cell_and_side, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
   {
-    std::map<std::pair<Cell_index, int>, Nearest> nearest;
+    std::map<Cell_and_side, Nearest> nearest;
     m_undecided_volume = 0;
-    const auto note = [&](const Cover_box& box) {
-      m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
+    const auto note = [&](const Cover_box& box, bool may_be_critical) {
+      constexpr double reach = 1.5;       // box widths
+      const double width = std::ldexp(m_field->cells().width(box.cell), -int(box.depth));
+      m_undecided_volume += std::pow(width, 3);
       const Level_range f = cover.function(box).range();
       const Bbox_3 b = cover.bbox(box);
       const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-      const int side = f.min > 0 ? 1 : f.max < 0 ? -1 : 0;
-      if(side == 0) { obstacles.push_back({ box.cell, middle }); return; }
-      const double size = side > 0 ? f.min : -f.max;
-      const auto it = nearest.insert({ { box.cell, side }, { size, middle } }).first;
-      if(size < it->second.size) it->second = { size, middle };
+      double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
+      if(may_be_critical)
+        level = critical_value(m_field->cell(box.cell).second_order_jet(Point_3(middle[0], middle[1], middle[2])), reach * width).value_or(level);
+      if(level == 0) { obstacles.push_back({ box.cell, middle }); return; }
+      const Nearest place = { std::abs(level), middle, int(box.depth) <= coarsest_depth };
+      const auto it = nearest.insert({ { box.cell, level > 0 ? 1 : -1 }, place }).first;
+      if(place.size < it->second.size) it->second = place;
     };
     if(cover.number_of_undecided_boxes() > 0)
       for(const Cover_box& box : cover.boxes())
-        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box);
-    for(std::uint32_t b : cover.border()) note(cover.boxes()[b]);
+        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box, true);
+    for(std::uint32_t b : cover.border()) note(cover.boxes()[b], false);
     return nearest;
   }
 
-  // caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns whether there was such a place
-  bool narrow(const std::map<std::pair<Cell_index, int>, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles)
+  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns whether there was such a place. Where
+  // the cap is there already, and the cover coarse, the place is unresolved.
+  bool narrow(const std::map<Cell_and_side, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles,
+              std::vector<Threshold_obstacle>& unresolved)
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
+    constexpr double much = 0.7;          // of the room, that the mesh takes
+    constexpr double flat = 0.05;         // cell widths: what is so near to zero in the midst of a wall asks for more boxes than covers have
     bool narrowed = false;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
-      const int side = n.first.second;
-      const double size = n.second.size, needed = side * m_wanted->needed(c, Sign(side));
-      if(m_is_constant || !(needed < margin * size)) { obstacles.push_back({ c, n.second.point }); continue; }
-      m_wanted->cap(c, Sign(side), side * ((std::max)(needed, 0.) + size) / 2);
-      narrowed = true;
+      const Sign side = Sign(n.first.second);
+      const double size = n.second.size, needed = (std::max)(side * m_wanted->needed(c, side), 0.);
+      const Threshold_obstacle place = { c, n.second.point, side, size };
+      if(needed > much * size) m_tight[n.first] = place;
+      const Threshold& threshold = side == POSITIVE ? *m_outer : *m_inner;
+      const double now = side * threshold.value(Point_3(place.point[0], place.point[1], place.point[2]), c);
+      const double room = n.second.is_coarse ? size : (std::min)(size, now);
+      if(m_is_constant || !(needed < margin * room)) {
+        obstacles.push_back(place);
+      } else if(n.second.is_coarse && margin * now < (needed + room) / 2) {
+        if(size < flat * m_field->cells().width(c)) obstacles.push_back({ c, place.point });
+        else unresolved.push_back(place);
+      } else {
+        m_wanted->cap(c, side, side * (needed + room) / 2);
+        narrowed = true;
+      }
     }
     return narrowed;
   }
 
+  static constexpr int coarsest_depth = 3;    // halvings: boxes of cells where boxes ran out
+
   std::vector<Point_3> m_seeds;
   const Field* m_field = nullptr;
   std::optional<Shell_thresholds_3<Field> > m_wanted;
-  bool m_is_constant = false;
+  bool m_is_constant = false, m_is_late = false;
   std::vector<Cap> m_caps;                            // of the last thresholds
   std::unique_ptr<Threshold> m_inner, m_outer;        // at fixed places, as certificates refer to them
   std::optional<Examined> m_examined;
+  std::map<Cell_and_side, Threshold_obstacle> m_tight;
   double m_undecided_volume = std::numeric_limits<double>::infinity();
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
+#include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
@@ -31,6 +32,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_limit.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
@@ -92,8 +94,9 @@ struct Refinement_parameters
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
  * too small a slope (`slope_conditions()`), small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
  * (`Narrowed_thresholds`); where the mesh needs them wider than they should be, the field is asked to increase. Cells where none of this helps are
- * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too
- * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
+ * refined, few of them with their neighbors. If they are many, cells are refined where the field is so large on the mesh that there is no room for
+ * thresholds (`culprits_of()`), at gaps more than once (`refine_at_gaps()`), and there the next field is asked to be nearer to zero on the mesh; or,
+ * where the field was too large in many cells before small changes, these are. When nothing is found wanting, the certificate is asked.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
@@ -126,6 +129,8 @@ public:
   Refinement_status operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start);
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
+  /// which limit ended it, if one did
+  const Refinement_limit& limit() const { return m_limit; }
   const Field& field() const { return *m_field; }
   /// the certificate of the last field, to which it refers
   const std::optional<Certificate>& certificate() const { return m_certificate; }
@@ -152,6 +157,9 @@ private:
   static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
   static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
   static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
+  static constexpr std::size_t cells_of_thin_parts = 50;        // one of so many has obstacles
+  static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
+  static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
@@ -183,12 +191,12 @@ private:
   // whether many obstacles are what is left of a field that was too large on the mesh in many cells
   bool are_due_to_thickness(const std::vector<Index>& obstacles) const { return are_many(obstacles) && !m_thick_at_first.empty(); }
 
-  // whether there is less time left than that
-  bool is_late(double seconds = 0) const { return m_total.time() + seconds > m_parameters.max_seconds; }
+  // whether there is no time left
+  bool is_late() const { return m_total.time() > m_parameters.max_seconds; }
 
-  // whether a round with so many cells would take too much memory or time, or more unknowns than can be numbered: each cell as
-  // much as in the last round, and if thresholds were not chosen there, as much again for that as for the fit
-  bool exceeds_limits(std::size_t cells) const
+  // what a round with so many cells would have too little of: each cell takes as much memory and time as in the last round, and if thresholds were not
+  // chosen there, as much again for that as for the fit
+  Refinement_limit limit_of_round(std::size_t cells) const
   {
     // few cells more will be a partial round
     constexpr std::size_t many = 32;      // one more of so many
@@ -201,10 +209,12 @@ private:
     double seconds = 0;
     for(double s : last.seconds) seconds += s;
     if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
-    if(!(m_total.time() + more * seconds <= m_parameters.max_seconds)) return true;
     const double points = more * double(m_field->number_of_points());
-    return !(2000. * double(cells) + 5000. * points <= m_parameters.max_bytes)
-        || points > double(Fit_energy<Field>::max_number_of_unknowns) / 2;
+    Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 2000. * double(cells) + 5000. * points };
+    if(!(limit.seconds <= m_parameters.max_seconds)) limit.resource = Refinement_resource::TIME;
+    else if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
+    else if(points > double(Fit_energy<Field>::max_number_of_unknowns) / 2) limit.resource = Refinement_resource::NUMBERS;
+    return limit;
   }
 
   // whether the last field has the slopes asked for, and if it was fitted in part, that helped
@@ -248,11 +258,13 @@ private:
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
       return Refinement_status::DISTANCE_NOT_FINITE;
     lap(DISTANCE);
+    inherit_surface_factors(cells);
     const std::unique_ptr<Field> before = std::exchange(m_field, std::make_unique<Field>(std::move(cells)));
     Field& field = *m_field;
     log.cells = field.number_of_cells();
     log.unknowns = field.number_of_coefficients();
     log.levels = field.number_of_levels();
+    m_cells_at_gaps.clear();
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
     m_part.reset();
     if(can_be_partial && double(split.size()) < largest_part * double(log.cells)) {
@@ -264,7 +276,8 @@ private:
 
     if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
     const double width = field.cells().lattice().spacing();
-    const Fit_energy<Field> energy(field, m_samples, *m_clipped, m_input->unit() / width, m_parameters.weights);
+    Fit_energy<Field> energy(field, m_samples, *m_clipped, m_input->unit() / width, m_parameters.weights);
+    energy.set_surface_factors(m_surface_factors);
     const Unknown_blocks blocks = overlapping_blocks(field);
     Solver_status solved;
     if(m_part) {
@@ -286,7 +299,9 @@ private:
     if(m_part) {
       keep_what_was_examined(*before, ranges);
     } else {
-      m_thresholds.forget();
+      // at walls too thin for the thickness asked for, the cover of a shell that wide takes long, and says nothing
+      if(!is_thin()) m_thresholds.forget();
+      else m_thresholds.forget_field(before->cells(), field.cells());
       m_unexamined.assign(m_wanted.size(), 1);
     }
     if(!start(Shell_step::BOUNDS)) return Refinement_status::CANCELED;
@@ -441,6 +456,19 @@ private:
     return fresh;
   }
 
+  void inherit_surface_factors(const Cell_hierarchy_3& cells)
+  {
+    if(!is_thin()) return;
+    std::vector<float> factors(cells.number_of_cells(), 1);
+    for(Index c = 0; c < factors.size(); ++c) {
+      const std::array<double, 3> corner = cells.corner(c);
+      const double half = cells.width(c) / 2;
+      const Index before = m_field->locate(Field::Point_3(corner[0] + half, corner[1] + half, corner[2] + half));
+      if(before != Field::npos) factors[c] = m_surface_factors[before];
+    }
+    m_surface_factors.swap(factors);
+  }
+
   double half_thickness(Index c) const
   {
     const Bbox_3 b = m_field->cell(c).bbox();
@@ -530,13 +558,34 @@ private:
     const std::vector<Index> cells = cells_of(m_obstacles);
     if(are_due_to_thickness(cells)) {
       for(Index c : m_thick_at_first) mark(c);
+    } else if(are_many(cells) && (is_thin() || cells.size() > m_field->number_of_cells() / cells_of_thin_parts)) {
+      make_room(cells);
     } else {
+      if(are_many(cells)) m_cells_at_gaps = cells;
       const bool alone = cells.size() > m_field->number_of_cells() / cells_to_split_alone;
       for(Index c : cells)
         if(alone) mark(c);
         else mark_widely(c);
     }
     lap(CERTIFICATE);
+  }
+
+  // whether walls or gaps are too narrow for the shell asked for on much of the mesh
+  bool is_thin() const { return !m_surface_factors.empty(); }
+
+  // Marks cells where the field is so large on the mesh that thresholds have no room at obstacles, or little: these would be the next ones. There and
+  // at obstacles, the next field is asked to be nearer to zero on the mesh.
+  void make_room(const std::vector<Index>& cells)
+  {
+    std::vector<Threshold_obstacle> places = m_thresholds.tight_places();
+    places.insert(places.end(), m_obstacles.begin(), m_obstacles.end());
+    m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, m_ranges.cells(), places, most_at_obstacles);
+    if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
+    for(Index c : cells) m_surface_factors[c] = near_obstacles;
+    for(Index c : m_cells_at_gaps) {
+      m_surface_factors[c] = near_obstacles;
+      mark(c);
+    }
   }
 
   // returns where the mesh needs thresholds wider than they should be
@@ -552,15 +601,14 @@ private:
     return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_parameters.max_seconds - m_total.time() });
   }
 
-  // Marked cells are split once, and obstacles, where they are many, twice, if the gap is that narrow.
+  // Marked cells are split once, and those next to many obstacles twice, if the gap is that narrow.
   Cell_hierarchy_3 refined_cells()
   {
     constexpr int max_halvings = 2, rings = 1;
-    const std::vector<Index> obstacles = cells_of(m_obstacles);
-    if(!are_many(obstacles) || are_due_to_thickness(obstacles)) return m_field->cells().refined(m_marked, rings);
+    if(m_cells_at_gaps.empty()) return m_field->cells().refined(m_marked, rings);
     if(!m_gap) m_gap.emplace(*m_input);
-    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, rings, obstacles, max_halvings, *m_gap, *m_clipped,
-                                          [&](std::size_t size) { return exceeds_limits(size); });
+    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, rings, m_cells_at_gaps, max_halvings, *m_gap, *m_clipped,
+                                          [&](std::size_t size) { return limit_of_round(size).resource != Refinement_resource::NONE; });
   }
 
   // Asks the certificate, and marks cells that keep the claims from being proved.
@@ -600,9 +648,12 @@ private:
   std::vector<Index> m_marked;
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Threshold_obstacle> m_obstacles;                  // of the last thresholds
+  std::vector<Index> m_cells_at_gaps;                 // to refine as the gap asks for
+  std::vector<float> m_surface_factors;               // of cells (`Fit_energy`)
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_is_enforced = false;                         // slopes of the last field
   std::vector<Refinement_round> m_rounds;
+  Refinement_limit m_limit;
   Real_timer m_total, m_timer;                        // of all rounds, and of a step
 };
 
@@ -643,12 +694,16 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     std::sort(m_marked.begin(), m_marked.end());
     m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
     log.marked_cells = m_marked.size();
-    const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
-    if(!in_vain) cells = refined_cells();
-    // before the memory and the time are taken
-    const bool over = round + 1 >= m_parameters.max_rounds
-                   || (!in_vain && exceeds_limits(cells.number_of_cells()));
-    if(in_vain || over) {
+    const bool is_out_of_time = m_marked.empty() && m_thresholds.are_too_late();
+    const bool in_vain = !is_out_of_time && (rounds_in_vain == max_rounds_in_vain || m_marked.empty());
+    if(!in_vain) {
+      cells = refined_cells();
+      // before the memory and the time are taken
+      m_limit = limit_of_round(cells.number_of_cells());
+      if(is_out_of_time) m_limit.resource = Refinement_resource::TIME;
+      else if(round + 1 >= m_parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
+    }
+    if(in_vain || m_limit.resource != Refinement_resource::NONE) {
       if(!m_thresholds.are_chosen()) {
         constexpr int once = 1;
         find_thick_cells();       // the field may have changed

@@ -154,6 +154,9 @@ public:
     return 0;
   }
 
+  /// how much more than elsewhere the term `SURFACE` counts in each cell; without that, alike in all
+  void set_surface_factors(std::vector<float> factors) { m_surface_factors = std::move(factors); }
+
   /// where \f$E_{singularH}\f$ is integrated: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
   /// for the field `x` (both divided by the width of root cells). Until it is called, the term is zero.
   void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
@@ -437,6 +440,8 @@ private:
       for(int i = 0; i < 4; ++i) points[rows[r] + i] += s * local[4*r + i];
   }
 
+  double surface_factor(Cell_index c) const { return m_surface_factors.empty() ? 1 : double(m_surface_factors[c]); }
+
   bool in_hessian_domain(Cell_index c) const { return !m_hessian_domain.empty() && m_hessian_domain[c] != 0; }
 
   double sample(Cell_index c, int s) const
@@ -493,7 +498,7 @@ private:
           }
           const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local.data(), basis);
           if(term == Energy_term::SURFACE) {
-            visit(jet.value, w, [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
+            visit(jet.value, w * surface_factor(c), [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
             return;
           }
           const std::array<double, 3>& g = jet.gradient;
@@ -574,7 +579,7 @@ private:
       used = 0;
     };
     const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
-    const double surface = weight(Energy_term::SURFACE);
+    const double surface = weight(Energy_term::SURFACE) * surface_factor(c);
     for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
       internal::Basis_jet<double, 2> basis;
       for(int a = 0; a < 3; ++a) {
@@ -615,6 +620,7 @@ private:
   Local_vector m_share;                       // of the 64 functions in the samples of a cell
   std::vector<std::size_t> m_first_piece;     // of each cell, and the end
   std::vector<char> m_hessian_domain;         // by cell, or empty
+  std::vector<float> m_surface_factors;       // by cell, or empty
 };
 
 } // namespace Bspline_shells

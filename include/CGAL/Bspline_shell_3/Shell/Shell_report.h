@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Fit_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_limit.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
@@ -45,6 +46,7 @@ struct Shell_report
   Level_range edges;                          ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
   Level_range facets_bound;                   ///< bounds on the facets, not rounded
   Refinement_status refinement = Refinement_status::NOT_REFINED;     ///< why refinement ended
+  Refinement_limit limit;                     ///< which one that was, if it was a limit
   std::vector<Refinement_round> rounds;       ///< of refinement
   /// if that was without a proof: what stands in the way, narrowest first, a thousand at most
   std::vector<Refinement_obstacle> obstacles;

@@ -141,6 +141,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       for(std::size_t c = 0; c < r.certificate.verdicts.size(); ++c) claims(name(Claim(c)), name(r.certificate.verdicts[c]));
     }
     json("seconds", result.seconds);
+    if(r.limit.resource != Refinement_resource::NONE) json("limit", message(r.limit));
     if(!r.obstacles.empty()) {
       json.begin("obstacles") << "[";
       for(std::size_t n = 0; n < r.obstacles.size(); ++n) {

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_THRESHOLD_OBSTACLE_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_THRESHOLD_OBSTACLE_H
+
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief a place that no threshold can leave out.
+ */
+struct Threshold_obstacle
+{
+  std::uint32_t cell;
+  std::array<double, 3> point;        ///< user units
+  Sign side = ZERO;                   ///< of the threshold; `ZERO` if the place is at the mesh, or the field is too flat there
+  double size = 0;                    ///< what the threshold's size would have to be less than
+};
+
+/// \ingroup PkgBsplineShell3Construction
+/// \return the cells of obstacles, ascending
+inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>& obstacles)
+{
+  std::vector<std::uint32_t> cells;
+  for(const Threshold_obstacle& o : obstacles) cells.push_back(o.cell);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief the cells where the field is so large on the mesh that thresholds cannot pass obstacles: thresholds are splines on the same cells, and so all
+ * cells count that the functions reach which act on an obstacle's cell. The latter itself, if there are none.
+ *
+ * In the middle of a thin wall the field is near zero. What keeps the threshold from being nearer is not there, but at the rim, some cells away.
+ *
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam Field `Hierarchical_bspline_field_3`
+ * \param field gives the cells
+ * \param ranges enclose the field on the part of the mesh in each cell
+ * \param obstacles the obstacles
+ * \param part of an obstacle's size that the field may be on the mesh
+ * \return ascending
+ */
+template <typename ConcurrencyTag, typename Field>
+std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Level_range>& ranges,
+                                       const std::vector<Threshold_obstacle>& obstacles, double part)
+{
+  typedef typename Field::Cell_index Index;
+  constexpr std::size_t chunk = 16;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const Threshold_obstacle& o = obstacles[n];
+      const std::size_t before = found.size();
+      if(o.side != ZERO) {
+        // only cells inside of the box of all supports, not those that touch it
+        Bbox_3 b = field.cell(o.cell).bbox();
+        field.visit_coefficients(o.cell, [&](int, Index u, double) { b += field.support(u); });
+        const double inside = field.cells().width(o.cell) / 64;
+        const Bbox_3 box(b.xmin() + inside, b.ymin() + inside, b.zmin() + inside, b.xmax() - inside, b.ymax() - inside, b.zmax() - inside);
+        field.visit_cells(box, [&](Index c) {
+          if((o.side == POSITIVE ? ranges[c].max : -ranges[c].min) > part * o.size) found.push_back(c);
+        });
+      }
+      if(found.size() == before) found.push_back(o.cell);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  };
+  std::vector<Index> cells = internal::collect_from_chunks<ConcurrencyTag, Index>(obstacles.size(), chunk, find);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_THRESHOLD_OBSTACLE_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SHELL_REFINEMENT_LIMIT_H
+#define CGAL_BSPLINE_SHELL_3_SHELL_REFINEMENT_LIMIT_H
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
+ * \brief what another round of refinement has too little of.
+ */
+enum class Refinement_resource
+{
+  NONE,
+  TIME,         ///< `time_limit`
+  MEMORY,       ///< `memory_limit`
+  NUMBERS,      ///< for unknowns
+  ROUNDS        ///< there were as many as are allowed
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
+ * \brief which limit ended refinement, and what another round would take, as far as can be told from the last ones.
+ */
+struct Refinement_limit
+{
+  Refinement_resource resource = Refinement_resource::NONE;
+  std::size_t cells = 0;        ///< of that round
+  double seconds = 0;           ///< when it would end, counted from the first round
+  double bytes = 0;
+};
+
+/// \ingroup PkgBsplineShell3Shell
+/// \return the limit in a sentence, or nothing if there was none
+inline std::string message(const Refinement_limit& limit)
+{
+  constexpr double megabyte = 1e6;
+  std::ostringstream out;
+  switch(limit.resource) {
+    case Refinement_resource::NONE: return "";
+    case Refinement_resource::ROUNDS: return "There were as many rounds of refinement as are allowed.";
+    default: out << "Another round of refinement would have " << limit.cells << " cells, and ";
+  }
+  if(limit.resource == Refinement_resource::TIME) out << "end after about " << std::ceil(limit.seconds) << " s: that is beyond the time limit.";
+  else if(limit.resource == Refinement_resource::MEMORY) out << "take about " << std::ceil(limit.bytes / megabyte) << " MB: that is beyond the memory limit.";
+  else out << "more unknowns than can be numbered.";
+  return out.str();
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SHELL_REFINEMENT_LIMIT_H

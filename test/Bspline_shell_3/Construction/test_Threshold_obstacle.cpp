@@ -1,0 +1,105 @@
+// Threshold_obstacle.h: cells of obstacles, and of what is to blame for them.
+#include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include "random_hierarchies.h"
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef CGAL::Sequential_tag Tag;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef BS::Threshold_obstacle Obstacle;
+typedef Field::Cell_index Index;
+
+BS::Lattice_3 lattice() { return BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -6, -6, -6 }, { 5, 5, 5 }); }
+
+std::vector<Index> functions(const Field& field, Index c)
+{
+  std::vector<Index> all;
+  field.visit_coefficients(c, [&](int, Index u, double) { all.push_back(u); });
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool share_a_function(const std::vector<Index>& a, const std::vector<Index>& b)
+{
+  std::vector<Index> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return !both.empty();
+}
+
+bool contains(const std::vector<Index>& cells, Index c) { return std::binary_search(cells.begin(), cells.end(), c); }
+
+Obstacle obstacle(Index c, CGAL::Sign side, double size) { return { c, { 0, 0, 0 }, side, size }; }
+
+} // namespace
+
+TEST_CASE("Threshold obstacles: their cells, each once")
+{
+  CHECK(BS::cells_of({}).empty());
+  CHECK(BS::cells_of({ obstacle(7, CGAL::ZERO, 0), obstacle(3, CGAL::POSITIVE, 1), obstacle(7, CGAL::NEGATIVE, 1) }) == std::vector<Index>{ 3, 7 });
+}
+
+TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and where the field is too large on the mesh, on the obstacle's side")
+{
+  CGAL::Random random(3);
+  const Field equal(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
+  const Field graded(random_hierarchy(random, some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1), 3, 2));
+  for(const Field* field : { &equal, &graded }) {
+    std::vector<BS::Level_range> ranges(field->number_of_cells());
+    for(BS::Level_range& r : ranges)
+      if(random.get_double() < 0.7) r = { -random.get_double(), random.get_double() };
+    std::size_t missed = 0, wrong = 0, found = 0;
+    for(int n = 0; n < 20; ++n) {
+      const Index c = Index(random.get_int(0, int(ranges.size())));
+      const std::vector<Index> here = functions(*field, c);
+      for(CGAL::Sign side : { CGAL::POSITIVE, CGAL::NEGATIVE }) {
+        const std::vector<Index> culprits = BS::culprits_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) }, 0.5);
+        CHECK(std::is_sorted(culprits.begin(), culprits.end()));
+        found += culprits.size();
+        const auto is_too_large = [&](Index d) { return (side == CGAL::POSITIVE ? ranges[d].max : -ranges[d].min) > 0.4; };
+        for(Index d = 0; d < ranges.size(); ++d) {
+          const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
+          missed += expected && !contains(culprits, d);
+          // on cells of several sizes, some are between those that the functions reach
+          wrong += contains(culprits, d) && !(field == &equal ? expected : is_too_large(d));
+        }
+      }
+    }
+    CHECK(found > 1000);
+    CHECK(missed == 0);
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("Culprits: the obstacle's own cell, where none is too large, or the place is at the mesh")
+{
+  CGAL::Random random(4);
+  const Field field(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
+  std::vector<BS::Level_range> ranges(field.number_of_cells(), BS::Level_range{ -0.1, 0.3 });
+  CHECK(BS::culprits_of<Tag>(field, ranges, {}, 0.5).empty());
+  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::NEGATIVE, 0.3) }, 0.5) == std::vector<Index>{ 5 });
+  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::POSITIVE, 0.3) }, 0.5).size() > 50);
+  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(9, CGAL::ZERO, 0), obstacle(5, CGAL::ZERO, 0) }, 0.5) == std::vector<Index>{ 5, 9 });
+}
+
+TEST_CASE("Culprits: the same with one and several threads")
+{
+  CGAL::Random random(5);
+  const Field field(random_hierarchy(random, some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1), 3, 2));
+  std::vector<BS::Level_range> ranges(field.number_of_cells());
+  std::vector<Obstacle> obstacles;
+  for(Index c = 0; c < ranges.size(); ++c) {
+    ranges[c] = { -random.get_double(), random.get_double() };
+    if(random.get_double() < 0.1) obstacles.push_back(obstacle(c, random.get_bool() ? CGAL::POSITIVE : CGAL::NEGATIVE, random.get_double()));
+  }
+  REQUIRE(obstacles.size() > 50);
+  CHECK(BS::culprits_of<Tag>(field, ranges, obstacles, 0.9) == BS::culprits_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
+}
