@@ -291,7 +291,7 @@ private:
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
     constexpr double much = 0.7;          // of the room, that the mesh takes
-    constexpr double flat = 0.05;         // cell widths: what is so near to zero in the midst of a wall asks for more boxes than covers have
+    constexpr double flat = 0.05;         // cell widths: what is so near to zero in the middle of a wall asks for more boxes than covers have
     bool narrowed = false;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;

@@ -157,7 +157,7 @@ private:
   static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
   static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
   static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
-  static constexpr std::size_t cells_of_thin_parts = 50;        // one of so many has obstacles
+  static constexpr std::size_t cells_of_thin = 20, cells_of_nearly_thin = 50;     // one of so many has an obstacle
   static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
@@ -558,7 +558,7 @@ private:
     const std::vector<Index> cells = cells_of(m_obstacles);
     if(are_due_to_thickness(cells)) {
       for(Index c : m_thick_at_first) mark(c);
-    } else if(are_many(cells) && (is_thin() || cells.size() > m_field->number_of_cells() / cells_of_thin_parts)) {
+    } else if(are_many(cells) && (is_thin() || becomes_thin(cells))) {
       make_room(cells);
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
@@ -570,8 +570,17 @@ private:
     lap(CERTIFICATE);
   }
 
-  // whether walls or gaps are too narrow for the shell asked for on much of the mesh
+  // whether walls or gaps are too narrow for the shell asked for on much of the mesh: once known, it stays so
   bool is_thin() const { return !m_surface_factors.empty(); }
+
+  // finds out, by the cells with obstacles: there are very many, or many again after others were refined
+  bool becomes_thin(const std::vector<Index>& cells)
+  {
+    const std::size_t all = m_field->number_of_cells();
+    const bool are_again = m_was_nearly_thin && cells.size() > all / cells_of_nearly_thin;
+    m_was_nearly_thin = cells.size() > all / cells_of_nearly_thin;
+    return are_again || cells.size() > all / cells_of_thin;
+  }
 
   // Marks cells where the field is so large on the mesh that thresholds have no room at obstacles, or little: these would be the next ones. There and
   // at obstacles, the next field is asked to be nearer to zero on the mesh.
@@ -651,6 +660,7 @@ private:
   std::vector<Index> m_cells_at_gaps;                 // to refine as the gap asks for
   std::vector<float> m_surface_factors;               // of cells (`Fit_energy`)
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
+  bool m_was_nearly_thin = false;
   bool m_is_enforced = false;                         // slopes of the last field
   std::vector<Refinement_round> m_rounds;
   Refinement_limit m_limit;
