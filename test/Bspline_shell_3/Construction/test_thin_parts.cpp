@@ -125,6 +125,18 @@ TEST_CASE("Thin parts: between two plates the middle of the gap is not in the sh
   }
 }
 
+TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is thick, also at its rim")
+{
+  const double thickness = 0.01;
+  const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::resolution(15.).relative_thickness(2 * thickness));
+  check_certified(mesh, shell);
+  const auto& cells = shell.field().cells();
+  CHECK(cells.lattice().spacing() / double(1 << (cells.number_of_levels() - 1)) > 1.5 * thickness);
+  CHECK(width_at(shell, Point_3(0.5, 0.5, 0)) < 2 * thickness);
+  CHECK(is_outside(shell, Point_3(0.5, 0.5, thickness / 2)));
+}
+
 TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and the place is named")
 {
   const Mesh mesh = sphere(2);
