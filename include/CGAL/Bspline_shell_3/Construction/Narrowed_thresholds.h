@@ -97,7 +97,7 @@ public:
   /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   /// \tparam Ranges a function of `Mesh_ranges::Precision`
   /// \param ranges encloses the field on the part of the mesh in each cell
-  /// \return where the mesh needs them wider than they should be
+  /// \return where the mesh needs them wider than they should be; if nowhere, where a finer cover would have to decide
   /// \pre `begin()` was called
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
