@@ -150,7 +150,7 @@ def badge(record):
 
 def obstacles(report):
     places = report.get("obstacles", [])
-    if not places:
+    if not places and "limit" not in report:
         return ""
     rows = "\n".join(f"<tr><td>{' '.join(f'{x:.6g}' for x in place['point'])}</td><td>{escape(place['message'])}</td></tr>" for place in places)
     limit = f"<p>{escape(report['limit'])}</p>\n" if "limit" in report else ""

@@ -84,7 +84,7 @@ Eigen::VectorXd outer(const Thresholds& t) { return t.outer().field().coefficien
 
 bool are_equal(const std::vector<Obstacle>& a, const std::vector<Obstacle>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Obstacle& o, const Obstacle& p) { return o.cell == p.cell && o.point == p.point; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Obstacle& o, const Obstacle& p) { return o.cell == p.cell && o.point == p.point && o.side == p.side && o.size == p.size; });
 }
 
 } // namespace
@@ -105,6 +105,12 @@ TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no criti
   CHECK(outer(thresholds).maxCoeff() == 0.2);
   thresholds.reset();
   CHECK_FALSE(thresholds.are_chosen());
+  // if nothing is in the way, no time is missing
+  BS::Narrowing_limits late;
+  late.max_seconds = 0;
+  thresholds.begin(ball.field, thin);
+  ball.choose(thresholds, late);
+  CHECK_FALSE(thresholds.are_too_late());
 }
 
 TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the threshold next to them alone")

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <set>
+#include <iterator>
 #include <vector>
 
 namespace {

@@ -176,6 +176,9 @@ TEST_CASE("certified shells: limits have sentences")
   CHECK(message(limit).empty());
   limit.resource = BS::Refinement_resource::TIME;
   CHECK(message(limit) == "Another round of refinement would have 1200 cells, and end after about 62 s: that is beyond the time limit.");
+  limit.cells = 0;
+  CHECK(message(limit) == "There was no time left to narrow thresholds further.");
+  limit.cells = 1200;
   limit.resource = BS::Refinement_resource::MEMORY;
   CHECK(message(limit) == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
   limit.resource = BS::Refinement_resource::NUMBERS;

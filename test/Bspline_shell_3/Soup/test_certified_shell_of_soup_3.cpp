@@ -134,7 +134,7 @@ TEST_CASE("Front door: nothing, points only, and facets without area are refused
 TEST_CASE("Front door: the report of a shell that is not certified has the limit that ended refinement, and the places")
 {
   const BS::Shell_of_soup_3 result =
-    CGAL::certified_shell_of_soup_3(soup_of(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002))), parameters::memory_limit(1e7));
+    CGAL::certified_shell_of_soup_3(soup_of(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002))), parameters::memory_limit(1.2e7));
   REQUIRE(result);
   REQUIRE_FALSE(result.is_certified());
   const std::string report = report_of(result);

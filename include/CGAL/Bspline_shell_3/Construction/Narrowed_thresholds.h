@@ -58,7 +58,7 @@ struct Narrowing_limits
  * is there, which is estimated (`critical_value()`): obstacles that have no room are told from places that only a finer cover would decide.
  *
  * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What is known is kept for further
- * fields, too: on the same cells (`field_has_changed()`), and on finer ones (`cells_were_refined()`).
+ * fields, too: on the same cells (`field_has_changed()`), and on finer ones (`cells_were_refined()`); or caps alone (`forget_field()`).
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -73,7 +73,7 @@ public:
   /// \param seeds a point on each component of the mesh
   explicit Narrowed_thresholds(std::vector<Point_3> seeds) : m_seeds(std::move(seeds)) {}
 
-  /// begins with thresholds as wide as asked for, but where earlier ones had to be narrower for the same field
+  /// begins with thresholds as wide as asked for, but where earlier ones had to be narrower
   /// \param field as for `choose()`
   /// \param thickness asked for, a function of points, user units
   /// \pre `field` outlives the calls of `choose()` that follow
@@ -122,25 +122,26 @@ public:
         is_sharp = true;
       }
       std::vector<Threshold_obstacle> unresolved;
-      const bool narrowed = narrow(nearest, obstacles, unresolved);
+      const std::vector<Threshold_obstacle> narrowed = narrow(nearest, obstacles, unresolved);
       std::vector<Cell_index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Cell_index(0));
       for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;      // there may be more boxes for them next time
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
       const bool is_enough = pass + 1 >= max_passes_of_many && !obstacles.empty()
                           && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
-      const bool helps = narrowed || (obstacles.empty() && unresolved.size() < unresolved_before);
+      const bool helps = !narrowed.empty() || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
       unresolved_before = unresolved.size();
       // another pass, and the certificate, take as long as this one
       m_is_late = helps && timer.time() + 2 * (timer.time() - begin) > limits.max_seconds;
       if(!helps || is_enough || pass + 1 == limits.max_passes || m_is_late) {
         m_caps = m_wanted->caps();
-        return obstacles.empty() ? unresolved : obstacles;
+        if(!obstacles.empty()) return obstacles;
+        return unresolved.empty() && pass + 1 == limits.max_passes ? narrowed : unresolved;
       }
     }
   }
 
-  /// where there was room in the last `choose()`, but little
+  /// where a pass of the last `choose()` found little room, or none
   std::vector<Threshold_obstacle> tight_places() const
   {
     std::vector<Threshold_obstacle> places;
@@ -186,15 +187,17 @@ public:
   {
     reset();
     m_examined.reset();
-    std::vector<Cap> caps;
+    std::map<Cell_and_side, Cap> least;
     for(Cap cap : m_caps) {
       const std::array<double, 3> corner = before.corner(cap.cell);
       const double width = before.width(cap.cell), half = width / 2;
       cap.cell = cells.locate(Point_3(corner[0] + half, corner[1] + half, corner[2] + half));
       cap.size *= width / cells.width(cap.cell);
-      caps.push_back(cap);
+      const auto it = least.insert({ { cap.cell, cap.side }, cap }).first;
+      if(cap.size < it->second.size) it->second = cap;
     }
-    m_caps.swap(caps);
+    m_caps.clear();
+    for(const auto& cap : least) m_caps.push_back(cap.second);
   }
 
   /// forgets which parts of the shell were covered, and by that frees memory
@@ -228,6 +231,7 @@ public:
 private:
   typedef Shell_cover_3<Field, Threshold> Cover;
   typedef typename Shell_thresholds_3<Field>::Cap Cap;
+  typedef std::pair<Cell_index, int> Cell_and_side;
 
   // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has changed since then: most stay as
   // they are.
@@ -237,8 +241,6 @@ private:
     Cover cover;
     std::vector<Cell_index> now;
   };
-
-  typedef std::pair<Cell_index, int> Cell_and_side;
 
   // how near to the mesh's level a box comes that is in the way, and whether it is one of too few
   struct Nearest { double size; std::array<double, 3> point; bool is_coarse; };
@@ -270,8 +272,10 @@ private:
       const Bbox_3 b = cover.bbox(box);
       const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
       double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
-      if(may_be_critical)
-        level = critical_value(m_field->cell(box.cell).second_order_jet(Point_3(middle[0], middle[1], middle[2])), reach * width).value_or(level);
+      if(may_be_critical) {
+        const auto critical = critical_value(m_field->cell(box.cell).second_order_jet(Point_3(middle[0], middle[1], middle[2])), reach * width);
+        if(critical && !(level * *critical < 0)) level = *critical;     // on the side of the box
+      }
       if(level == 0) { obstacles.push_back({ box.cell, middle }); return; }
       const Nearest place = { std::abs(level), middle, int(box.depth) <= coarsest_depth };
       const auto it = nearest.insert({ { box.cell, level > 0 ? 1 : -1 }, place }).first;
@@ -284,15 +288,15 @@ private:
     return nearest;
   }
 
-  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns whether there was such a place. Where
-  // the cap is there already, and the cover coarse, the place is unresolved.
-  bool narrow(const std::map<Cell_and_side, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles,
-              std::vector<Threshold_obstacle>& unresolved)
+  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns such places. Where the cap is there
+  // already, and the cover coarse, the place is unresolved.
+  std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles,
+                                         std::vector<Threshold_obstacle>& unresolved)
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
     constexpr double much = 0.7;          // of the room, that the mesh takes
     constexpr double flat = 0.05;         // cell widths: what is so near to zero in the middle of a wall asks for more boxes than covers have
-    bool narrowed = false;
+    std::vector<Threshold_obstacle> narrowed;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
       const Sign side = Sign(n.first.second);
@@ -309,7 +313,7 @@ private:
         else unresolved.push_back(place);
       } else {
         m_wanted->cap(c, side, side * (needed + room) / 2);
-        narrowed = true;
+        narrowed.push_back(place);
       }
     }
     return narrowed;

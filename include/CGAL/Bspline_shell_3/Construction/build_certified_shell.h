@@ -128,7 +128,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
   report.rounds = refinement.rounds();
   report.refinement = refined;
-  report.limit = refinement.limit();
+  if(refined == Refinement_status::LIMIT_REACHED) report.limit = refinement.limit();
   if(refined == Refinement_status::CANCELED) return stop(Status::CANCELED);
   if(refined == Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
   if(refined == Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);

@@ -94,9 +94,11 @@ struct Refinement_parameters
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
  * too small a slope (`slope_conditions()`), small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
  * (`Narrowed_thresholds`); where the mesh needs them wider than they should be, the field is asked to increase. Cells where none of this helps are
- * refined, few of them with their neighbors. If they are many, cells are refined where the field is so large on the mesh that there is no room for
- * thresholds (`culprits_of()`), at gaps more than once (`refine_at_gaps()`), and there the next field is asked to be nearer to zero on the mesh; or,
- * where the field was too large in many cells before small changes, these are. When nothing is found wanting, the certificate is asked.
+ * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too
+ * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
+ *
+ * Where walls or gaps turn out to be too narrow on much of the mesh, cells are refined from then on where the field is so large on the mesh that there is
+ * no room for thresholds (`culprits_of()`), and fields are asked to be nearer to zero there.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
@@ -209,7 +211,7 @@ private:
     double seconds = 0;
     for(double s : last.seconds) seconds += s;
     if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
-    const double points = more * double(m_field->number_of_points());
+    const double points = double(cells) / double(m_field->number_of_cells()) * double(m_field->number_of_points());
     Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 2000. * double(cells) + 5000. * points };
     if(!(limit.seconds <= m_parameters.max_seconds)) limit.resource = Refinement_resource::TIME;
     else if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
@@ -706,12 +708,13 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
     log.marked_cells = m_marked.size();
     const bool is_out_of_time = m_marked.empty() && m_thresholds.are_too_late();
     const bool in_vain = !is_out_of_time && (rounds_in_vain == max_rounds_in_vain || m_marked.empty());
-    if(!in_vain) {
+    if(is_out_of_time) {
+      m_limit = { Refinement_resource::TIME, 0, m_total.time(), 0 };
+    } else if(!in_vain) {
       cells = refined_cells();
       // before the memory and the time are taken
       m_limit = limit_of_round(cells.number_of_cells());
-      if(is_out_of_time) m_limit.resource = Refinement_resource::TIME;
-      else if(round + 1 >= m_parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
+      if(round + 1 >= m_parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
     }
     if(in_vain || m_limit.resource != Refinement_resource::NONE) {
       if(!m_thresholds.are_chosen()) {

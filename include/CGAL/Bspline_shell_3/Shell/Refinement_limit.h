@@ -36,7 +36,7 @@ enum class Refinement_resource
 struct Refinement_limit
 {
   Refinement_resource resource = Refinement_resource::NONE;
-  std::size_t cells = 0;        ///< of that round
+  std::size_t cells = 0;        ///< of that round; 0 if time ended before the last one was examined as far as possible
   double seconds = 0;           ///< when it would end, counted from the first round
   double bytes = 0;
 };
@@ -46,6 +46,7 @@ struct Refinement_limit
 inline std::string message(const Refinement_limit& limit)
 {
   constexpr double megabyte = 1e6;
+  if(limit.resource == Refinement_resource::TIME && limit.cells == 0) return "There was no time left to narrow thresholds further.";
   std::ostringstream out;
   switch(limit.resource) {
     case Refinement_resource::NONE: return "";
