@@ -122,7 +122,7 @@ public:
         is_sharp = true;
       }
       std::vector<Threshold_obstacle> unresolved;
-      const std::vector<Threshold_obstacle> narrowed = narrow(nearest, limits, obstacles, unresolved);
+      const std::vector<Threshold_obstacle> narrowed = narrow(nearest, obstacles, unresolved);
       std::vector<Cell_index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Cell_index(0));
       for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;      // there may be more boxes for them next time
@@ -289,9 +289,9 @@ private:
   }
 
   // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns such places. Where the cap is there
-  // already, and the cover coarse, as places are many, the place is unresolved.
-  std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest, const Narrowing_limits& limits,
-                                         std::vector<Threshold_obstacle>& obstacles, std::vector<Threshold_obstacle>& unresolved)
+  // already, and the cover coarse, the place is unresolved.
+  std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles,
+                                         std::vector<Threshold_obstacle>& unresolved)
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
     constexpr double much = 0.7;          // of the room, that the mesh takes
@@ -305,11 +305,10 @@ private:
       if(needed > much * size) m_tight[n.first] = place;
       const Threshold& threshold = side == POSITIVE ? *m_outer : *m_inner;
       const double now = side * threshold.value(Point_3(place.point[0], place.point[1], place.point[2]), c);
-      const bool is_coarse = n.second.is_coarse && nearest.size() > limits.many_obstacles;
-      const double room = is_coarse ? size : (std::min)(size, now);
+      const double room = n.second.is_coarse ? size : (std::min)(size, now);
       if(m_is_constant || !(needed < margin * room)) {
         obstacles.push_back(place);
-      } else if(is_coarse && margin * now < (needed + room) / 2) {
+      } else if(n.second.is_coarse && margin * now < (needed + room) / 2) {
         if(size < flat * m_field->cells().width(c)) obstacles.push_back({ c, place.point });
         else unresolved.push_back(place);
       } else {
