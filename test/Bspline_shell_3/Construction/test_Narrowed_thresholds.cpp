@@ -84,7 +84,9 @@ Eigen::VectorXd outer(const Thresholds& t) { return t.outer().field().coefficien
 
 bool are_equal(const std::vector<Obstacle>& a, const std::vector<Obstacle>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Obstacle& o, const Obstacle& p) { return o.cell == p.cell && o.point == p.point && o.side == p.side && o.size == p.size; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Obstacle& o, const Obstacle& p) {
+    return o.cell == p.cell && o.point == p.point && o.side == p.side && o.size == p.size;
+  });
 }
 
 } // namespace
@@ -337,7 +339,7 @@ TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider w
   CHECK(thresholds.inner().value(Point_3(0, 0, 0)) == Approx(at_center));
   CHECK(thresholds.outer().value(Point_3(2.49, 0, 0)) == Approx(at_end));
   CHECK(thresholds.undecided_volume() == 0);
-  // half as narrow on all cells: then they are no less wide than asked for
+  // on cells half as wide: twice as wide, but not wider than asked for
   std::vector<Index> all(ball.field.number_of_cells());
   for(Index c = 0; c < all.size(); ++c) all[c] = c;
   const Hierarchy before = ball.field.cells();
