@@ -445,6 +445,10 @@ private:
         ++m_draft.statistics.monotone_boxes;
         continue;
       }
+      if(box.kind != Box_kind::UNDECIDED) {
+        ++m_draft.statistics.critical_boxes;
+        continue;
+      }
       ++m_draft.statistics.undecided_boxes;
       const Bbox_3 b = cover.bbox(box);
       std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
@@ -235,6 +236,9 @@ public:
   /// the field on a box, as an enclosed polynomial over the box
   Enclosed_tricubic function(const Cover_box& box) const { return functions_on(box)[0]; }
 
+  /// encloses the values that the field takes at critical points in a box
+  Level_range critical_values(const Cover_box& box) const { return Bspline_shells::critical_values(function(box)); }
+
   /// whether all of a box is certainly in the shell
   bool is_between_thresholds(const Cover_box& box) const { return are_between_thresholds(functions_on(box)); }
 
@@ -250,7 +254,7 @@ public:
     internal::for_each_chunk<ConcurrencyTag>(m_boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n)
         if(m_boxes[n].component != Cover_box::no_component)
-          bounds[n] = gradient_bound(functions_on(m_boxes[n])[0], m_boxes[n]);
+          bounds[n] = gradient_bound({ m_boxes[n], functions_on(m_boxes[n]) });
     });
     struct Bounded_box { double bound; Cover_box box; };
     const auto is_above = [](const Bounded_box& a, const Bounded_box& b) { return a.bound > b.bound; };
@@ -269,12 +273,9 @@ public:
       parts.assign(1, Part{ worst.box, functions_on(worst.box) });
       push_octants(0, parts);
       for(std::size_t n = 1; n < parts.size(); ++n) {
-        std::array<double, 3> direction;
-        const Box_kind k = kind(parts[n].functions, direction);
-        if(k == Box_kind::EXCLUDED) continue;
-        if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;      // otherwise that of the box it is a part of
+        if(!examine_again(parts[n])) continue;
         attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
-        least.push_back({ gradient_bound(parts[n].functions[0], parts[n].box), parts[n].box });
+        least.push_back({ gradient_bound(parts[n]), parts[n].box });
         std::push_heap(least.begin(), least.end(), is_above);
       }
       if(least.empty()) return std::numeric_limits<double>::infinity();
@@ -376,16 +377,17 @@ private:
     queue.resize(1);
     queue[0].box.cell = c;
     queue[0].box.depth = 0;
+    queue[0].box.kind = Box_kind::UNDECIDED;
     for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
     queue[0].functions = functions(c);
     const std::size_t begin = boxes.size();
     const bool at_border = touches_border(m_field->cell(c).bbox());
     for(std::size_t n = 0; n < queue.size(); ++n) {
       Cover_box box = queue[n].box;
-      box.kind = kind(queue[n].functions, box.direction);
-      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth
+      const bool is_open = examine(queue[n].functions, box);
+      const bool splits = box.kind == Box_kind::UNDECIDED ? is_open && box.depth < max_depth
                         // what is inside must be told from what is not
-                        : box.kind == Box_kind::MONOTONE && at_border && box.depth < max_border_depth && touches_border(bbox(box));
+                        : box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -433,9 +435,19 @@ private:
     return on_box;
   }
 
-  // the derivative of a function on a box, along the direction of the box or a better one
-  double gradient_bound(const Enclosed_tricubic& f, const Cover_box& box) const
+  // finds what proves a part of a box, if that is not what proves the box; false if the part is excluded
+  bool examine_again(Part& part) const
   {
+    Cover_box box = part.box;
+    examine(part.functions, box);
+    if(box.kind != Box_kind::UNDECIDED) part.box = box;
+    return box.kind != Box_kind::EXCLUDED;
+  }
+
+  // of the gradient in the shell, on a box that is not undecided: along its direction or a better one, or towards its center
+  double gradient_bound(const Part& part) const
+  {
+    const Enclosed_tricubic& f = part.functions[0];
     const Vectors gradient = control_vectors_of_gradient(f);
     std::array<double, 3> nearest = mean(gradient);
     for(int step = 0; step < max_steps_of_direction; ++step) {
@@ -444,12 +456,15 @@ private:
       if(!approach(nearest, gradient, worst)) break;
     }
     double bound = 0;
-    for(const std::array<double, 3>& direction : { box.direction, nearest }) {
+    const auto include = [&](const std::array<double, 3>& direction) {
       const double size = length(direction);
       if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
-    }
+    };
+    include(nearest);
+    if(part.box.kind == Box_kind::MONOTONE) include(part.box.proof);
+    else bound = (std::max)(bound, beyond_threshold(part.functions, part.box.kind, part.box.proof) / reach(part.box.proof));
     // two quotients, of which the second may overflow; the length is an upper bound
-    const double slope = bound / std::ldexp(m_field->cell(box.cell).width(), -int(box.depth));
+    const double slope = bound / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
     return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
   }
 
@@ -458,18 +473,14 @@ private:
   {
     constexpr int max_subdivisions = 3;
     constexpr double near = 0.6;
-    const double bound = gradient_bound(part.functions[0], part.box);
+    const double bound = gradient_bound(part);
     if(bound >= near * gradient_in_the_middle(part) || subdivisions == max_subdivisions
        || part.box.depth == std::numeric_limits<std::uint16_t>::digits) return bound;
     std::vector<Part> parts(1, part);
     push_octants(0, parts);
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t n = 1; n < parts.size(); ++n) {
-      std::array<double, 3> direction;
-      const Box_kind k = kind(parts[n].functions, direction);
-      if(k == Box_kind::EXCLUDED) continue;
-      if(k == Box_kind::MONOTONE) parts[n].box.direction = direction;
-      least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
+      if(examine_again(parts[n])) least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
     }
     return least;
   }
@@ -506,35 +517,47 @@ private:
       child.box = part.box;
       child.box.depth = std::uint8_t(part.box.depth + 1);
       for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
+      if(part.box.kind == Box_kind::CRITICAL_BELOW || part.box.kind == Box_kind::CRITICAL_ABOVE)
+        for(int a = 0; a < 3; ++a) child.box.proof[a] = 2 * part.box.proof[a] - ((o >> a) & 1);
       for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
     }
   }
 
-  Box_kind kind(const Functions& functions, std::array<double, 3>& direction) const
+  // finds the kind of a box and what proves it; false if there is no use in subdividing it
+  bool examine(const Functions& functions, Cover_box& box) const
   {
-    const Enclosed_tricubic& f = functions[0];
     bool meets_inner = false, meets_outer = false;
     if constexpr(Threshold::is_constant) {
-      const Level_range r = f.range();
-      if(r.max < m_inner.level() || r.min > m_outer.level()) return Box_kind::EXCLUDED;
+      const Level_range r = functions[0].range();
+      box.kind = r.max < m_inner.level() || r.min > m_outer.level() ? Box_kind::EXCLUDED : Box_kind::UNDECIDED;
     } else {
       const Level_range inner = functions[1].range(), outer = functions[2].range();
-      if(inner.max < 0 || outer.min > 0) return Box_kind::EXCLUDED;
+      box.kind = inner.max < 0 || outer.min > 0 ? Box_kind::EXCLUDED : Box_kind::UNDECIDED;
       meets_inner = !(inner.min > 0);       // so written that what is not a number meets
       meets_outer = !(outer.max < 0);
     }
+    if(box.kind == Box_kind::EXCLUDED) return true;
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
     double steepest = 0;
     if constexpr(!Threshold::is_constant) {
       for(int side = 1; side < 3; ++side) {
         if(!(side == 1 ? meets_inner : meets_outer)) continue;
-        const double s = steepest_threshold(f, functions[side]);
+        const double s = steepest_threshold(functions[0], functions[side]);
         // so written that what is not a number is too steep
         steepest = s >= 0 ? (std::max)(steepest, s) : std::numeric_limits<double>::infinity();
       }
     }
-    // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull
-    // is the best one. It is approached from their mean, towards the worst of them.
+    if(is_monotone(functions[0], steepest, box.proof)) {
+      box.kind = Box_kind::MONOTONE;
+      return true;
+    }
+    return examine_critical_points(functions, steepest, box);
+  }
+
+  // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
+  // approached from their mean, towards the worst of them.
+  static bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<double, 3>& direction)
+  {
     const Vectors gradient = control_vectors_of_gradient(f);
     std::array<double, 3> nearest = mean(gradient);
     for(int step = 0; step < max_steps_of_direction; ++step) {
@@ -544,12 +567,64 @@ private:
         const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
         for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
         const double slope = enclosed_derivative(f, direction).range().min;
-        if(slope > 0 && slope > steepest * length(direction)) return Box_kind::MONOTONE;
-        return Box_kind::UNDECIDED;       // by rounding only
+        return slope > 0 && slope > steepest * length(direction);     // otherwise by rounding only
       }
-      if(!approach(nearest, gradient, worst)) return Box_kind::UNDECIDED;
+      if(!approach(nearest, gradient, worst)) return false;
     }
-    return Box_kind::UNDECIDED;
+    return false;
+  }
+
+  // Whether critical points lie beyond the threshold that they seem to be beyond. Where they seem to be in the shell, parts of the box would say no more.
+  bool examine_critical_points(const Functions& functions, double steepest, Cover_box& box) const
+  {
+    constexpr double near = 0.1, sharp = 0.2, level = 1. / 32;
+    const Enclosed_tricubic& f = functions[0];
+    const Critical_center center = critical_center(f);
+    const Level_range thresholds = mean_thresholds(functions);
+    if(center.value < thresholds.min || center.value > thresholds.max) {
+      const Box_kind kind = center.value < thresholds.min ? Box_kind::CRITICAL_BELOW : Box_kind::CRITICAL_ABOVE;
+      const double beyond = beyond_threshold(functions, kind, center.point);
+      if(beyond > 0 && beyond > steepest * reach(center.point)) {
+        box.kind = kind;
+        box.proof = center.point;
+      }
+      return true;
+    }
+    if(!(center.slope < level) || std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; })) return true;
+    const Level_range values = values_at_critical_points(f, f, center.point).range();
+    return !(values.max - values.min < sharp * (std::max)(values.min, -values.max));
+  }
+
+  // how far all critical points of the field in a box lie beyond a threshold
+  double beyond_threshold(const Functions& functions, Box_kind kind, const std::array<double, 3>& center) const
+  {
+    const bool below = kind == Box_kind::CRITICAL_BELOW;
+    const Level_range above = [&] {
+      if constexpr(Threshold::is_constant)
+        return values_at_critical_points((below ? m_inner : m_outer).difference(functions[0], 0), functions[0], center).range();
+      else
+        return values_at_critical_points(functions[below ? 1 : 2], functions[0], center).range();
+    }();
+    return below ? -above.max : above.min;
+  }
+
+  // an upper bound of half the distance of points of a box from a center, in units of the box
+  static double reach(const std::array<double, 3>& center)
+  {
+    std::array<double, 3> farthest;
+    for(int a = 0; a < 3; ++a) farthest[a] = (std::max)(std::abs(center[a]), std::abs(1 - center[a])) / 2;
+    return (1 + 4 * internal::rounding) * length(farthest);
+  }
+
+  // rounded
+  Level_range mean_thresholds(const Functions& functions) const
+  {
+    if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };
+    else {
+      const auto mean = [](const Enclosed_tricubic& f) { return std::accumulate(f.coefficients.begin(), f.coefficients.end(), 0.) / 64; };
+      const double f = mean(functions[0]);
+      return { f - mean(functions[1]), f - mean(functions[2]) };
+    }
   }
 
   static std::array<double, 3> mean(const Vectors& vectors)

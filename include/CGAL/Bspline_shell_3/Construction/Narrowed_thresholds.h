@@ -268,11 +268,11 @@ private:
       constexpr double reach = 1.5;       // box widths
       const double width = std::ldexp(m_field->cells().width(box.cell), -int(box.depth));
       m_undecided_volume += std::pow(width, 3);
-      const Level_range f = cover.function(box).range();
+      const Level_range f = may_be_critical ? cover.critical_values(box) : cover.function(box).range();
       const Bbox_3 b = cover.bbox(box);
       const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
       double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
-      if(may_be_critical) {
+      if(may_be_critical && level == 0) {
         const auto critical = critical_value(m_field->cell(box.cell).second_order_jet(Point_3(middle[0], middle[1], middle[2])), reach * width);
         if(critical && !(level * *critical < 0)) level = *critical;     // on the side of the box
       }

@@ -560,7 +560,7 @@ private:
     const std::vector<Index> cells = cells_of(m_obstacles);
     if(are_due_to_thickness(cells)) {
       for(Index c : m_thick_at_first) mark(c);
-    } else if(are_many(cells) && (is_thin() || becomes_thin(cells))) {
+    } else if((is_thin() && !cells.empty()) || (are_many(cells) && becomes_thin(cells))) {
       make_room(cells);
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
@@ -591,12 +591,32 @@ private:
     std::vector<Threshold_obstacle> places = m_thresholds.tight_places();
     places.insert(places.end(), m_obstacles.begin(), m_obstacles.end());
     m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, m_ranges.cells(), places, most_at_obstacles);
+    if(!are_many(cells)) include_similar(m_cells_at_gaps);
     if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
     for(Index c : m_cells_at_gaps) {
       m_surface_factors[c] = near_obstacles;
       mark(c);
     }
+  }
+
+  // adds cells of the mesh that are connected to given ones by cells of the same size with fields about as large
+  void include_similar(std::vector<Index>& cells) const
+  {
+    constexpr double about = 0.7;
+    const Cell_hierarchy_3& all = m_field->cells();
+    const auto size = [&](Index c) { const Level_range& r = m_ranges.cells()[c]; return (std::max)(-r.min, r.max); };   // none: -infinity
+    std::vector<char> is_included(all.number_of_cells(), 0);
+    for(Index c : cells) is_included[c] = 1;
+    for(std::size_t n = 0; n < cells.size(); ++n) {
+      const Index c = cells[n];
+      all.visit_cells(m_field->cell(c).bbox(), [&](Index neighbor) {
+        if(is_included[neighbor] || all.level(neighbor) != all.level(c) || !(size(neighbor) >= about * size(c))) return;
+        is_included[neighbor] = 1;
+        cells.push_back(neighbor);
+      });
+    }
+    std::sort(cells.begin(), cells.end());
   }
 
   // returns where the mesh needs thresholds wider than they should be

@@ -164,6 +164,7 @@ struct Certificate_statistics
   std::size_t cover_cells = 0;          ///< leaf cells that the flood looked at
   std::size_t cover_boxes = 0;          ///< of the cover
   std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
+  std::size_t critical_boxes = 0;       ///< whose critical points are certainly beyond a threshold
   std::size_t deepest_box = 0;          ///< halvings
   double seconds = 0;
 };

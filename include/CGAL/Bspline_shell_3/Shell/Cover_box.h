@@ -19,9 +19,11 @@ namespace Bspline_shells {
  */
 enum class Box_kind : std::uint8_t
 {
-  EXCLUDED,     ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
-  MONOTONE,     ///< the field increases along a fixed direction on all of the closed box: no critical point
-  UNDECIDED     ///< neither was shown
+  EXCLUDED,         ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
+  MONOTONE,         ///< the field increases along a fixed direction on all of the closed box: no critical point
+  CRITICAL_BELOW,   ///< at all critical points in the closed box, the field is below the inner threshold: none of them is in the shell
+  CRITICAL_ABOVE,   ///< the same above the outer threshold
+  UNDECIDED         ///< none of this was shown
 };
 
 /*!
@@ -38,7 +40,9 @@ struct Cover_box
   std::uint8_t depth;                     ///< number of halvings
   Box_kind kind;
   std::uint32_t component = no_component; ///< of the cover, or none: not part of it
-  std::array<double, 3> direction = {};   ///< of a monotone box; its largest component is one in size
+  /// what proves the kind: of a monotone box, the direction, whose largest component is one in size; where critical points are beyond a threshold,
+  /// the center for `values_at_critical_points()`, in units of the box
+  std::array<double, 3> proof = {};
 };
 
 } // namespace Bspline_shells
