@@ -157,10 +157,10 @@ TEST_CASE("polynomials of the checker: a range on a triangle contains all values
   CHECK(wide == 0);
 }
 
-TEST_CASE("polynomials of the checker: halves, differences and derivatives are those of the polynomial")
+TEST_CASE("polynomials of the checker: halves, differences, derivatives and half offsets are those of the polynomial")
 {
   std::mt19937_64 random(3);
-  std::size_t wrong_halves = 0, wrong_differences = 0, wrong_derivatives = 0;
+  std::size_t wrong_halves = 0, wrong_differences = 0, wrong_derivatives = 0, wrong_offsets = 0;
   for(int n = 0; n < 30; ++n) {
     const Coefficients b = random_coefficients(random), c = random_coefficients(random);
     const Point t = random_point(random);
@@ -177,10 +177,14 @@ TEST_CASE("polynomials of the checker: halves, differences and derivatives are t
     Rational along = 0;
     for(int axis = 0; axis < 3; ++axis) along += Rational(d[axis].lo) * value(b, t, axis);
     wrong_derivatives += !encloses(derivative(b, d), t, along);
+    Rational offset = 0;
+    for(int axis = 0; axis < 3; ++axis) offset += (t[axis] - Rational(d[axis].lo)) * value(b, t, axis) / 2;
+    wrong_offsets += !encloses(along_half_offset(b, d), t, offset);
   }
   CHECK(wrong_halves == 0);
   CHECK(wrong_differences == 0);
   CHECK(wrong_derivatives == 0);
+  CHECK(wrong_offsets == 0);
 }
 
 TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on their common face, and a linear spline is linear")

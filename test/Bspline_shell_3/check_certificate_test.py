@@ -178,7 +178,7 @@ class Files:
 
     def boxes_at(self, points):
         """for each point, lines of the cover's boxes that contain it"""
-        cover = [(i, low, h) for i, (low, h) in self.cubes().items() if self.kind(i) in "gu"]
+        cover = [(i, low, h) for i, (low, h) in self.cubes().items() if self.kind(i) in "gbau"]
         return [[i for i, low, h in cover if low[0] <= p[0] <= low[0] + h and all(low[a] <= p[a] <= low[a] + h for a in (1, 2))]
                 for p in points]
 
@@ -556,7 +556,7 @@ def has_excluded_leaf_beside_cover(f):
 
 def no_cover(f):
     for i in f.boxes():
-        if f.kind(i) == "g":
+        if f.kind(i) in "gba":
             f.certificate[i] = " ".join(f.certificate[i].split()[:5] + ["o"])
     f.certificate[f.section(f.certificate, "covers")[0]] = "covers 0"
 
@@ -565,7 +565,35 @@ add("leaf beside the cover removed, and its boxes", remove_leaf_beside_cover, 1,
     has_excluded_leaf_beside_cover)
 add("no cover", no_cover, 1, "its seed is in no cover box")
 add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
-                                                  for i in f.boxes() if f.certificate[i].split()[5] == "g"], 1, "P3, box")
+                                                  for i in f.boxes() if f.kind(i) in "gba"], 1, "P3, box")
+
+
+def critical_box(change):
+    """of the first box whose critical points lie beyond a threshold"""
+    return lambda f: f.words(f.certificate, next(i for i in f.boxes() if f.kind(i) in "ba"), change)
+
+
+def has_critical_box(f):
+    return any(f.kind(i) in "ba" for i in f.boxes())
+
+
+def add_critical(name, change, *rest):
+    add(name, critical_box(change), *rest, "c", has_critical_box)
+
+
+def with_center(kind):
+    return box("g", lambda w: w.__setitem__(slice(5, 9), [kind, "0.5", "0.5", "0.5"]))
+
+
+for axis in range(3):
+    for shift in (-30, 30):
+        add_critical("center moved, axis %d, %d" % (axis, shift), set_word(6 + axis, lambda x, shift=shift: x + shift), 1, "P3, box")
+add_critical("center not a number", set_word(6, "nan"), 2, "finite")
+add_critical("critical points on the other side", lambda w: w.__setitem__(5, "ab"[w[5] == "a"]), 1, "may have a critical point")
+add_critical("critical points in a box that rises", lambda w: w.__setitem__(slice(5, 9), ["g", "1", "1", "1"]), 1, "does not rise")
+add_critical("center left out", lambda w: w.__delitem__(slice(6, 9)), 2, "")
+add("box on the mesh with a center below", with_center("b"), 1, "may have a critical point")
+add("box on the mesh with a center above", with_center("a"), 1, "may have a critical point")
 
 
 # the path
@@ -1169,7 +1197,7 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
     shell = ["cubic_bspline_shell 2 ascii", "unit 2.4", "thickness 3", "triangles 8 components 1", "field hierarchical 0 0 0 0.5",
              "functions %d" % len(functions)] + functions + ["leaves %d" % len(leaves)]
     shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0"]
-    certificate = ["cubic_bspline_shell_certificate 1", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
+    certificate = ["cubic_bspline_shell_certificate 2", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
     certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 " + path]
     return Files.of(shell, certificate, points, facets)
 

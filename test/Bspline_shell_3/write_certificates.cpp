@@ -156,6 +156,16 @@ int main(int argc, char** argv)
                          inner ? bump : none, inner ? none : bump) && good;
   }
 
+  // around a sphere within which all that is near is critical for the cells there; and the same, turned inside out
+  for(double sign : { 1., -1. }) {
+    const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, Point_3(0.03, 0.05, -0.04)) - 1) / 2; };
+    Mesh ball = sphere(1);
+    if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(ball);
+    const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
+    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, BS::Constant_threshold(sign > 0 ? -0.47 : -0.2),
+                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.47), ball) && good;
+  }
+
   // the volume between two spheres, and a third one
   const Point_3 place(-1, 0, 0), beside(1.5, 0, 0);
   const Function f = [&](const Point_3& p) {

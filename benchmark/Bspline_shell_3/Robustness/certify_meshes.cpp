@@ -209,7 +209,7 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
             << if_positive(certificate.displacement_bound / r.unit)
             << ",\"least_angle\":" << certificate.least_angle << ",\"tiers\":{\"containment\":" << tier(s.containment)
             << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
-            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"undecided\":" << s.undecided_boxes
+            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"critical\":" << s.critical_boxes << ",\"undecided\":" << s.undecided_boxes
             << ",\"depth\":" << s.deepest_box << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
             << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << certify << ",\"total\":"
             << seconds << "},\"peak_mb\":" << peak_mb() << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;

@@ -263,9 +263,9 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
 
 TEST_CASE("Covers: what is said of boxes holds at points of them, between levels and thresholds that vary")
 {
-  std::array<std::size_t, 3> kinds = {};
+  std::array<std::size_t, 5> kinds = {};
   std::size_t met = 0, steep = 0, straddling = 0;
-  for(unsigned seed = 1; seed < 13; ++seed) {
+  for(unsigned seed = 1; seed < 25; ++seed) {
     CAPTURE(seed);
     CGAL::Random random(seed);
     const Field cells = random_cells(random, 2, 1, seed % 3 == 0 ? 2 : 1);
@@ -275,7 +275,10 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
     const auto slope = [&](double x, double y, double z) {
       return steepness * (seed % 4 < 2 ? (x + y + z) / std::sqrt(3.) : std::cos(u) * x + std::sin(u) * y);
     };
-    const Field field = with(cells, [&](double x, double y, double z) { return z + 0.1 * x * y + noise(0.02); }),
+    // and with critical points, below or above
+    const Field field = with(cells, [&](double x, double y, double z) {
+      return (seed < 13 ? z + 0.1 * x * y : (seed % 2 ? 1 : -1) * (z * z + 0.3 * x * x - 0.6)) + noise(0.02);
+    }),
                 inner = with(cells, [&](double x, double y, double z) { return -0.3 + (seed % 5 == 1 ? 0 : slope(x, y, z)) + noise(bumps); }),
                 outer = with(cells, [&](double x, double y, double z) { return 0.3 + (seed % 5 == 2 ? 0 : slope(x, y, z)) + noise(bumps); });
     Varying_cover varying(field, Varying(inner), Varying(outer));
@@ -290,10 +293,10 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
         ++kinds[std::size_t(box.kind)];
         if(box.kind == Box_kind::UNDECIDED) continue;
         const CGAL::Bbox_3 b = cover.bbox(box);
-        bool all_between = true, rises = true, is_excluded = true;
+        bool all_between = true, rises = true, is_excluded = true, is_beyond = true;
         std::array<std::array<bool, 2>, 2> side = {};      // of each threshold
         std::array<bool, 2> crosses = { true, true };
-        const std::array<double, 3>& d = box.direction;
+        const std::array<double, 3>& d = box.proof;
         const double length = std::sqrt(d[0]*d[0] + d[1]*d[1] + d[2]*d[2]);
         constexpr int parts = 2;
         constexpr double hair = 1e-9;
@@ -303,6 +306,12 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
           const auto jet = field.cell(box.cell).first_order_jet(p);
           const double along = jet.gradient[0] * d[0] + jet.gradient[1] * d[1] + jet.gradient[2] * d[2];
           rises = rises && along > 0;
+          if(box.kind == Box_kind::CRITICAL_BELOW || box.kind == Box_kind::CRITICAL_ABOVE) {
+            const bool below = box.kind == Box_kind::CRITICAL_BELOW;
+            double above = jet.value - threshold(below ? 0 : 1, box.cell, p).value;
+            for(int a = 0; a < 3; ++a) above -= (p[a] - (b.min)(a) - d[a] * ((b.max)(a) - (b.min)(a))) * jet.gradient[a] / 2;
+            is_beyond = is_beyond && (below ? above < 0 : above > 0);
+          }
           bool is_between = true;
           for(int t = 0; t < 2; ++t) {
             const auto other = threshold(t, box.cell, p);
@@ -321,6 +330,7 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
         }
         failures += cover.is_between_thresholds(box) && !all_between;
         failures += !is_excluded;
+        failures += !is_beyond;
         if(box.kind != Box_kind::MONOTONE) continue;
         straddling += !all_between && side[0][1] && side[1][1];
         failures += !rises;
@@ -343,7 +353,9 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
   }
   CHECK(kinds[0] > 1000);
   CHECK(kinds[1] > 1000);
-  CHECK(kinds[2] > 1000);
+  CHECK(kinds[2] > 20);
+  CHECK(kinds[3] > 50);
+  CHECK(kinds[4] > 1000);
   CHECK(met > 500);
   CHECK(steep > 100);
   CHECK(straddling > 500);
@@ -367,7 +379,7 @@ TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monoto
       ++monotone;
       const Exact_box here(field, box);
       bool rises = true;
-      for(int n = 0; n < 8; ++n) rises = rises && dot(here.gradient(n), exact(box.direction)) > 0;
+      for(int n = 0; n < 8; ++n) rises = rises && dot(here.gradient(n), exact(box.proof)) > 0;
       CHECK(rises);
     }
   }
@@ -394,6 +406,136 @@ TEST_CASE("Covers: a box at which the field does not rise is not monotone, even 
     }
     CHECK(failures == 0);
     CHECK(boxes > 2);
+  }
+}
+
+namespace {
+
+// 64 cells of width one around the cube [0, 1]^3
+Field cells_around_unit_cube()
+{
+  CGAL::Random random(35);
+  const BS::Lattice_3::Point first = { -1, -1, -1 }, last = { 2, 2, 2 };
+  return Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last)));
+}
+
+// sign |x - m|^2 with the middle m of the unit cube
+Field squared_distance_field(double sign)
+{
+  Field field = cells_around_unit_cube();
+  Polynomial polynomial;
+  for(int a = 0; a < 3; ++a)
+    for(int power = 0; power < 3; ++power) {
+      Monomial m = { sign * (power == 0 ? 0.25 : power == 1 ? -1. : 1.), { 0, 0, 0 } };
+      m.power[a] = power;
+      polynomial.push_back(m);
+    }
+  set_polynomial(field, polynomial);
+  return field;
+}
+
+const std::array<double, 3> middle = { 0.5, 0.5, 0.5 };
+
+} // namespace
+
+TEST_CASE("Covers: a box around a critical point beyond a threshold needs not be subdivided, and bounds of the gradient are close")
+{
+  for(double sign : { 1., -1. }) {
+    CAPTURE(sign);
+    const Field field = squared_distance_field(sign);
+    Cover cover(field, Constant(sign > 0 ? 0.02 : -0.05), Constant(sign > 0 ? 0.05 : -0.02));
+    REQUIRE(cover.flood<Tag>(Point_3(0.68, 0.5, 0.5), 0) == 0);
+    CHECK(cover.number_of_undecided_boxes() == 0);
+    CHECK(cover.border().empty());
+    std::size_t boxes = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      if(box.component == none) continue;
+      ++boxes;
+      CHECK(box.depth == 0);
+      CHECK(box.kind == (sign > 0 ? Box_kind::CRITICAL_BELOW : Box_kind::CRITICAL_ABOVE));
+      for(int a = 0; a < 3; ++a) CHECK(box.proof[a] == Approx(middle[a]));
+      CHECK(cover.critical_values(box).min == Approx(0).margin(1e-10));
+      CHECK(cover.critical_values(box).max == Approx(0).margin(1e-10));
+    }
+    CHECK(boxes == 1);
+    // in the shell the gradient is least at the sphere of radius sqrt(0.02)
+    const double truth = 2 * std::sqrt(0.02), bound = cover.least_gradient<Tag>();
+    CHECK(bound <= truth);
+    CHECK(bound > 0.5 * truth);
+    const std::uint32_t cell = field.cells().locate(Point_3(0.5, 0.5, 0.5));
+    const double in_cell = cover.least_gradients<Tag>()[cell];
+    CHECK(in_cell <= truth);
+    CHECK(in_cell > 0.2 * truth);
+  }
+}
+
+TEST_CASE("Covers: a critical point in the shell keeps its box undecided, by however little")
+{
+  for(double sign : { 1., -1. })
+    for(double beyond : { 1e-3, 1e-9, -1e-9, -1e-3 }) {
+      CAPTURE(sign, beyond);
+      const Field field = squared_distance_field(sign);
+      Cover cover(field, Constant(sign > 0 ? beyond : -0.05), Constant(sign > 0 ? 0.05 : -beyond));
+      cover.prepare<Tag>({ std::uint32_t(field.cells().locate(Point_3(0.5, 0.5, 0.5))) });
+      bool is_undecided = false;
+      for(const Cover_box& box : cover.boxes())
+        is_undecided = is_undecided || (box.kind == Box_kind::UNDECIDED && do_overlap(cover.bbox(box), Point_3(0.5, 0.5, 0.5).bbox()));
+      CHECK(is_undecided == (beyond < 0));
+    }
+}
+
+TEST_CASE("Covers: where critical points are beyond a threshold, it must be less steep than the field")
+{
+  // the inner threshold 0.02 + s (x - 1/2): on it the field's slope is 0.28 or more where x > 1/2, and 2 |x - m| elsewhere
+  const Field field = squared_distance_field(1);
+  const std::uint32_t cell = field.cells().locate(Point_3(0.5, 0.5, 0.5));
+  for(double s : { 0., 0.01, 0.1, 0.3, 1. }) {
+    CAPTURE(s);
+    Field inner = cells_around_unit_cube(), outer = inner;
+    set_polynomial(inner, { { 0.02 - s / 2, { 0, 0, 0 } }, { s, { 1, 0, 0 } } });
+    set_polynomial(outer, { { 10, { 0, 0, 0 } } });
+    Varying_cover cover(field, Varying(inner), Varying(outer));
+    cover.prepare<Tag>({ cell });
+    std::size_t critical = 0, undecided = 0;
+    for(const Cover_box& box : cover.boxes()) {
+      critical += box.kind == Box_kind::CRITICAL_BELOW;
+      undecided += box.kind == Box_kind::UNDECIDED;
+    }
+    // |x - m|^2 = 0.02 + s (x - 1/2) is a sphere, and the threshold as steep as the field somewhere on it, if s >= 2 sqrt(l) where l is least
+    const double radius = std::sqrt(0.02 + s * s / 4), least = 0.02 + s * (s / 2 - radius);
+    CHECK((undecided > 0) == (s >= 2 * std::sqrt(least)));
+    if(s < 0.1) CHECK(critical > 0);
+    if(s == 0) CHECK(cover.boxes().size() == 1);
+  }
+}
+
+TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes")
+{
+  // (n . (x - m))^2 - t^2 between levels that are near zero for the wall
+  CGAL::Random random(37);
+  for(int k = 0; k < 20; ++k) {
+    std::array<double, 3> n = { random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(0.2, 1) };
+    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]), t = 0.05;
+    for(double& x : n) x /= length;
+    const double offset = (n[0] + n[1] + n[2]) / 2;
+    Polynomial polynomial = { { offset * offset - t * t, { 0, 0, 0 } } };
+    for(int a = 0; a < 3; ++a) {
+      Monomial linear = { -2 * offset * n[a], { 0, 0, 0 } };
+      linear.power[a] = 1;
+      polynomial.push_back(linear);
+      for(int b = 0; b < 3; ++b) {
+        Monomial m = { n[a] * n[b], { 0, 0, 0 } };
+        ++m.power[a];
+        ++m.power[b];
+        polynomial.push_back(m);
+      }
+    }
+    Field field = cells_around_unit_cube();
+    set_polynomial(field, polynomial);
+    Cover cover(field, Constant(-t * t / 2), Constant(t * t / 2));
+    cover.prepare<Tag>({ std::uint32_t(field.cells().locate(Point_3(0.5, 0.5, 0.5))) });
+    for(const Cover_box& box : cover.boxes()) CHECK(box.kind != Box_kind::UNDECIDED);
+    CHECK(cover.boxes().size() <= 64);
   }
 }
 

@@ -18,7 +18,7 @@ struct Box
   int depth;
   Position place; // of the least corner, in edges of the box from that of the leaf
   char kind;
-  Point direction;
+  Point proof; // the direction, or the center in edges of the box from its least corner
 
   Extent extent(const Shell& shell) const
   {
@@ -31,7 +31,7 @@ struct Box
     }
     return e;
   }
-  bool is_cover() const { return kind == 'g' || kind == 'u'; }
+  bool is_cover() const { return kind == 'g' || kind == 'b' || kind == 'a' || kind == 'u'; }
 };
 
 struct Path
@@ -46,7 +46,7 @@ struct Certificate
   {
     const std::string text = read_file(name);
     Reader in(name, text, true);
-    in.expect("cubic_bspline_shell_certificate").expect("1").end_line();
+    in.expect("cubic_bspline_shell_certificate").expect("2").end_line();
     if(in.expect("shell").word() != shell.checksum) in.fail("the certificate is for another shell");
     in.end_line();
     const Integer vertices = in.expect("mesh").integer(0, 1 << 30), facets = in.integer(0, 1 << 30);
@@ -68,9 +68,9 @@ struct Certificate
       b.depth = int(in.integer(0, largest_depth));
       for(Integer& i : b.place) i = in.integer(0, (Integer(1) << b.depth) - 1);
       const std::string kind = in.word();
-      if(kind.size() != 1 || !std::strchr("xguo", kind[0])) in.fail("the kind of a box is none of x, g, u and o");
+      if(kind.size() != 1 || !std::strchr("xgbauo", kind[0])) in.fail("the kind of a box is none of x, g, b, a, u and o");
       b.kind = kind[0];
-      b.direction = b.kind == 'g' ? in.point() : Point{ 0, 0, 0 };
+      b.proof = std::strchr("gba", b.kind) ? in.point() : Point{ 0, 0, 0 };
       box.push_back(b);
       in.end_line();
     }

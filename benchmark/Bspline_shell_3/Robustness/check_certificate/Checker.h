@@ -188,16 +188,26 @@ private:
       throw Unconfirmed("P2, facet " + std::to_string(f) + ": the gradient does not make an acute angle with its normal");
   }
 
-  template <class Holds>
-  static bool holds_on_cube(const Splines& s, const Holds& holds, int levels)
+  // Whether holds(splines on it, part) is true of each part of a box. Where it is not, the part is subdivided.
+  struct Part
   {
-    if(holds(s)) return true;
+    std::array<double, 3> low = {}; // in edges of the box
+    double edge = 1;
+  };
+  template <class Holds>
+  static bool holds_on_part(const Splines& s, const Part& part, const Holds& holds, int levels)
+  {
+    if(holds(s, part)) return true;
     if(levels == 0) return false;
-    for(int part = 0; part < 8; ++part) {
+    for(int octant = 0; octant < 8; ++octant) {
       Splines half = s;
       for(Coefficients& c : half)
-        for(int axis = 0; axis < 3; ++axis) halve(c, axis, part >> axis & 1);
-      if(!holds_on_cube(half, holds, levels - 1)) return false;
+        for(int axis = 0; axis < 3; ++axis) halve(c, axis, octant >> axis & 1);
+      Part of_part = part;
+      of_part.edge /= 2;
+      for(int axis = 0; axis < 3; ++axis)
+        if(octant >> axis & 1) of_part.low[axis] += of_part.edge;
+      if(!holds_on_part(half, of_part, holds, levels - 1)) return false;
     }
     return true;
   }
@@ -208,7 +218,7 @@ private:
     for(Coefficients& c : s)
       for(int d = box.depth - 1; d >= 0; --d)
         for(int axis = 0; axis < 3; ++axis) halve(c, axis, box.place[axis] >> d & 1);
-    return holds_on_cube(s, holds, box_levels);
+    return holds_on_part(s, Part(), holds, box_levels);
   }
 
   static bool is_excluded(const Splines& s) { return hull(above(s, INNER)).hi < 0 || hull(above(s, OUTER)).lo > 0; }
@@ -220,9 +230,29 @@ private:
     const double longest = largest_of(direction);
     if(!(longest > 0)) return false;
     for(Interval& d : direction) d = d / longest;
-    const Interval slope = hull(derivative(s[FIELD], direction)).lo;
+    // |grad f| >= slope / |direction|
+    return are_less_steep(s, hull(derivative(s[FIELD], direction)).lo, squared(direction));
+  }
+
+  // Whether in all of a cube, f is beyond a threshold where its gradient vanishes, and steeper than a threshold where it may equal it. With
+  // v = (x - center) / 2 and g = f - threshold, v . grad f > 0 where g - v . grad f < 0 and g >= 0; the other way round beyond the outer threshold.
+  static bool is_critical_beyond(const Splines& s, int threshold, const std::array<Interval, 3>& center)
+  {
+    const Interval r = hull(difference(above(s, threshold), along_half_offset(s[FIELD], center)));
+    const Interval beyond = threshold == INNER ? Interval(-r.hi) : Interval(r.lo);
+    std::array<Interval, 3> farthest;
+    for(int axis = 0; axis < 3; ++axis) {
+      const Interval other = Interval(1) - center[axis];
+      farthest[axis] = Interval((std::max)({ std::abs(center[axis].lo), std::abs(center[axis].hi), std::abs(other.lo), std::abs(other.hi) })) / 2;
+    }
+    // |grad f| >= beyond / |v| in the shell
+    return are_less_steep(s, beyond, squared(farthest));
+  }
+
+  // whether f is steeper, by a lower bound slope / sqrt(length), than the thresholds that it may equal on a cube
+  static bool are_less_steep(const Splines& s, const Interval& slope, const Interval& length)
+  {
     if(!(slope.lo > 0)) return false;
-    const Interval length = squared(direction);
     for(int threshold : { INNER, OUTER }) {
       const Interval r = hull(above(s, threshold));
       if(r.lo > 0 || r.hi < 0) continue;
@@ -235,7 +265,6 @@ private:
       }
       const double unit = (std::max)(slope.lo, largest_of(steepest));
       for(Interval& g : steepest) g = g / unit;
-      // |grad f| >= slope / |direction|
       const Interval part = slope / unit;
       if(!((squared(steepest) * length).hi < (part * part).lo)) return false;
     }
@@ -308,13 +337,20 @@ private:
   {
     const Box& b = certificate.box[n];
     const std::string name = name_of(n);
-    if(b.kind == 'x' && !holds_on_box(b, is_excluded))
+    if(b.kind == 'x' && !holds_on_box(b, [](const Splines& s, const Part&) { return is_excluded(s); }))
       throw Unconfirmed(name + "f is not less than the inner threshold, nor greater than the outer one, on all of it");
     if(!certificate.claimed[2]) return;
     if(b.kind == 'u') throw Unconfirmed(name + "it is undecided");
-    const std::array<Interval, 3> direction = { b.direction[0], b.direction[1], b.direction[2] };
-    if(b.kind == 'g' && !holds_on_box(b, [&](const Splines& s) { return is_crossed(s, direction); }))
+    const std::array<Interval, 3> direction = { b.proof[0], b.proof[1], b.proof[2] };
+    if(b.kind == 'g' && !holds_on_box(b, [&](const Splines& s, const Part&) { return is_crossed(s, direction); }))
       throw Unconfirmed(name + "f does not rise in its direction on all of it, or not more steeply than a threshold that it meets");
+    const auto is_critical = [&](const Splines& s, const Part& part) {
+      std::array<Interval, 3> center;
+      for(int axis = 0; axis < 3; ++axis) center[axis] = (Interval(b.proof[axis]) - part.low[axis]) / part.edge;
+      return is_critical_beyond(s, b.kind == 'b' ? INNER : OUTER, center);
+    };
+    if((b.kind == 'b' || b.kind == 'a') && !holds_on_box(b, is_critical))
+      throw Unconfirmed(name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
   }
 
   // Cover boxes and excluded ones have to surround a cover box; it is joined with the former.

@@ -157,4 +157,20 @@ inline Coefficients derivative(const Coefficients& f, const std::array<Interval,
   return sum;
 }
 
+// (x - center) / 2 . grad f, in units of the cube: along each axis a linear polynomial times one of degree two
+inline Coefficients along_half_offset(const Coefficients& f, const std::array<Interval, 3>& center)
+{
+  Coefficients sum;
+  for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4) {
+    const Interval first = (Interval(0) - center[axis]) / 2, last = (Interval(1) - center[axis]) / 2;
+    for(int n = 0; n < 64; ++n)
+      if(n / stride % 4 == 0) {
+        const Interval d0 = f[n + stride] - f[n], d1 = f[n + 2 * stride] - f[n + stride], d2 = f[n + 3 * stride] - f[n + 2 * stride];
+        const Interval product[] = { first * d0 * 3, last * d0 + first * d1 * 2, last * d1 * 2 + first * d2, last * d2 * 3 };
+        for(int i = 0; i < 4; ++i) sum[n + i * stride] = sum[n + i * stride] + product[i];
+      }
+  }
+  return sum;
+}
+
 #endif // CHECK_CERTIFICATE_POLYNOMIALS_H

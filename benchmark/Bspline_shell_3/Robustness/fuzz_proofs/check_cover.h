@@ -100,7 +100,7 @@ private:
       const auto c = box.cell;
       const auto cell = m_shell.field().cell(c);
       if(box.kind == BS::Box_kind::UNDECIDED) { m_tally.count("box_monotone", Verdict::UNDECIDED); continue; }
-      const std::string kind = box.kind == BS::Box_kind::EXCLUDED ? "box_excluded" : "box_monotone";
+      const std::string kind = box.kind == BS::Box_kind::EXCLUDED ? "box_excluded" : box.kind == BS::Box_kind::MONOTONE ? "box_monotone" : "box_critical";
       m_tally.count(kind, Verdict::PROVED);
       // one threshold is enough to exclude a box
       if(!m_shell.exact_field().bernstein(c)) { m_tally.wrong(kind, "nothing is known on " + describe_box(n)); continue; }
@@ -114,14 +114,40 @@ private:
         if(j.f.value >= j.inner.value && j.f.value <= j.outer.value) m_tally.wrong(kind, describe_box(n));
         continue;
       }
-      const Place p = worst_place(m_bbox[n], [&](const Place& p) {
-        const auto g = cell.first_order_jet(p).gradient;
-        return box.direction[0] * g[0] + box.direction[1] * g[1] + box.direction[2] * g[2];
-      });
-      if(sign(dot(dyadic(box.direction), m_shell.jets(c, dyadic(p)).f.gradient)) <= 0) m_tally.wrong(kind, describe_box(n));
+      if(box.kind == BS::Box_kind::MONOTONE) {
+        const Place p = worst_place(m_bbox[n], [&](const Place& p) {
+          const auto g = cell.first_order_jet(p).gradient;
+          return box.proof[0] * g[0] + box.proof[1] * g[1] + box.proof[2] * g[2];
+        });
+        if(sign(dot(dyadic(box.proof), m_shell.jets(c, dyadic(p)).f.gradient)) <= 0) m_tally.wrong(kind, describe_box(n));
+      } else
+        check_critical_points(n);
       if constexpr(!Threshold::is_constant)
         for(const Threshold* threshold : { &m_shell.inner(), &m_shell.outer() }) check_crossing(n, *threshold);
     }
+  }
+
+  // The field minus the threshold, less half of the slope towards the center, has one sign on all of the box.
+  void check_critical_points(std::size_t n)
+  {
+    const BS::Cover_box& box = m_cover.boxes()[n];
+    const auto c = box.cell;
+    const auto cell = m_shell.field().cell(c);
+    const bool below = box.kind == BS::Box_kind::CRITICAL_BELOW;
+    const Threshold& threshold = below ? m_shell.inner() : m_shell.outer();
+    const double width = m_bbox[n].xmax() - m_bbox[n].xmin();
+    const Place corner = { m_bbox[n].xmin(), m_bbox[n].ymin(), m_bbox[n].zmin() };
+    const Place p = worst_place(m_bbox[n], [&](const Place& p) {
+      const auto g = cell.first_order_jet(p).gradient;
+      double above = cell.value(p) - threshold.value(p, c);
+      for(int a = 0; a < 3; ++a) above -= (p[a] - corner[a] - width * box.proof[a]) * g[a] / 2;
+      return below ? -above : above;
+    });
+    const Jets j = m_shell.jets(c, dyadic(p));
+    Dyadic above = j.f.value - (below ? j.inner : j.outer).value;
+    for(int a = 0; a < 3; ++a)
+      above = above - (Dyadic(p[a]) - Dyadic(corner[a]) - Dyadic(width) * Dyadic(box.proof[a])) * j.f.gradient[a] * Dyadic(0.5);
+    if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", describe_box(n));
   }
 
   // Where the field crosses a threshold in a monotone box, it crosses it upwards.

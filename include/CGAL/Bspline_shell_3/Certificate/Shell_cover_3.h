@@ -38,9 +38,9 @@ namespace Bspline_shells {
  * \brief a cover, by closed boxes, of those components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
  * points.
  *
- * Leaf cells are subdivided until each box is excluded or monotone, or the depth is used up. From each point, the boxes that
+ * Leaf cells are subdivided until the kind of each box is known, or there is no use in it. From each point, the boxes that
  * touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so that the
- * component of the point cannot leave its boxes: where all of them are monotone, the component has no critical point,
+ * component of the point cannot leave its boxes: where none of them is undecided, the component has no critical point,
  * and where none touches the end of the domain, it lies in the interior.
  *
  * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings
@@ -106,7 +106,7 @@ public:
 
   /// the same, with those components alone that hold given points; the number of each becomes that of the first of its points
   /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and this cover is of no use
-  /// \pre all boxes of the other cover's components are monotone, and none touches the boundary of the field's domain
+  /// \pre no box of the other cover's components is undecided, and none touches the boundary of the field's domain
   std::optional<std::vector<Shared> > adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
   {
     adopt(std::move(boxes));
@@ -244,7 +244,7 @@ public:
 
   /// a lower bound, per user unit, of the length of the gradient on the cover. The boxes with the least bounds are subdivided
   /// until these are near what the field has in their middles, or a number of subdivisions is used up.
-  /// \pre all boxes of the cover are monotone
+  /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   double least_gradient() const
   {
@@ -285,7 +285,7 @@ public:
 
   /// for each leaf cell, a lower bound, per user unit, of the length of the gradient on the boxes of the cover in it; infinite where
   /// there are none. Coarser than `least_gradient()`.
-  /// \pre all boxes of the cover are monotone
+  /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   std::vector<double> least_gradients() const
   {
@@ -384,8 +384,8 @@ private:
     const bool at_border = touches_border(m_field->cell(c).bbox());
     for(std::size_t n = 0; n < queue.size(); ++n) {
       Cover_box box = queue[n].box;
-      const bool is_open = examine(queue[n].functions, box);
-      const bool splits = box.kind == Box_kind::UNDECIDED ? is_open && box.depth < max_depth
+      examine(queue[n].functions, box);
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !is_critical(queue[n].functions)
                         // what is inside must be told from what is not
                         : box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
@@ -523,8 +523,8 @@ private:
     }
   }
 
-  // finds the kind of a box and what proves it; false if there is no use in subdividing it
-  bool examine(const Functions& functions, Cover_box& box) const
+  // finds the kind of a box and what proves it
+  void examine(const Functions& functions, Cover_box& box) const
   {
     bool meets_inner = false, meets_outer = false;
     if constexpr(Threshold::is_constant) {
@@ -536,7 +536,7 @@ private:
       meets_inner = !(inner.min > 0);       // so written that what is not a number meets
       meets_outer = !(outer.max < 0);
     }
-    if(box.kind == Box_kind::EXCLUDED) return true;
+    if(box.kind == Box_kind::EXCLUDED) return;
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
     double steepest = 0;
     if constexpr(!Threshold::is_constant) {
@@ -549,9 +549,29 @@ private:
     }
     if(is_monotone(functions[0], steepest, box.proof)) {
       box.kind = Box_kind::MONOTONE;
-      return true;
+      return;
     }
-    return examine_critical_points(functions, steepest, box);
+    const Critical_center center = critical_center(functions[0]);
+    const Level_range thresholds = mean_thresholds(functions);
+    if(!(center.value < thresholds.min || center.value > thresholds.max)) return;
+    const Box_kind kind = center.value < thresholds.min ? Box_kind::CRITICAL_BELOW : Box_kind::CRITICAL_ABOVE;
+    const double beyond = beyond_threshold(functions, kind, center.point);
+    if(beyond > 0 && beyond > steepest * reach(center.point)) {
+      box.kind = kind;
+      box.proof = center.point;
+    }
+  }
+
+  // whether critical points in a box seem to be in the shell; parts of it would say little more of their values
+  bool is_critical(const Functions& functions) const
+  {
+    constexpr double near = 0.1, close = 0.2, level = 0.02;
+    const Critical_center center = critical_center(functions[0]);
+    const Level_range thresholds = mean_thresholds(functions);
+    if(!(center.value >= thresholds.min && center.value <= thresholds.max && center.slope < level)) return false;
+    if(std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; })) return false;
+    const Level_range values = values_at_critical_points(functions[0], functions[0], center.point).range();
+    return values.max - values.min < close * (std::max)(values.min, -values.max);
   }
 
   // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
@@ -572,27 +592,6 @@ private:
       if(!approach(nearest, gradient, worst)) return false;
     }
     return false;
-  }
-
-  // Whether critical points lie beyond the threshold that they seem to be beyond. Where they seem to be in the shell, parts of the box would say no more.
-  bool examine_critical_points(const Functions& functions, double steepest, Cover_box& box) const
-  {
-    constexpr double near = 0.1, sharp = 0.2, level = 1. / 32;
-    const Enclosed_tricubic& f = functions[0];
-    const Critical_center center = critical_center(f);
-    const Level_range thresholds = mean_thresholds(functions);
-    if(center.value < thresholds.min || center.value > thresholds.max) {
-      const Box_kind kind = center.value < thresholds.min ? Box_kind::CRITICAL_BELOW : Box_kind::CRITICAL_ABOVE;
-      const double beyond = beyond_threshold(functions, kind, center.point);
-      if(beyond > 0 && beyond > steepest * reach(center.point)) {
-        box.kind = kind;
-        box.proof = center.point;
-      }
-      return true;
-    }
-    if(!(center.slope < level) || std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; })) return true;
-    const Level_range values = values_at_critical_points(f, f, center.point).range();
-    return !(values.max - values.min < sharp * (std::max)(values.min, -values.max));
   }
 
   // how far all critical points of the field in a box lie beyond a threshold

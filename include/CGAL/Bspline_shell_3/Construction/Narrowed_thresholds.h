@@ -11,7 +11,6 @@
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
-#include <CGAL/Bspline_shell_3/Construction/critical_value.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
@@ -54,8 +53,9 @@ struct Narrowing_limits
  * \brief chooses the thresholds of a shell. Where it is undecided whether the shell has a critical point, or where it reaches the end of the domain,
  * the threshold next to that place is narrowed, as far as the mesh allows.
  *
- * Within a thin wall, critical points are all over. Where they are so many that the cover is coarse, it says little about how near to zero the field
- * is there, which is estimated (`critical_value()`): obstacles that have no room are told from places that only a finer cover would decide.
+ * How far a threshold has to be narrowed is told by the values that the field may have at critical points in undecided boxes
+ * (`Shell_cover_3::critical_values()`). Within a thin wall, critical points are all over, and a cell may have more boxes across its surface than the cover
+ * allows: where the threshold is near enough to zero already, only a finer cover would decide.
  *
  * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What is known is kept for further
  * fields, too: on the same cells (`field_has_changed()`), and on finer ones (`cells_were_refined()`); or caps alone (`forget_field()`).
@@ -259,23 +259,16 @@ private:
     return cover;
   }
 
-  // in each cell and on either side; boxes that the field may be zero in are obstacles
+  // In each cell and on either side. Boxes where that may be zero are obstacles.
   std::map<Cell_and_side, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
   {
     std::map<Cell_and_side, Nearest> nearest;
     m_undecided_volume = 0;
-    const auto note = [&](const Cover_box& box, bool may_be_critical) {
-      constexpr double reach = 1.5;       // box widths
-      const double width = std::ldexp(m_field->cells().width(box.cell), -int(box.depth));
-      m_undecided_volume += std::pow(width, 3);
-      const Level_range f = may_be_critical ? cover.critical_values(box) : cover.function(box).range();
+    const auto note = [&](const Cover_box& box, const Level_range& f) {
+      m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
       const Bbox_3 b = cover.bbox(box);
       const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-      double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
-      if(may_be_critical && level == 0) {
-        const auto critical = critical_value(m_field->cell(box.cell).second_order_jet(Point_3(middle[0], middle[1], middle[2])), reach * width);
-        if(critical && !(level * *critical < 0)) level = *critical;     // on the side of the box
-      }
+      const double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
       if(level == 0) { obstacles.push_back({ box.cell, middle }); return; }
       const Nearest place = { std::abs(level), middle, int(box.depth) <= coarsest_depth };
       const auto it = nearest.insert({ { box.cell, level > 0 ? 1 : -1 }, place }).first;
@@ -283,8 +276,8 @@ private:
     };
     if(cover.number_of_undecided_boxes() > 0)
       for(const Cover_box& box : cover.boxes())
-        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box, true);
-    for(std::uint32_t b : cover.border()) note(cover.boxes()[b], false);
+        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box, cover.critical_values(box));
+    for(std::uint32_t b : cover.border()) note(cover.boxes()[b], cover.function(cover.boxes()[b]).range());
     return nearest;
   }
 

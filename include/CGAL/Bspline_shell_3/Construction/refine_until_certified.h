@@ -98,7 +98,7 @@ struct Refinement_parameters
  * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
  *
  * Where walls or gaps turn out to be too narrow on much of the mesh, cells are refined from then on where the field is so large on the mesh that there is
- * no room for thresholds (`culprits_of()`), and fields are asked to be nearer to zero there.
+ * no room for thresholds (`culprits_of()`), with others that are like them if they are few; and fields are asked to be nearer to zero there.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
@@ -267,6 +267,7 @@ private:
     log.unknowns = field.number_of_coefficients();
     log.levels = field.number_of_levels();
     m_cells_at_gaps.clear();
+    m_similar_cells.clear();
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
     m_part.reset();
     if(can_be_partial && double(split.size()) < largest_part * double(log.cells)) {
@@ -591,7 +592,7 @@ private:
     std::vector<Threshold_obstacle> places = m_thresholds.tight_places();
     places.insert(places.end(), m_obstacles.begin(), m_obstacles.end());
     m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, m_ranges.cells(), places, most_at_obstacles);
-    if(!are_many(cells)) include_similar(m_cells_at_gaps);
+    if(!are_many(cells)) m_similar_cells = similar_cells(m_cells_at_gaps);
     if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
     for(Index c : m_cells_at_gaps) {
@@ -600,23 +601,35 @@ private:
     }
   }
 
-  // adds cells of the mesh that are connected to given ones by cells of the same size with fields about as large
-  void include_similar(std::vector<Index>& cells) const
+  // Further cells at the mesh that are connected to given ones by cells of the same size, with fields about as large: next to cells that are refined
+  // without them, these would be the next ones.
+  std::vector<Index> similar_cells(const std::vector<Index>& cells) const
   {
     constexpr double about = 0.7;
     const Cell_hierarchy_3& all = m_field->cells();
-    const auto size = [&](Index c) { const Level_range& r = m_ranges.cells()[c]; return (std::max)(-r.min, r.max); };   // none: -infinity
-    std::vector<char> is_included(all.number_of_cells(), 0);
-    for(Index c : cells) is_included[c] = 1;
-    for(std::size_t n = 0; n < cells.size(); ++n) {
-      const Index c = cells[n];
-      all.visit_cells(m_field->cell(c).bbox(), [&](Index neighbor) {
-        if(is_included[neighbor] || all.level(neighbor) != all.level(c) || !(size(neighbor) >= about * size(c))) return;
-        is_included[neighbor] = 1;
-        cells.push_back(neighbor);
+    const auto largest = [&](Index c) {      // on the mesh; less than zero where there is none
+      const Level_range& r = m_ranges.cells()[c];
+      return (std::max)(-r.min, r.max);
+    };
+    std::vector<char> is_found(all.number_of_cells(), 0);
+    struct Found { Index cell; double least; };         // with the field of those to be found from there
+    std::vector<Found> found;
+    for(Index c : cells) {
+      is_found[c] = 1;
+      if(largest(c) > 0 && all.level(c) < all.max_level()) found.push_back({ c, about * largest(c) });
+    }
+    const std::size_t given = found.size();
+    for(std::size_t n = 0; n < found.size(); ++n) {
+      const Found from = found[n];
+      all.visit_cells(m_field->cell(from.cell).bbox(), [&](Index c) {
+        if(is_found[c] || all.level(c) != all.level(from.cell) || !(largest(c) >= from.least)) return;
+        is_found[c] = 1;
+        found.push_back({ c, from.least });
       });
     }
-    std::sort(cells.begin(), cells.end());
+    std::vector<Index> similar;
+    for(std::size_t n = given; n < found.size(); ++n) similar.push_back(found[n].cell);
+    return similar;
   }
 
   // returns where the mesh needs thresholds wider than they should be
@@ -632,15 +645,27 @@ private:
     return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_parameters.max_seconds - m_total.time() });
   }
 
-  // Marked cells are split once, and those next to many obstacles twice, if the gap is that narrow.
+  // Marked cells are split once, and those next to many obstacles twice, if the gap is that narrow. So are similar ones, if that is within the limits.
   Cell_hierarchy_3 refined_cells()
   {
-    constexpr int max_halvings = 2, rings = 1;
-    if(m_cells_at_gaps.empty()) return m_field->cells().refined(m_marked, rings);
-    if(!m_gap) m_gap.emplace(*m_input);
-    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), m_marked, rings, m_cells_at_gaps, max_halvings, *m_gap, *m_clipped,
-                                          [&](std::size_t size) { return limit_of_round(size).resource != Refinement_resource::NONE; });
+    if(m_similar_cells.empty()) return refined_cells(m_marked, m_cells_at_gaps);
+    std::vector<Index> marked = m_marked, at_gaps = m_cells_at_gaps;
+    marked.insert(marked.end(), m_similar_cells.begin(), m_similar_cells.end());
+    at_gaps.insert(at_gaps.end(), m_similar_cells.begin(), m_similar_cells.end());
+    Cell_hierarchy_3 cells = refined_cells(marked, at_gaps);
+    if(is_beyond_limits(cells.number_of_cells())) return refined_cells(m_marked, m_cells_at_gaps);
+    for(Index c : m_similar_cells) m_surface_factors[c] = near_obstacles;
+    return cells;
   }
+  Cell_hierarchy_3 refined_cells(const std::vector<Index>& marked, const std::vector<Index>& at_gaps)
+  {
+    constexpr int max_halvings = 2, rings = 1;
+    if(at_gaps.empty()) return m_field->cells().refined(marked, rings);
+    if(!m_gap) m_gap.emplace(*m_input);
+    return refine_at_gaps<ConcurrencyTag>(m_field->cells(), marked, rings, at_gaps, max_halvings, *m_gap, *m_clipped,
+                                          [&](std::size_t size) { return is_beyond_limits(size); });
+  }
+  bool is_beyond_limits(std::size_t cells) const { return limit_of_round(cells).resource != Refinement_resource::NONE; }
 
   // Asks the certificate, and marks cells that keep the claims from being proved.
   bool certify()
@@ -680,6 +705,7 @@ private:
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Threshold_obstacle> m_obstacles;                  // of the last thresholds
   std::vector<Index> m_cells_at_gaps;                 // to refine as the gap asks for
+  std::vector<Index> m_similar_cells;                 // to refine with these, if they are not too many
   std::vector<float> m_surface_factors;               // of cells (`Fit_energy`)
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_was_nearly_thin = false;

@@ -43,7 +43,7 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
  * \ingroup PkgBsplineShell3IO
  *
  * \brief writes what proves the claims of a certificate, for an independent program to check: the boxes of the cover with their
- * directions, and the paths that are counted. See \ref BsplineShell3FileFormats.
+ * directions or centers, and the paths that are counted. See \ref BsplineShell3FileFormats.
  *
  * It speaks of the shell's text file (`write_shell()`) and of the certificate's examined mesh, which the caller writes
  * (with 17 digits).
@@ -65,7 +65,7 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     output.decimal(x);
   };
   const auto& mesh = certificate.examined_mesh();
-  output.text("cubic_bspline_shell_certificate 1\nshell " + Checksum::text(shell_checksum(shell)) + "\nmesh");
+  output.text("cubic_bspline_shell_certificate 2\nshell " + Checksum::text(shell_checksum(shell)) + "\nmesh");
   word(std::size_t(mesh.number_of_vertices()));
   word(std::size_t(mesh.number_of_faces()));
   output.text(" " + Checksum::text(mesh_checksum(mesh)) + "\nverdicts");
@@ -88,8 +88,8 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     else if(box.component == Cover_box::no_component) output.text(" o");
     else if(box.kind == Box_kind::UNDECIDED) output.text(" u");
     else {
-      output.text(" g");
-      for(double d : box.direction) word(d);
+      output.text(box.kind == Box_kind::MONOTONE ? " g" : box.kind == Box_kind::CRITICAL_BELOW ? " b" : " a");
+      for(double x : box.proof) word(x);
     }
     output.text("\n");
   }

@@ -1,0 +1,193 @@
+// critical_values.h: what is said of critical points holds in exact arithmetic for every function within the radius, and is sharp where
+// functions are quadratic, whatever their axes.
+#include "exact_spline.h"
+
+#include <CGAL/Bspline_shell_3/Spline/critical_values.h>
+
+#include <CGAL/Random.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+using BS::Critical_center;
+using BS::Enclosed_tricubic;
+using BS::Level_range;
+typedef std::array<double, 3> Point;
+typedef std::array<Rational, 64> Exact_coefficients;
+
+double random_number(CGAL::Random& random, double least, double most)
+{
+  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31);      // all bits
+}
+
+Point random_point(CGAL::Random& random, double least, double most)
+{
+  return { random_number(random, least, most), random_number(random, least, most), random_number(random, least, most) };
+}
+
+Enclosed_tricubic random_function(CGAL::Random& random, int spread, double radius)
+{
+  Enclosed_tricubic f;
+  for(double& x : f.coefficients) x = std::ldexp(random_number(random, -1, 1), -random.get_int(0, spread + 1));
+  f.radius = radius;
+  return f;
+}
+
+// a function within the radius, at its ends
+Exact_coefficients random_member(CGAL::Random& random, const Enclosed_tricubic& f)
+{
+  Exact_coefficients b;
+  for(int n = 0; n < 64; ++n) b[n] = Rational(f.coefficients[n]) + Rational(f.radius) * (random.get_bool() ? 1 : -1);
+  return b;
+}
+
+// u^T H u / 2 + constant with u = x - center, as coefficients: those of t^2 are 0, 0, 1/3, 1
+Enclosed_tricubic quadratic(const double (&H)[3][3], const Point& center, double constant)
+{
+  Enclosed_tricubic f;
+  for(int n = 0; n < 64; ++n) {
+    const int i[3] = { n % 4, n / 4 % 4, n / 16 };
+    double u[3], square[3];
+    for(int a = 0; a < 3; ++a) {
+      u[a] = i[a] / 3. - center[a];
+      square[a] = (i[a] < 2 ? 0 : i[a] == 2 ? 1. / 3 : 1) - 2 * center[a] * i[a] / 3. + center[a] * center[a];
+    }
+    f.coefficients[n] = constant;
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b) f.coefficients[n] += H[a][b] / 2 * (a == b ? square[a] : u[a] * u[b]);
+  }
+  return f;
+}
+
+} // namespace
+
+TEST_CASE("Values at critical points: g less half of the slope of f towards the center is enclosed at every point, exactly")
+{
+  CGAL::Random random(1);
+  int close = 0;
+  for(int n = 0; n < 400; ++n) {
+    const double radius = n % 3 == 0 ? 0 : std::ldexp(1., -random.get_int(10, 60));
+    const Enclosed_tricubic f = random_function(random, n % 2 ? 0 : 60, radius), g = random_function(random, n % 4 < 2 ? 0 : 60, radius / 2);
+    const double far = n % 5 == 0 ? 1e3 : 2;
+    const Point c = random_point(random, -far, far);
+    const Enclosed_tricubic found = BS::values_at_critical_points(g, f, c);
+    const Exact_coefficients in_f = random_member(random, f), in_g = random_member(random, g);
+    const Exact_point t = exact(random_point(random, 0, 1));
+    Rational truth = bernstein_value(in_g, t), center = 0;
+    for(int a = 0; a < 3; ++a) {
+      std::array<int, 3> order = { 0, 0, 0 };
+      order[a] = 1;
+      truth -= (t[a] - Rational(c[a])) * bernstein_value(in_f, t, order) / 2;
+    }
+    Exact_coefficients b;
+    for(int m = 0; m < 64; ++m) b[m] = Rational(found.coefficients[m]);
+    center = bernstein_value(b, t);
+    CHECK(CGAL::abs(truth - center) <= Rational(found.radius));
+    CHECK(truth >= Rational(found.range().min));
+    CHECK(truth <= Rational(found.range().max));
+    close += found.radius < 1e-12 * far;
+  }
+  CHECK(close > 100);       // the radius is that of roundings
+}
+
+TEST_CASE("Values at critical points: of a quadratic function about its center they are one number, and the center is found")
+{
+  CGAL::Random random(2);
+  for(int n = 0; n < 200; ++n) {
+    double H[3][3];
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b <= a; ++b) H[a][b] = H[b][a] = random.get_double(-1, 1) + (a == b ? (a == 1 ? -2.5 : 2.5) : 0);
+    const Point c = random_point(random, 0, 1);
+    const Enclosed_tricubic f = quadratic(H, c, 0.7);
+    const Level_range values = BS::values_at_critical_points(f, f, c).range();
+    CHECK(values.min > 0.7 - 1e-13);
+    CHECK(values.max < 0.7 + 1e-13);
+    CHECK(values.min < 0.7);
+    CHECK(values.max > 0.7);
+    // it is damped: some percent of its distance from the middle
+    const Critical_center found = BS::critical_center(f);
+    for(int a = 0; a < 3; ++a) CHECK(std::abs(found.point[a] - c[a]) < 0.15);
+    CHECK(std::abs(found.value - 0.7) < 0.05);
+    const Level_range close = BS::critical_values(f), all = f.range();
+    CHECK(close.min <= 0.7);
+    CHECK(close.max >= 0.7);
+    CHECK(close.max - close.min < 0.3 * (all.max - all.min));
+  }
+}
+
+TEST_CASE("Values at critical points: across a wall of any direction they are those in its middle")
+{
+  // (n . (x - m))^2 has critical points on all of a plane: f - 0.3 vanishes there, and nowhere else
+  CGAL::Random random(3);
+  for(int k = 0; k < 200; ++k) {
+    Point n = random_point(random, -1, 1);
+    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    if(length < 0.3) continue;
+    double H[3][3];
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b) H[a][b] = 2 * n[a] * n[b] / (length * length);
+    const Point m = random_point(random, 0, 1);
+    const Enclosed_tricubic f = quadratic(H, m, 0.3);
+    const Critical_center center = BS::critical_center(f);
+    CHECK(std::abs(center.value - 0.3) < 0.01);
+    CHECK(center.slope < 0.02);
+    const Level_range values = BS::critical_values(f);
+    CHECK(values.min <= 0.3);
+    CHECK(values.max >= 0.3);
+    CHECK(values.max - values.min < 0.02);
+  }
+}
+
+TEST_CASE("Values at critical points: with a third derivative, those across a wall are bounded from the side of the middle nearly exactly")
+{
+  // z^2 - 0.2 z^3 - 0.1 on [0, 1]: its only critical point on the box has the value -0.1
+  Enclosed_tricubic f;
+  for(int n = 0; n < 64; ++n) f.coefficients[n] = -0.1 + (n / 16 == 2 ? 1. / 3 : n / 16 == 3 ? 0.8 : 0);
+  const Level_range values = BS::critical_values(f);
+  CHECK(values.max >= -0.1);
+  CHECK(values.max < -0.09);
+  const Level_range about_middle = BS::values_at_critical_points(f, f, { 0.5, 0.5, 0 }).range();
+  CHECK(about_middle.max > -0.001);
+}
+
+TEST_CASE("Values at critical points: a slope along a wall is told")
+{
+  // z^2 + s x: no critical point; the slope that is left is s, relative to a curvature of 2
+  for(double s : { 0.1, 0.4, 1. }) {
+    Enclosed_tricubic f;
+    for(int n = 0; n < 64; ++n) f.coefficients[n] = s * (n % 4) / 3. + (n / 16 < 2 ? 0 : n / 16 == 2 ? 1. / 3 : 1);
+    CHECK(BS::critical_center(f).slope == Approx(s / 2).epsilon(0.05));
+  }
+}
+
+TEST_CASE("Values at critical points: what is no number, or overflows, says nothing")
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const auto says_nothing = [](const Level_range& r) { return !(r.max < 1e308) && !(r.min > -1e308); };
+  CGAL::Random random(4);
+  const Enclosed_tricubic f = random_function(random, 0, 0);
+  for(double bad : { nan, infinity, -infinity, 1e308, -1e308 })
+    for(int a = 0; a < 3; ++a) {
+      Point c = { 0.5, 0.5, 0.5 };
+      c[a] = bad;
+      Enclosed_tricubic steep = f;
+      for(double& x : steep.coefficients) x *= 1e3;
+      CHECK(says_nothing(BS::values_at_critical_points(steep, steep, c).range()));
+    }
+  Enclosed_tricubic unknown = f;
+  unknown.radius = infinity;
+  CHECK(says_nothing(BS::values_at_critical_points(f, unknown, { 0.5, 0.5, 0.5 }).range()));
+  CHECK(says_nothing(BS::values_at_critical_points(unknown, f, { 0.5, 0.5, 0.5 }).range()));
+  // differences that overflow
+  Enclosed_tricubic large = f;
+  for(std::size_t n = 0; n < 64; ++n) large.coefficients[n] = n % 2 ? 1.7e308 : -1.7e308;
+  CHECK(says_nothing(BS::values_at_critical_points(f, large, { 0.5, 0.5, 0.5 }).range()));
+}
