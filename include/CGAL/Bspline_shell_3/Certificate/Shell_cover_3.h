@@ -133,11 +133,11 @@ public:
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
     constexpr std::size_t chunk = 64;
-    const std::size_t most_boxes = m_undecided < many_undecided_boxes ? max_boxes_of_a_cell : max_boxes_of_a_hopeless_cell;
+    const bool is_hopeless = m_undecided >= many_undecided_boxes;
     std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
     internal::for_each_chunk<ConcurrencyTag>(cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
       std::vector<Part> queue;
-      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], most_boxes, queue, boxes[begin / chunk]);
+      for(std::size_t n = begin; n < end; ++n) subdivide(cells[n], is_hopeless, queue, boxes[begin / chunk]);
     });
     for(const std::vector<Cover_box>& part : boxes)
       for(const Cover_box& box : part) {
@@ -371,8 +371,9 @@ private:
   }
 
   // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive. The queue is scratch memory.
-  void subdivide(std::uint32_t c, std::size_t most_boxes, std::vector<Part>& queue, std::vector<Cover_box>& boxes) const
+  void subdivide(std::uint32_t c, bool is_hopeless, std::vector<Part>& queue, std::vector<Cover_box>& boxes) const
   {
+    const std::size_t most_boxes = is_hopeless ? max_boxes_of_a_hopeless_cell : max_boxes_of_a_cell;
     // breadth first, so that where boxes run out, they are of equal size
     queue.resize(1);
     queue[0].box.cell = c;
@@ -385,7 +386,7 @@ private:
     for(std::size_t n = 0; n < queue.size(); ++n) {
       Cover_box box = queue[n].box;
       examine(queue[n].functions, box);
-      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !is_critical(queue[n].functions)
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && is_critical(queue[n].functions))
                         // what is inside must be told from what is not
                         : box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
@@ -565,7 +566,7 @@ private:
   // whether critical points in a box seem to be in the shell; parts of it would say little more of their values
   bool is_critical(const Functions& functions) const
   {
-    constexpr double near = 0.1, close = 0.2, level = 0.02;
+    constexpr double near = 0.1, close = 0.2, level = 1. / 32;
     const Critical_center center = critical_center(functions[0]);
     const Level_range thresholds = mean_thresholds(functions);
     if(!(center.value >= thresholds.min && center.value <= thresholds.max && center.slope < level)) return false;

@@ -288,7 +288,6 @@ private:
   {
     constexpr double margin = 0.98;       // of a cap that makes a difference
     constexpr double much = 0.7;          // of the room, that the mesh takes
-    constexpr double flat = 0.05;         // cell widths: what is so near to zero in the middle of a wall asks for more boxes than covers have
     std::vector<Threshold_obstacle> narrowed;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
@@ -302,8 +301,7 @@ private:
       if(m_is_constant || !(needed < margin * room)) {
         obstacles.push_back(place);
       } else if(n.second.is_coarse && margin * now < (needed + room) / 2) {
-        if(size < flat * m_field->cells().width(c)) obstacles.push_back({ c, place.point });
-        else unresolved.push_back(place);
+        unresolved.push_back(place);
       } else {
         m_wanted->cap(c, side, side * (needed + room) / 2);
         narrowed.push_back(place);

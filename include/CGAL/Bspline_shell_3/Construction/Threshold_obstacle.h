@@ -30,7 +30,7 @@ struct Threshold_obstacle
 {
   std::uint32_t cell;
   std::array<double, 3> point;        ///< user units
-  Sign side = ZERO;                   ///< of the threshold; `ZERO` if the place is at the mesh, or the field is too flat there
+  Sign side = ZERO;                   ///< of the threshold; `ZERO` if the field may be zero at the place
   double size = 0;                    ///< what the threshold's size would have to be less than
 };
 
