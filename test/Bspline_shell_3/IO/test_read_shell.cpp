@@ -130,7 +130,7 @@ TEST_CASE("files: a certified shell that was read has the same certificate, and 
     REQUIRE(after.cover()->boxes().size() == before.cover()->boxes().size());
     for(std::size_t n = 0; n < after.cover()->boxes().size(); ++n) {
       const BS::Cover_box &a = after.cover()->boxes()[n], &b = before.cover()->boxes()[n];
-      REQUIRE((a.cell == b.cell && a.kind == b.kind && a.depth == b.depth && a.component == b.component && a.direction == b.direction));
+      REQUIRE((a.cell == b.cell && a.kind == b.kind && a.depth == b.depth && a.component == b.component && a.proof == b.proof));
     }
   }
 }
