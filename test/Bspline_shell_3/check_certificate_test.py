@@ -585,9 +585,16 @@ def with_center(kind):
     return box("g", lambda w: w.__setitem__(slice(5, 9), [kind, "0.5", "0.5", "0.5"]))
 
 
-for axis in range(3):
-    for shift in (-30, 30):
-        add_critical("center moved, axis %d, %d" % (axis, shift), set_word(6 + axis, lambda x, shift=shift: x + shift), 1, "P3, box")
+def move_center(words):
+    """from the middle of the box, so that the field falls towards the center below, and rises above, by more than it may"""
+    offset = [0.5 - float(x) for x in words[6:9]]
+    size = max(abs(x) for x in offset)
+    if size < 1e-3:
+        offset, size = [1, 1, 1], 1
+    words[6:9] = ["%.17g" % (float(c) + 30 * x / size) for c, x in zip(words[6:9], offset)]
+
+
+add_critical("center moved", move_center, 1, "may have a critical point")
 add_critical("center not a number", set_word(6, "nan"), 2, "finite")
 add_critical("critical points on the other side", lambda w: w.__setitem__(5, "ab"[w[5] == "a"]), 1, "may have a critical point")
 add_critical("critical points in a box that rises", lambda w: w.__setitem__(slice(5, 9), ["g", "1", "1", "1"]), 1, "does not rise")

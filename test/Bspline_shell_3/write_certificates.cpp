@@ -162,8 +162,8 @@ int main(int argc, char** argv)
     Mesh ball = sphere(1);
     if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(ball);
     const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
-    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, BS::Constant_threshold(sign > 0 ? -0.47 : -0.2),
-                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.47), ball) && good;
+    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
+                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), ball) && good;
   }
 
   // the volume between two spheres, and a third one

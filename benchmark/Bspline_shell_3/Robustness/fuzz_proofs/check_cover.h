@@ -150,7 +150,7 @@ private:
     if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", describe_box(n));
   }
 
-  // Where the field crosses a threshold in a monotone box, it crosses it upwards.
+  // Where the field crosses a threshold in a box, and that is in the shell, it crosses it upwards.
   void check_crossing(std::size_t n, const Threshold& threshold)
   {
     const BS::Cover_box& box = m_cover.boxes()[n];
@@ -178,15 +178,16 @@ private:
         for(int a = 0; a < 3; ++a) middle[a] = low[a] + (high[a] - low[a]) / 2;
         (margin(middle) < 0 ? low : high) = middle;
       }
-      bool is_below = false, is_above = false, is_steep_enough = false;
+      bool is_below = false, is_above = false, is_steep_enough = false, is_in_shell = true;
       for(const Place& p : { low, high }) {
         const Jets j = m_shell.jets(box.cell, dyadic(p));
         const Exact_jet& t = is_inner ? j.inner : j.outer;
         is_below = is_below || j.f.value <= t.value;
         is_above = is_above || j.f.value >= t.value;
+        is_in_shell = is_in_shell && (is_inner ? j.f.value <= j.outer.value : j.f.value >= j.inner.value);
         is_steep_enough = is_steep_enough || sign(dot(j.f.gradient, minus(j.f.gradient, t.gradient))) > 0;
       }
-      if(!is_below || !is_above) continue;
+      if(!is_below || !is_above || (box.kind != BS::Box_kind::MONOTONE && !is_in_shell)) continue;
       m_tally.count("box_crossing", is_steep_enough, "does not rise through a threshold: " + describe_box(n));
     }
   }

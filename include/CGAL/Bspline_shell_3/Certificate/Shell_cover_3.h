@@ -55,12 +55,15 @@ public:
   typedef typename Field::Cell Cell;
   typedef std::uint32_t Box_index;
   static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
-  /// a cell with more boxes is not subdivided further; the smaller number holds once `many_undecided_boxes` are undecided
+  /// A cell with more boxes is not subdivided further. The smaller number holds once `many_undecided_boxes` are undecided; then boxes are not subdivided
+  /// either where critical points seem to be in the shell.
   static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
 
+  /// \param separating_depth halvings of a cell up to which boxes with critical points beyond a threshold are subdivided all the same: what is on both
+  ///        sides of a wall or a gap is one component of the cover, unless boxes between are excluded. Zero where components do not matter.
   /// \pre `field` outlives this object
-  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_first(field.number_of_cells(), unseen)
+  Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int separating_depth = 3)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_separating_depth(separating_depth), m_first(field.number_of_cells(), unseen)
   {}
 
   const Field& field() const { return *m_field; }
@@ -242,7 +245,7 @@ public:
   /// whether all of a box is certainly in the shell
   bool is_between_thresholds(const Cover_box& box) const { return are_between_thresholds(functions_on(box)); }
 
-  /// a lower bound, per user unit, of the length of the gradient on the cover. The boxes with the least bounds are subdivided
+  /// a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the least bounds are subdivided
   /// until these are near what the field has in their middles, or a number of subdivisions is used up.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
@@ -273,9 +276,11 @@ public:
       parts.assign(1, Part{ worst.box, functions_on(worst.box) });
       push_octants(0, parts);
       for(std::size_t n = 1; n < parts.size(); ++n) {
-        if(!examine_again(parts[n])) continue;
+        examine_part(parts[n]);
+        if(parts[n].box.kind == Box_kind::EXCLUDED) continue;
         attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
-        least.push_back({ gradient_bound(parts[n]), parts[n].box });
+        // what proves a part may say less than what proves the box
+        least.push_back({ (std::max)(worst.bound, gradient_bound(parts[n])), parts[n].box });
         std::push_heap(least.begin(), least.end(), is_above);
       }
       if(least.empty()) return std::numeric_limits<double>::infinity();
@@ -283,7 +288,7 @@ public:
     return least.front().bound;
   }
 
-  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient on the boxes of the cover in it; infinite where
+  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell, on the boxes of the cover in it; infinite where
   /// there are none. Coarser than `least_gradient()`.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
@@ -379,16 +384,18 @@ private:
     queue[0].box.cell = c;
     queue[0].box.depth = 0;
     queue[0].box.kind = Box_kind::UNDECIDED;
+    queue[0].box.proof = {};
     for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
     queue[0].functions = functions(c);
     const std::size_t begin = boxes.size();
     const bool at_border = touches_border(m_field->cell(c).bbox());
     for(std::size_t n = 0; n < queue.size(); ++n) {
-      Cover_box box = queue[n].box;
-      examine(queue[n].functions, box);
-      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && is_critical(queue[n].functions))
+      examine_part(queue[n]);
+      const Cover_box& box = queue[n].box;
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && seems_critical(queue[n].functions))
+                        : (is_critical(box.kind) && box.depth < m_separating_depth)
                         // what is inside must be told from what is not
-                        : box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box));
+                        || (box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box)));
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -436,13 +443,14 @@ private:
     return on_box;
   }
 
-  // finds what proves a part of a box, if that is not what proves the box; false if the part is excluded
-  bool examine_again(Part& part) const
+  static bool is_critical(Box_kind kind) { return kind == Box_kind::CRITICAL_BELOW || kind == Box_kind::CRITICAL_ABOVE; }
+
+  // finds the kind of a part of a box; if nothing is found, it is that of the box, as is what proves it
+  void examine_part(Part& part) const
   {
     Cover_box box = part.box;
     examine(part.functions, box);
     if(box.kind != Box_kind::UNDECIDED) part.box = box;
-    return box.kind != Box_kind::EXCLUDED;
   }
 
   // of the gradient in the shell, on a box that is not undecided: along its direction or a better one, or towards its center
@@ -464,8 +472,9 @@ private:
     include(nearest);
     if(part.box.kind == Box_kind::MONOTONE) include(part.box.proof);
     else bound = (std::max)(bound, beyond_threshold(part.functions, part.box.kind, part.box.proof) / reach(part.box.proof));
-    // two quotients, of which the second may overflow; the length is an upper bound
+    // two quotients, of which the second may overflow, and of which little is known if they are denormal; the length is an upper bound
     const double slope = bound / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
+    if(!((std::min)(bound, slope) >= internal::underflow)) return 0;
     return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
   }
 
@@ -481,9 +490,10 @@ private:
     push_octants(0, parts);
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t n = 1; n < parts.size(); ++n) {
-      if(examine_again(parts[n])) least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
+      examine_part(parts[n]);
+      if(parts[n].box.kind != Box_kind::EXCLUDED) least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
     }
-    return least;
+    return (std::max)(bound, least);
   }
 
   // its length, if the middle is in the shell; not rigorous
@@ -518,7 +528,7 @@ private:
       child.box = part.box;
       child.box.depth = std::uint8_t(part.box.depth + 1);
       for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
-      if(part.box.kind == Box_kind::CRITICAL_BELOW || part.box.kind == Box_kind::CRITICAL_ABOVE)
+      if(is_critical(part.box.kind))
         for(int a = 0; a < 3; ++a) child.box.proof[a] = 2 * part.box.proof[a] - ((o >> a) & 1);
       for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
     }
@@ -564,7 +574,7 @@ private:
   }
 
   // whether critical points in a box seem to be in the shell; parts of it would say little more of their values
-  bool is_critical(const Functions& functions) const
+  bool seems_critical(const Functions& functions) const
   {
     constexpr double near = 0.1, close = 0.2, level = 1. / 32;
     const Critical_center center = critical_center(functions[0]);
@@ -616,7 +626,7 @@ private:
     return (1 + 4 * internal::rounding) * length(farthest);
   }
 
-  // rounded
+  // the means of the thresholds on a box; not rigorous
   Level_range mean_thresholds(const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };
@@ -739,6 +749,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  int m_separating_depth;
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;

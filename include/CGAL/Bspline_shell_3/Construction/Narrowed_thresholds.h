@@ -248,7 +248,8 @@ private:
   template <typename ConcurrencyTag>
   Cover covered() const
   {
-    Cover cover(*m_field, *m_inner, *m_outer);
+    constexpr int separating_depth = 0;       // only critical points matter here
+    Cover cover(*m_field, *m_inner, *m_outer, separating_depth);
     if(m_examined)
       cover.reuse(m_examined->cover, [&](Cell_index c) {
         const Cell_index now = m_examined->now[c];
@@ -276,7 +277,11 @@ private:
     };
     if(cover.number_of_undecided_boxes() > 0)
       for(const Cover_box& box : cover.boxes())
-        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) note(box, cover.critical_values(box));
+        if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
+          // none where only the threshold is too steep
+          const Level_range values = cover.critical_values(box);
+          note(box, values.min <= values.max ? values : cover.function(box).range());
+        }
     for(std::uint32_t b : cover.border()) note(cover.boxes()[b], cover.function(cover.boxes()[b]).range());
     return nearest;
   }

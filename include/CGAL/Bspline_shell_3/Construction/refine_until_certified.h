@@ -592,20 +592,25 @@ private:
     std::vector<Threshold_obstacle> places = m_thresholds.tight_places();
     places.insert(places.end(), m_obstacles.begin(), m_obstacles.end());
     m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, m_ranges.cells(), places, most_at_obstacles);
-    if(!are_many(cells)) m_similar_cells = similar_cells(m_cells_at_gaps);
+    if(!are_many(cells)) {
+      update_ranges(Mesh_ranges::SHARP);
+      m_similar_cells = similar_cells(m_cells_at_gaps);
+    }
     if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
     for(Index c : m_cells_at_gaps) {
       m_surface_factors[c] = near_obstacles;
       mark(c);
     }
+    if(m_marked.empty())      // culprits are as small as they may be
+      for(Index c : cells) mark_widely(c);
   }
 
   // Further cells at the mesh that are connected to given ones by cells of the same size, with fields about as large: next to cells that are refined
   // without them, these would be the next ones.
   std::vector<Index> similar_cells(const std::vector<Index>& cells) const
   {
-    constexpr double about = 0.7;
+    constexpr double about = 0.7, considerable = 1e-3;
     const Cell_hierarchy_3& all = m_field->cells();
     const auto largest = [&](Index c) {      // on the mesh; less than zero where there is none
       const Level_range& r = m_ranges.cells()[c];
@@ -616,7 +621,8 @@ private:
     std::vector<Found> found;
     for(Index c : cells) {
       is_found[c] = 1;
-      if(largest(c) > 0 && all.level(c) < all.max_level()) found.push_back({ c, about * largest(c) });
+      // not from obstacles in the middle of walls, where the field is next to zero on the mesh
+      if(largest(c) > considerable * half_thickness(c) && all.level(c) < all.max_level()) found.push_back({ c, about * largest(c) });
     }
     const std::size_t given = found.size();
     for(std::size_t n = 0; n < found.size(); ++n) {
@@ -705,7 +711,7 @@ private:
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Threshold_obstacle> m_obstacles;                  // of the last thresholds
   std::vector<Index> m_cells_at_gaps;                 // to refine as the gap asks for
-  std::vector<Index> m_similar_cells;                 // to refine with these, if they are not too many
+  std::vector<Index> m_similar_cells;                 // to refine with these, if limits allow it
   std::vector<float> m_surface_factors;               // of cells (`Fit_energy`)
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_was_nearly_thin = false;

@@ -137,7 +137,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// encloses the values that a function takes where its gradient vanishes
+/// encloses the values that a function takes where its gradient vanishes; empty (`min > max`) if it certainly does nowhere
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {
   const Level_range all = f.range(), close = values_at_critical_points(f, f, critical_center(f).point).range();
