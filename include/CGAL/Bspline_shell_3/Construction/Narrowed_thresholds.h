@@ -278,9 +278,10 @@ private:
     if(cover.number_of_undecided_boxes() > 0)
       for(const Cover_box& box : cover.boxes())
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
-          // none where only the threshold is too steep
-          const Level_range values = cover.critical_values(box);
-          note(box, values.min <= values.max ? values : cover.function(box).range());
+          // Where only the threshold is too steep, there may be none: then these must not be on the other side of zero than the field.
+          const Level_range values = cover.critical_values(box), field = cover.function(box).range();
+          const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
+          note(box, is_beyond_zero ? field : values);
         }
     for(std::uint32_t b : cover.border()) note(cover.boxes()[b], cover.function(cover.boxes()[b]).range());
     return nearest;
