@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -91,8 +92,9 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
     const In_cells in(sphere(subdivisions));
     std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
     wanted[3] = 0;
+    const auto in_triangles = [&](Index c, std::uint32_t facet) { return c % 2 == 0 ? wanted[facet] : wanted[facet] / 4; };
     const auto size = [](Index c) { return 1. + c; };
-    const std::vector<BS::Slope_condition> conditions = BS::slope_conditions(in.field, in.clipped, wanted, everywhere, size);
+    const std::vector<BS::Slope_condition> conditions = BS::slope_conditions(in.field, in.clipped, in_triangles, everywhere, size);
     std::map<Index, std::size_t> in_cell, pieces;
     for(const auto& piece : in.clipped.pieces())
       if(piece.facet != 3) ++pieces[piece.cell];
@@ -103,7 +105,7 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
       const Point_3 p = in.point(c);
       for(double x : c.position) wrong += !(x > -1e-12 && x < 1 + 1e-12);
       wrong += !(CGAL::squared_distance(p, Kernel::Triangle_3(t[0], t[1], t[2])) < 1e-24) || c.direction != in.clipped.normal(c.facet);
-      wrong += c.least != wanted[c.facet] || c.largest != 1. + c.cell || c.facet == 3;
+      wrong += c.least != in_triangles(c.cell, c.facet) || c.largest != 1. + c.cell || c.facet == 3;
     }
     CHECK(wrong == 0);
     CHECK(std::is_sorted(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; }));
@@ -120,7 +122,8 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
   const In_cells in(sphere(2));
   const std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
   const Index c = in.clipped.pieces().front().cell;
-  const auto there = BS::slope_conditions(in.field, in.clipped, wanted, [&](Index n) { return n == c; }, any_size);
+  const auto there = BS::slope_conditions(in.field, in.clipped, [&](Index, std::uint32_t facet) { return wanted[facet]; },
+                                         [&](Index n) { return n == c; }, any_size);
   CHECK_FALSE(there.empty());
   CHECK(std::all_of(there.begin(), there.end(), [&](const auto& condition) { return condition.cell == c; }));
 }

@@ -7,49 +7,20 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_AT_GAPS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/*!
- * \ingroup PkgBsplineShell3Construction
- *
- * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is no part.
- *
- * \param gap of the mesh
- * \param clipped the mesh, cut by cells
- * \param c a cell
- * \param side of the mesh, as for `Local_gap_3`
- * \param most no larger gap is looked for
- */
-inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, Sign side,
-                          double most)
-{
-  const auto& pieces = clipped.pieces();
-  auto piece = std::lower_bound(pieces.begin(), pieces.end(), c,
-                                [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
-  double least = most;
-  std::vector<std::array<double, 3> > corners;
-  for(; piece != pieces.end() && piece->cell == c; ++piece) {
-    corners.clear();
-    for(std::uint32_t v = 0; v < piece->size; ++v) corners.push_back(clipped.point(piece->first + v));
-    least = gap(Input_mesh_3::Face_index(piece->facet), corners.data(), corners.size(), side, least);
-  }
-  return least;
-}
 
 namespace internal {
 
@@ -93,8 +64,7 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
   internal::for_each_chunk<ConcurrencyTag>(obstacles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       double width = cells.width(obstacles[n]) / 2;
-      const double behind = gap_in_cell(gap, clipped, obstacles[n], NEGATIVE, width);
-      const double narrowest = gap_in_cell(gap, clipped, obstacles[n], POSITIVE, behind);
+      const double narrowest = gap_in_cell(gap, clipped, obstacles[n], width);
       for(; width > far_narrower * narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
     }
   });

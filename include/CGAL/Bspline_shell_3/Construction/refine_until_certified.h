@@ -15,7 +15,9 @@
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
+#include <CGAL/Bspline_shell_3/Construction/similar_cells.h>
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
+#include <CGAL/Bspline_shell_3/Construction/slopes_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
@@ -161,6 +163,7 @@ private:
   static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
   static constexpr std::size_t cells_of_thin = 20, cells_of_nearly_thin = 50;     // one of so many has an obstacle
   static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
+  static constexpr double considerable = 1e-3;                  // of half the thickness asked for
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
@@ -316,12 +319,36 @@ private:
       return std::nullopt;
     }
 
-    m_enforcement.emplace(field, m_A, m_b);
-    m_enforcement->insert(slope_conditions(field, *m_clipped, m_wanted, [&](Index c) { return !m_part || m_part->cells[c]; },
-                                           [&](Index c) { return largest_on_mesh(c); }));
+    m_slope_limits.clear();
+    begin_enforcement();
     m_is_enforced = enforce_conditions();
     lap(SLOPES);
     return std::nullopt;
+  }
+
+  // the slope wanted of a facet in a cell
+  double wanted_slope(Index c, std::uint32_t facet) const
+  {
+    return m_slope_limits.empty() ? m_wanted[facet] : (std::min)(m_wanted[facet], m_slope_limits[c]);
+  }
+
+  void begin_enforcement()
+  {
+    m_enforcement.emplace(*m_field, m_A, m_b);
+    m_enforcement->insert(slope_conditions(*m_field, *m_clipped, [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
+                                           [&](Index c) { return !m_part || m_part->cells[c]; }, [&](Index c) { return largest_on_mesh(c); }));
+  }
+
+  // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is less than before anywhere.
+  bool limit_slopes(const std::vector<Index>& cells)
+  {
+    if(!m_slope_limits.empty()) return false;
+    if(!m_gap) m_gap.emplace(*m_input);
+    const std::vector<double> limits = slopes_at_gaps<ConcurrencyTag>(m_field->cells(), cells, *m_gap, *m_clipped);
+    if(std::none_of(limits.begin(), limits.end(), [&](double limit) { return limit < m_parameters.slope_fraction; })) return false;
+    m_slope_limits.assign(m_field->number_of_cells(), std::numeric_limits<double>::infinity());
+    for(std::size_t n = 0; n < cells.size(); ++n) m_slope_limits[cells[n]] = limits[n];
+    return true;
   }
 
   // Changes the field where facets have too small a slope, or where it is too large on the mesh between the points with conditions, until neither is left,
@@ -338,6 +365,10 @@ private:
       const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
       log.sloping_cells_left = slopes.violated_cells.size();
+      if(!slopes.enforced && slopes.patches == 0 && limit_slopes(slopes.violated_cells)) {
+        begin_enforcement();
+        return enforce_conditions();
+      }
       if(!slopes.enforced) {
         std::vector<std::uint32_t> facets;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
@@ -364,12 +395,12 @@ private:
       for(const Failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
           conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle),
-                                 m_wanted[f.triangle] });
+                                 wanted_slope(f.cell, f.triangle) });
       }
       for(const Thick_cell& t : thick)
         if(m_wanted[t.facet] > 0)
-          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet), m_wanted[t.facet],
-                                 largest_on_mesh(t.cell) });
+          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet),
+                                 wanted_slope(t.cell, t.facet), largest_on_mesh(t.cell) });
       if(conditions.empty()) break;
       m_enforcement->insert(std::move(conditions));
     }
@@ -591,10 +622,15 @@ private:
   {
     std::vector<Threshold_obstacle> places = m_thresholds.tight_places();
     places.insert(places.end(), m_obstacles.begin(), m_obstacles.end());
-    m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, m_ranges.cells(), places, most_at_obstacles);
+    update_ranges(Mesh_ranges::SHARP);
+    const std::vector<Level_range>& ranges = m_ranges.cells();
+    m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, ranges, places, most_at_obstacles);
     if(!are_many(cells)) {
-      update_ranges(Mesh_ranges::SHARP);
-      m_similar_cells = similar_cells(m_cells_at_gaps);
+      // not those in the middle of walls, where the field is next to zero on the mesh
+      std::vector<Index> culprits;
+      for(Index c : m_cells_at_gaps)
+        if((std::max)(-ranges[c].min, ranges[c].max) > considerable * half_thickness(c)) culprits.push_back(c);
+      m_similar_cells = similar_cells(m_field->cells(), ranges, culprits);
     }
     if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
@@ -604,38 +640,6 @@ private:
     }
     if(m_marked.empty())      // culprits are as small as they may be
       for(Index c : cells) mark_widely(c);
-  }
-
-  // Further cells at the mesh that are connected to given ones by cells of the same size, with fields about as large: next to cells that are refined
-  // without them, these would be the next ones.
-  std::vector<Index> similar_cells(const std::vector<Index>& cells) const
-  {
-    constexpr double about = 0.7, considerable = 1e-3;
-    const Cell_hierarchy_3& all = m_field->cells();
-    const auto largest = [&](Index c) {      // on the mesh; less than zero where there is none
-      const Level_range& r = m_ranges.cells()[c];
-      return (std::max)(-r.min, r.max);
-    };
-    std::vector<char> is_found(all.number_of_cells(), 0);
-    struct Found { Index cell; double least; };         // with the field of those to be found from there
-    std::vector<Found> found;
-    for(Index c : cells) {
-      is_found[c] = 1;
-      // not from obstacles in the middle of walls, where the field is next to zero on the mesh
-      if(largest(c) > considerable * half_thickness(c) && all.level(c) < all.max_level()) found.push_back({ c, about * largest(c) });
-    }
-    const std::size_t given = found.size();
-    for(std::size_t n = 0; n < found.size(); ++n) {
-      const Found from = found[n];
-      all.visit_cells(m_field->cell(from.cell).bbox(), [&](Index c) {
-        if(is_found[c] || all.level(c) != all.level(from.cell) || !(largest(c) >= from.least)) return;
-        is_found[c] = 1;
-        found.push_back({ c, from.least });
-      });
-    }
-    std::vector<Index> similar;
-    for(std::size_t n = given; n < found.size(); ++n) similar.push_back(found[n].cell);
-    return similar;
   }
 
   // returns where the mesh needs thresholds wider than they should be
@@ -695,6 +699,7 @@ private:
   const Thickness& m_thickness;
   Refinement_parameters m_parameters;
   std::vector<double> m_wanted;                       // the slope wanted for each triangle, per user unit
+  std::vector<double> m_slope_limits;                 // of cells; empty if slopes are limited nowhere
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
   std::unique_ptr<Field> m_field;
   std::vector<double> m_samples;

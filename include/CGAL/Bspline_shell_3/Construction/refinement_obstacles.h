@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_OBSTACLES_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
-#include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
+#include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>

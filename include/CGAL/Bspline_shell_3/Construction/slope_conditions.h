@@ -68,17 +68,18 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  * Across a cell a field hardly varies more than that; whoever needs to know finds the places where it is not enough.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
+ * \tparam Slope a function of cells and triangles
  * \tparam Predicate of cells
  * \tparam Size a function of cells
  * \param field gives the cells; its values are not looked at
  * \param clipped the mesh, cut by them
- * \param wanted slopes of the triangles (`wanted_slopes()`); no conditions where they are zero, as nothing helps at a singular vertex
+ * \param wanted the slope of a triangle in a cell (`wanted_slopes()`); no conditions where it is zero, as nothing helps at a singular vertex
  * \param is_asked for which cells conditions are wanted
  * \param largest what \f$|f|\f$ may be on the mesh in a cell, in units of the width of root cells
  */
-template <typename Field, typename Predicate, typename Size>
-std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const std::vector<double>& wanted,
-                                              const Predicate& is_asked, const Size& largest)
+template <typename Field, typename Slope, typename Predicate, typename Size>
+std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted, const Predicate& is_asked,
+                                              const Size& largest)
 {
   constexpr double small = 0.25;
   constexpr std::size_t few = 8, most = 48;       // pieces in a cell
@@ -102,9 +103,10 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
     const std::size_t stride = (next - n + most - 1) / most;
     for(std::size_t m = n; m < next; m += stride) {
       const Clipped_mesh_3::Piece& piece = pieces[m];
-      if(!(wanted[piece.facet] > 0)) continue;
+      const double slope = wanted(c, piece.facet);
+      if(!(slope > 0)) continue;
       const auto add = [&](const std::array<double, 3>& p) {
-        conditions.push_back({ c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), wanted[piece.facet], size });
+        conditions.push_back({ c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), slope, size });
       };
       std::array<double, 3> middle = {};
       for(std::uint32_t v = 0; v < piece.size; ++v)

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_GAP_IN_CELL_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_GAP_IN_CELL_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is no part.
+ *
+ * \param gap of the mesh
+ * \param clipped the mesh, cut by cells
+ * \param c a cell
+ * \param side of the mesh, as for `Local_gap_3`
+ * \param most no larger gap is looked for
+ */
+inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, Sign side,
+                          double most)
+{
+  const auto& pieces = clipped.pieces();
+  auto piece = std::lower_bound(pieces.begin(), pieces.end(), c,
+                                [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
+  double least = most;
+  std::vector<std::array<double, 3> > corners;
+  for(; piece != pieces.end() && piece->cell == c; ++piece) {
+    corners.clear();
+    for(std::uint32_t v = 0; v < piece->size; ++v) corners.push_back(clipped.point(piece->first + v));
+    least = gap(Input_mesh_3::Face_index(piece->facet), corners.data(), corners.size(), side, least);
+  }
+  return least;
+}
+
+/// \ingroup PkgBsplineShell3Construction
+/// the same on both sides: the narrowest wall or gap in a cell
+inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, double most)
+{
+  return gap_in_cell(gap, clipped, c, POSITIVE, gap_in_cell(gap, clipped, c, NEGATIVE, most));
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_GAP_IN_CELL_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPES_AT_GAPS_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPES_AT_GAPS_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief the slope that a field can be asked for on the mesh in cells with narrow walls or gaps.
+ *
+ * In cells of a width \f$h\f$ a field bends no more than about \f$1/h\f$. If it is zero on both sides of a wall of width \f$g < h\f$, it is like
+ * \f$(x^2 - g^2/4) / h\f$ across, which has the slope \f$g/h\f$ on them. A quarter of that leaves room for what the field does along the wall.
+ *
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \param cells the cells
+ * \param asked for which of them
+ * \param gap of the mesh
+ * \param clipped the mesh, cut by `cells`
+ * \return for each of these; infinite where no gap is narrower than the cell
+ */
+template <typename ConcurrencyTag>
+std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& asked, const Local_gap_3& gap,
+                                   const Clipped_mesh_3& clipped)
+{
+  constexpr std::size_t chunk = 16;
+  constexpr double part = 0.25;
+  std::vector<double> slopes(asked.size(), std::numeric_limits<double>::infinity());
+  internal::for_each_chunk<ConcurrencyTag>(asked.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const double width = cells.width(asked[n]), narrowest = gap_in_cell(gap, clipped, asked[n], width);
+      if(narrowest < width) slopes[n] = part * narrowest / width;
+    }
+  });
+  return slopes;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPES_AT_GAPS_H
