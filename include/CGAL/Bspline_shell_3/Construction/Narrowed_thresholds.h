@@ -250,12 +250,18 @@ private:
   {
     constexpr int separating_depth = 0;       // only critical points matter here
     Cover cover(*m_field, *m_inner, *m_outer, separating_depth);
-    if(m_examined)
-      cover.reuse(m_examined->cover, [&](Cell_index c) {
-        const Cell_index now = m_examined->now[c];
-        return now != Field::npos && is_same_in_cell(m_examined->inner.field(), c, m_inner->field(), now)
-            && is_same_in_cell(m_examined->outer.field(), c, m_outer->field(), now) ? now : Field::npos;
+    if(m_examined) {
+      constexpr std::size_t chunk = 256;
+      std::vector<Cell_index> same = m_examined->now;
+      internal::for_each_chunk<ConcurrencyTag>(same.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t n = begin; n < end; ++n) {
+          const Cell_index c = Cell_index(n), now = same[c];
+          if(now != Field::npos && !(is_same_in_cell(m_examined->inner.field(), c, m_inner->field(), now)
+                                     && is_same_in_cell(m_examined->outer.field(), c, m_outer->field(), now))) same[c] = Field::npos;
+        }
       });
+      cover.reuse(m_examined->cover, [&](Cell_index c) { return same[c]; });
+    }
     for(std::size_t c = 0; c < m_seeds.size(); ++c) cover.template flood<ConcurrencyTag>(m_seeds[c], std::uint32_t(c));
     return cover;
   }

@@ -62,15 +62,29 @@ public:
   /// \param mesh_ranges encloses the field on the part of the mesh in each cell (`Facet_ranges::cell`)
   void set_mesh_ranges(const std::vector<Level_range>& mesh_ranges)
   {
-    for(Eigen::VectorXd& needed : m_needed) needed.setConstant(-std::numeric_limits<double>::infinity());
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    typedef std::array<double, 2> Pair;
+    std::vector<Pair> at_points(m_field->number_of_points(), Pair{ none, none });
+    const auto include = [](Pair& p, const Pair& q) {
+      for(int side = 0; side < 2; ++side) p[side] = (std::max)(p[side], q[side]);
+    };
     for(Index c = 0; c < m_field->number_of_cells(); ++c) {
       const Level_range& range = mesh_ranges[c];
       if(!(range.min <= range.max)) continue;
-      m_field->visit_coefficients(c, [&](int, Index u, double) {
-        m_needed[0][u] = (std::max)(m_needed[0][u], -range.min);
-        m_needed[1][u] = (std::max)(m_needed[1][u], range.max);
-      });
+      for(Index row : m_field->coefficient_rows(c))
+        for(Index n = row; n < row + 4; ++n) include(at_points[n], { -range.min, range.max });
     }
+    // and of those that others depend on
+    std::vector<Pair> needed(m_field->number_of_coefficients(), Pair{ none, none });
+    for(int level = 0; level < m_field->number_of_levels(); ++level)
+      for(Index n = 0; n < m_field->points(level).size(); ++n) {
+        const Index point = m_field->first_point(level) + n, u = m_field->coefficient_of_point(point);
+        if(at_points[point][0] == none) continue;
+        if(u != Field::npos) include(needed[u], at_points[point]);
+        else m_field->visit_parents(level, m_field->points(level).point(n), [&](Index parent, double) { include(needed[parent], at_points[point]); });
+      }
+    for(std::size_t u = 0; u < needed.size(); ++u)
+      for(int side = 0; side < 2; ++side) m_needed[side][Eigen::Index(u)] = needed[u][side];
   }
 
   /// the same two levels everywhere

@@ -431,12 +431,17 @@ private:
   // keeps what is known of a field where it is the same on finer cells, and notes which facets are where it is not
   void keep_what_was_examined(const Field& before, const Mesh_ranges& ranges)
   {
+    constexpr std::size_t chunk = 256;
     std::vector<Index> now(before.number_of_cells());
-    for(Index c = 0; c < now.size(); ++c) {
-      now[c] = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
-      if(now[c] != Field::npos && !is_same_in_cell(before, c, *m_field, now[c])) now[c] = Field::npos;
+    internal::for_each_chunk<ConcurrencyTag>(now.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const Index c = Index(n);
+        now[c] = m_field->cells().leaf(before.cells().level(c), before.cells().lattice_point(c));
+        if(now[c] != Field::npos && !is_same_in_cell(before, c, *m_field, now[c])) now[c] = Field::npos;
+      }
+    });
+    for(Index c = 0; c < now.size(); ++c)
       if(now[c] != Field::npos) m_ranges.keep(ranges, c, now[c]);
-    }
     m_thresholds.cells_were_refined(now);
     for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;

@@ -64,7 +64,10 @@ public:
   /// the zero function on the cells
   explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells) : m_basis(std::make_shared<const Basis>(std::move(cells)))
   {
-    set_coefficients(Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients())));
+    constexpr bool may_have_dependent = true;
+    m_coefficients.setZero(Eigen::Index(number_of_coefficients()));
+    m_bernstein.reset(new double[64 * number_of_cells()]());
+    m_error_radius.assign(number_of_cells(), internal::conversion_radius(0, may_have_dependent));
   }
 
   /// another function on the same cells, which both then share as copies do: of the free coefficients `x`, in user units
@@ -243,10 +246,11 @@ public:
           largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
         });
     });
-    m_bernstein.resize(64 * number_of_cells());
+    double* bernstein = new double[64 * number_of_cells()];     // as it is: several threads write to it, first and once
+    m_bernstein.reset(bernstein);
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c), all, largest);
+      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c), all, largest, bernstein + 64 * c);
     });
   }
   /// @}
@@ -319,10 +323,9 @@ private:
     std::vector<Cell_index> coefficient_of_point, point_of_coefficient;
   };
 
-  void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all, const Eigen::VectorXd& largest_at)
+  void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all, const Eigen::VectorXd& largest_at, double* b)
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
-    double* b = &m_bernstein[64 * std::size_t(c)];
     double largest = 0;
     bool is_free = true, finite = true;
     for(int n = 0; n < 64; ++n) {
@@ -340,7 +343,7 @@ private:
 
   std::shared_ptr<const Basis> m_basis = std::make_shared<const Basis>();
   Eigen::VectorXd m_coefficients;       // free ones
-  std::vector<double> m_bernstein;
+  std::shared_ptr<const double[]> m_bernstein;      // 64 of each leaf; copies share them
   std::vector<double> m_error_radius;
 };
 

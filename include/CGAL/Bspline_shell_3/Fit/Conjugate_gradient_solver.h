@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Fit/Unknown_blocks.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Schwarz_preconditioner.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/Symmetric_matrix.h>
 #include <CGAL/Bspline_shell_3/Support/Solver_status.h>
 
 #include <CGAL/tags.h>
@@ -16,6 +17,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -31,7 +33,7 @@ namespace Bspline_shells {
  *
  * \cgalModels `SPDSolver`
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: of the preconditioner
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
  * \cgalHeading{Memory} about as much as the matrix
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag>
@@ -58,8 +60,9 @@ public:
   /// \param blocks of the preconditioner; without any, it is the diagonal
   Solver_status compute(const Matrix& lower, const Unknown_blocks& blocks = Unknown_blocks())
   {
+    m_matrix.emplace(lower);
     m_solver.preconditioner().set_blocks(&blocks);
-    m_solver.compute(lower);
+    m_solver.compute(*m_matrix);
     m_solver.preconditioner().set_blocks(nullptr);
     return Solver_status::SUCCESS;
   }
@@ -78,7 +81,10 @@ public:
   double residual() const { return m_residual; }                            ///< of the last `solve()`, relative
 
 private:
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower, internal::Schwarz_preconditioner<ConcurrencyTag> > m_solver;
+  typedef internal::Symmetric_matrix<ConcurrencyTag> Symmetric_matrix;
+
+  std::optional<Symmetric_matrix> m_matrix;
+  Eigen::ConjugateGradient<Symmetric_matrix, Eigen::Lower | Eigen::Upper, internal::Schwarz_preconditioner<ConcurrencyTag> > m_solver;
   std::size_t m_iterations = 0;
   double m_residual = 0;
 };

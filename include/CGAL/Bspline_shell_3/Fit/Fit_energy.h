@@ -332,7 +332,7 @@ private:
     const internal::Normal_equations<Field> equations(m_field, chosen);
     Matrix all;
     Vector all_rhs;
-    equations.set_zero(all, all_rhs);
+    equations.template set_zero<ConcurrencyTag>(all, all_rhs);
     m_colors.template for_each_cell<ConcurrencyTag>([&](Cell_index c) {
       Local_matrix matrix;
       Local_vector rhs;

@@ -38,12 +38,20 @@ struct Fitted_part
     : coefficients(field.number_of_coefficients(), 0), points(field.number_of_points(), 0), cells(field.number_of_cells(), 0)
   {
     typedef typename Field::Cell_index Index;
-    for(Index c : chosen) field.visit_coefficients(c, [&](int, Index u, double) { coefficients[u] = 1; });
+    for(Index c : chosen)
+      for(Index row : field.coefficient_rows(c)) std::fill_n(points.begin() + row, 4, 1);
     for(int l = 0; l < field.number_of_levels(); ++l)
       for(Index n = 0; n < field.points(l).size(); ++n) {
         const Index point = field.first_point(l) + n, u = field.coefficient_of_point(point);
-        if(u != Field::npos) points[point] = coefficients[u];
-        else field.visit_parents(l, field.points(l).point(n), [&](Index parent, double) { points[point] |= coefficients[parent]; });
+        if(!points[point]) continue;
+        if(u != Field::npos) coefficients[u] = 1;
+        else field.visit_parents(l, field.points(l).point(n), [&](Index parent, double) { coefficients[parent] = 1; });
+      }
+    for(int l = 0; l < field.number_of_levels(); ++l)
+      for(Index n = 0; n < field.points(l).size(); ++n) {
+        const Index point = field.first_point(l) + n, u = field.coefficient_of_point(point);
+        points[point] = u != Field::npos ? coefficients[u] : 0;
+        if(u == Field::npos) field.visit_parents(l, field.points(l).point(n), [&](Index parent, double) { points[point] |= coefficients[parent]; });
       }
     for(Index c = 0; c < field.number_of_cells(); ++c) {
       const std::array<Index, 16> rows = field.coefficient_rows(c);

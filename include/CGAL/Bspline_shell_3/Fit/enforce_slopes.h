@@ -131,7 +131,7 @@ public:
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
     Slope_report report;
-    if(m_points.size() == 0) m_points = m_field.extend(x);
+    if(m_points.size() == 0) m_points = m_field.template extend<ConcurrencyTag>(x);
     m_changed.assign(m_field.number_of_cells(), 0);
     std::size_t violated_before = 0;        // the sweep
     for(int sweep = 0; sweep < max_sweeps; ++sweep) {

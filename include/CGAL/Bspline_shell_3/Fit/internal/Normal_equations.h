@@ -76,8 +76,10 @@ public:
     return n;
   }
 
+  template <typename ConcurrencyTag>
   void set_zero(Matrix& A, Vector& b) const
   {
+    constexpr std::size_t chunk = 1024;
     const Index n = Index(m_column_size.size());
     A.resize(n, n);
     A.resizeNonZeros(Eigen::Index(number_of_entries()));
@@ -85,14 +87,17 @@ public:
     outer[0] = 0;
     for(Index c = 0; c < n; ++c) outer[c+1] = outer[c] + int(m_column_size[c]);
     for(int level = 0; level < m_field.number_of_levels(); ++level)
-      for(Index m = 0; m < m_field.points(level).size(); ++m) {
-        if(!is_chosen(m_field.first_point(level) + m)) continue;
-        auto* inner = A.innerIndexPtr() + outer[m_field.first_point(level) + m];
-        for_each_segment(level, m, [&](int, int, const std::pair<Index, Index>& range) {
-          for(Index r = range.first; r < range.second; ++r) *inner++ = int(r);
-        });
-      }
-    std::fill(A.valuePtr(), A.valuePtr() + A.nonZeros(), 0.);
+      for_each_chunk<ConcurrencyTag>(m_field.points(level).size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t m = begin; m < end; ++m) {
+          const Index column = m_field.first_point(level) + Index(m);
+          if(!is_chosen(column)) continue;
+          auto* inner = A.innerIndexPtr() + outer[column];
+          for_each_segment(level, Index(m), [&](int, int, const std::pair<Index, Index>& range) {
+            for(Index r = range.first; r < range.second; ++r) *inner++ = int(r);
+          });
+          std::fill(A.valuePtr() + outer[column], A.valuePtr() + outer[column + 1], 0.);
+        }
+      });
     b = Vector::Zero(n);
   }
 

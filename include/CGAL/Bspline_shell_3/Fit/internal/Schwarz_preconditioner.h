@@ -42,10 +42,11 @@ public:
   template <typename Matrix>
   Schwarz_preconditioner& analyzePattern(const Matrix&) { return *this; }
 
-  // `lower` holds the lower triangle, columns compressed, rows ascending
+  // the columns of its lower triangle are compressed, their rows ascending
   template <typename Matrix>
-  Schwarz_preconditioner& factorize(const Matrix& lower)
+  Schwarz_preconditioner& factorize(const Matrix& matrix)
   {
+    const auto& lower = matrix.lower();
     set_up(std::uint32_t(lower.cols()));
     for_each_chunk<ConcurrencyTag>(m_first.size() - 1, chunk, [&](std::size_t begin, std::size_t end) {
       Eigen::MatrixXd B;
@@ -55,7 +56,7 @@ public:
   }
 
   template <typename Matrix>
-  Schwarz_preconditioner& compute(const Matrix& lower) { return factorize(lower); }
+  Schwarz_preconditioner& compute(const Matrix& matrix) { return factorize(matrix); }
 
   // a reference to memory that the next call writes to
   template <typename Vector>

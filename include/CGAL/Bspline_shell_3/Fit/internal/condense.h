@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -54,8 +55,8 @@ public:
   void operator()(Matrix& A)
   {
     find_windows();
-    m_windows.resize(m_dependent.size());
-    for_each_chunk<ConcurrencyTag>(m_windows.size(), 256, [&](std::size_t begin, std::size_t end) {
+    m_windows.reset(new Window[m_dependent.size()]);      // as they are: several threads write to them, first and once
+    for_each_chunk<ConcurrencyTag>(m_dependent.size(), 256, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) compute_window(m_dependent[n][0], m_dependent[n][1], m_windows[n]);
     });
     // how long the columns are, and then their entries
@@ -254,7 +255,7 @@ private:
   const Matrix& m_all;
   std::vector<Index> m_window_of;                     // of each point: the number of its window; or its own, which is not kept; or npos
   std::vector<std::array<Index, 2> > m_dependent;     // chosen points: level and number in it
-  std::vector<Window> m_windows;                      // theirs
+  std::unique_ptr<Window[]> m_windows;                // theirs
 };
 
 // P^T all P and P^T b; moved where all coefficients are free, and chosen
