@@ -52,7 +52,7 @@ struct Assembled
     const BS::internal::Normal_equations<AnyField> equations(field, chosen);
     Matrix all;
     Eigen::VectorXd all_rhs;
-    equations.set_zero(all, all_rhs);
+    equations.template set_zero<ConcurrencyTag>(all, all_rhs);
     BS::internal::Cell_colors<AnyField>(field).template for_each_cell<ConcurrencyTag>([&](Index c) {
       const Random_equations local(c);
       equations.add(c, local.matrix, local.rhs, all, all_rhs);

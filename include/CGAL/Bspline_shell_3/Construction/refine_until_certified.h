@@ -99,8 +99,9 @@ struct Refinement_parameters
  * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too
  * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
  *
- * Where walls or gaps turn out to be too narrow on much of the mesh, cells are refined from then on where the field is so large on the mesh that there is
- * no room for thresholds (`culprits_of()`), with others that are like them if they are few; and fields are asked to be nearer to zero there.
+ * In cells that are wider than a wall or a gap, no more slope is wanted than a field can have there (`slopes_at_gaps()`). Where walls or gaps turn out to be
+ * too narrow on much of the mesh, cells are refined from then on where the field is so large on the mesh that there is no room for thresholds
+ * (`culprits_of()`), with others that are like them (`similar_cells()`) if places without are few; and fields are asked to be nearer to zero there.
  *
  * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again
  * (`Fitted_part`), and only what these change is examined again. If that does not help, all are fitted in the round after it.
