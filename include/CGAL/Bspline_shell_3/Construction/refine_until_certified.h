@@ -164,7 +164,7 @@ private:
   static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
   static constexpr std::size_t cells_of_thin = 20, cells_of_nearly_thin = 50;     // one of so many has an obstacle
   static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
-  static constexpr double considerable = 1e-3;                  // of half the thickness asked for
+  static constexpr double considerable = 1e-3;                  // part of half the thickness: in the middle of walls, the field is smaller on the mesh
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
@@ -632,11 +632,11 @@ private:
     const std::vector<Level_range>& ranges = m_ranges.cells();
     m_cells_at_gaps = culprits_of<ConcurrencyTag>(*m_field, ranges, places, most_at_obstacles);
     if(!are_many(cells)) {
-      // not those in the middle of walls, where the field is next to zero on the mesh
+      const Cell_hierarchy_3& all = m_field->cells();
       std::vector<Index> culprits;
       for(Index c : m_cells_at_gaps)
-        if((std::max)(-ranges[c].min, ranges[c].max) > considerable * half_thickness(c)) culprits.push_back(c);
-      m_similar_cells = similar_cells(m_field->cells(), ranges, culprits);
+        if(all.level(c) < all.max_level() && (std::max)(-ranges[c].min, ranges[c].max) > considerable * half_thickness(c)) culprits.push_back(c);
+      m_similar_cells = similar_cells(all, ranges, culprits);
     }
     if(!is_thin()) m_surface_factors.assign(m_field->number_of_cells(), 1);
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
