@@ -216,7 +216,7 @@ private:
     for(double s : last.seconds) seconds += s;
     if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
     const double points = double(cells) / double(m_field->number_of_cells()) * double(m_field->number_of_points());
-    Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 2000. * double(cells) + 5000. * points };
+    Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 1600. * double(cells) + 4000. * points };
     if(!(limit.seconds <= m_parameters.max_seconds)) limit.resource = Refinement_resource::TIME;
     else if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
     else if(points > double(Fit_energy<Field>::max_number_of_unknowns) / 2) limit.resource = Refinement_resource::NUMBERS;
