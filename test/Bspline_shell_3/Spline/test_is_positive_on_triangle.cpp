@@ -73,10 +73,9 @@ TEST_CASE("The answer is yes if and only if the least value is positive, up to r
   int positive = 0, negative = 0, in_the_middle = 0;
   for(int n = 0; n < 200000; ++n) {
     Numbers g, q;
-    for(std::size_t v = 0; v < 3; ++v) {
-      g[v] = n % 2 ? random.get_double(0, 1) : std::pow(10, random.get_double(-12, 0));
+    for(double& x : g) x = n % 2 ? random.get_double(0, 1) : std::pow(10, random.get_double(-12, 0));
+    for(std::size_t v = 0; v < 3; ++v)
       q[v] = n % 3 ? random.get_double(-1, 8) : 2 * random.get_double(0.8, 1.2) * std::pow(std::sqrt(g[(v + 1) % 3]) + std::sqrt(g[(v + 2) % 3]), 2);
-    }
     const double least = least_value(g, q), size = *std::max_element(g.begin(), g.end()) + *std::max_element(q.begin(), q.end());
     const bool is_positive = is_positive_on_triangle(g, q);
     if(std::abs(least) < 1e-13 * size) continue;
