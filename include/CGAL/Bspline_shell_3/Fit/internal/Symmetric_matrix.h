@@ -82,7 +82,7 @@ public:
     for_each_chunk<ConcurrencyTag>(ranges, 1, [&](std::size_t r, std::size_t) {
       const Index first = m_begin[r];
       m_sums[r].setZero();
-      double* sums = m_sums[r].data() - first;
+      double* sums = m_sums[r].data();
       for(Index c = first; c < m_begin[r+1]; ++c) {
         const int end = m_lower.outerIndexPtr()[c+1];
         int n = m_lower.outerIndexPtr()[c];
@@ -93,9 +93,9 @@ public:
           const int row = m_lower.innerIndexPtr()[n];
           const double value = m_lower.valuePtr()[n];
           sum += value * x[row];
-          sums[row] += value * at_c;
+          sums[row - first] += value * at_c;
         }
-        sums[c] += sum;
+        sums[c - first] += sum;
       }
     });
     constexpr std::size_t chunk = 4096;
