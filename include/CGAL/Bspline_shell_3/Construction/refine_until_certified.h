@@ -272,6 +272,7 @@ private:
     log.levels = field.number_of_levels();
     m_cells_at_gaps.clear();
     m_similar_cells.clear();
+    m_clipped.reset();        // before there is another one
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_input, field.cells()));
     m_part.reset();
     if(can_be_partial && double(split.size()) < largest_part * double(log.cells)) {

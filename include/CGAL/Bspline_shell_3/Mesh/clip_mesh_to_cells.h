@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -186,6 +187,15 @@ std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n
   return { Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() }, Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
 }
 
+// the numbers of its corners, in the same order
+template <typename InputMesh>
+std::array<std::uint32_t, 3> corners_to_clip(const InputMesh& input, std::size_t n)
+{
+  const auto& mesh = input.mesh();
+  const auto h = mesh.halfedge(typename InputMesh::Face_index(static_cast<unsigned int>(n)));
+  return {{ std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)), std::uint32_t(mesh.target(mesh.next(h))) }};
+}
+
 // the unit normal; zero for a facet too flat for doubles
 inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 {
@@ -231,7 +241,7 @@ public:
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   const std::vector<Piece>& pieces() const { return m_pieces; }
-  const Point& point(std::size_t n) const { return m_points[n]; }
+  const Point& point(std::size_t n) const { return m_points[m_corners[n]]; }
   /// unit normal of a triangle of the mesh
   const Point& normal(std::uint32_t facet) const { return m_normals[facet]; }
   std::size_t number_of_facets() const { return m_normals.size(); }
@@ -249,10 +259,10 @@ public:
   {
     const Point& n = m_normals[piece.facet];
     double sum = 0;
-    const Point& o = m_points[piece.first];
+    const Point& o = point(piece.first);
     for(std::uint32_t v = 1; v + 1 < piece.size; ++v) {
-      const Point& a = m_points[piece.first + v];
-      const Point& b = m_points[piece.first + v + 1];
+      const Point& a = point(piece.first + v);
+      const Point& b = point(piece.first + v + 1);
       const double u[3] = { a[0] - o[0], a[1] - o[1], a[2] - o[2] }, w[3] = { b[0] - o[0], b[1] - o[1], b[2] - o[2] };
       sum += internal::dot(n, internal::cross(u, w));
     }
@@ -283,7 +293,8 @@ private:
   friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
 
   std::vector<Piece> m_pieces;
-  std::vector<Point> m_points;
+  std::vector<std::uint32_t> m_corners;       // of all pieces: numbers of points
+  std::vector<Point> m_points;                // those of the mesh first: most pieces are facets of a fine mesh
   std::vector<Point> m_normals;
 };
 
@@ -318,7 +329,7 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
  * \ingroup PkgBsplineShell3Mesh
  *
  * cuts every triangle of `input` by the leaf cells. Linear in the number of pieces; they are sorted by cell, then by facet,
- * and do not depend on the number of threads.
+ * and do not depend on the number of threads. A facet that is not cut takes about 70 bytes.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
@@ -327,46 +338,67 @@ template <typename ConcurrencyTag, typename InputMesh, typename Cells>
 Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
 {
   typedef Clipped_mesh_3::Point Point;
-  const std::size_t size = input.mesh().number_of_faces();
+  typedef Clipped_mesh_3::Piece Piece;
+  const auto& mesh = input.mesh();
+  const std::size_t size = mesh.number_of_faces();
   Clipped_mesh_3 clipped;
   clipped.m_normals.resize(size);
+  for(auto v : mesh.vertices()) clipped.m_points.push_back({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() });
+  const std::uint32_t first_cut = std::uint32_t(clipped.m_points.size());
 
-  const std::size_t chunk = internal::chunk_size(size, 512);
-  std::vector<std::vector<Clipped_mesh_3::Piece> > pieces((size + chunk - 1) / chunk);
-  std::vector<std::vector<Point> > points(pieces.size());
-  internal::for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) {
+  // cut points have numbers of their own in each chunk, until chunks are joined
+  struct Chunk
+  {
+    std::vector<Piece> pieces;
+    std::vector<std::uint32_t> corners;
+    std::vector<Point> points;
+  };
+  const std::size_t chunk_size = internal::chunk_size(size, 512);
+  std::vector<Chunk> chunks((size + chunk_size - 1) / chunk_size);
+  internal::for_each_chunk<ConcurrencyTag>(size, chunk_size, [&](std::size_t begin, std::size_t end) {
     internal::Polygon_cutter cutter(cells.lattice());
     internal::Leaf_cutter leaf_cutter(cutter);
-    std::vector<Clipped_mesh_3::Piece>& chunk_pieces = pieces[begin / chunk];
-    std::vector<Point>& chunk_points = points[begin / chunk];
+    Chunk& chunk = chunks[begin / chunk_size];
     for(std::size_t n = begin; n < end; ++n) {
       const auto triangle = internal::triangle_to_clip(input, n);
       clipped.m_normals[n] = internal::unit_normal(triangle);
       cutter.cut(triangle, clipped.m_normals[n], [&](const Lattice_3::Point& p, const std::vector<Point>& in_cell) {
         leaf_cutter.cut(cells, 0, p, in_cell, [&](std::uint32_t leaf, const std::vector<Point>& polygon) {
-          chunk_pieces.push_back({ leaf, std::uint32_t(n), std::uint32_t(polygon.size()), chunk_points.size() });
-          chunk_points.insert(chunk_points.end(), polygon.begin(), polygon.end());
+          chunk.pieces.push_back({ leaf, std::uint32_t(n), std::uint32_t(polygon.size()), chunk.corners.size() });
+          if(std::equal(polygon.begin(), polygon.end(), triangle.begin(), triangle.end())) {
+            for(std::uint32_t v : internal::corners_to_clip(input, n)) chunk.corners.push_back(v);
+          } else {
+            for(const Point& x : polygon) {
+              chunk.corners.push_back(first_cut + std::uint32_t(chunk.points.size()));
+              chunk.points.push_back(x);
+            }
+          }
         });
       });
     }
   });
 
-  std::size_t number_of_pieces = 0, number_of_points = 0;
-  for(const auto& p : pieces) number_of_pieces += p.size();
-  for(const auto& p : points) number_of_points += p.size();
-  clipped.m_pieces.reserve(number_of_pieces);
-  clipped.m_points.reserve(number_of_points);
-  for(std::size_t c = 0; c < pieces.size(); ++c) {
-    for(Clipped_mesh_3::Piece& p : pieces[c]) {
-      p.first += clipped.m_points.size();
-      clipped.m_pieces.push_back(p);
-    }
-    clipped.m_points.insert(clipped.m_points.end(), points[c].begin(), points[c].end());
-    std::vector<Clipped_mesh_3::Piece>().swap(pieces[c]);
-    std::vector<Point>().swap(points[c]);
+  std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);      // begins with those of the cell before
+  std::size_t number_of_corners = 0, number_of_points = first_cut;
+  for(const Chunk& chunk : chunks) {
+    for(const Piece& p : chunk.pieces) ++first_of_cell[std::size_t(p.cell) + 1];
+    number_of_corners += chunk.corners.size();
+    number_of_points += chunk.points.size();
   }
-  std::stable_sort(clipped.m_pieces.begin(), clipped.m_pieces.end(),
-                   [](const Clipped_mesh_3::Piece& a, const Clipped_mesh_3::Piece& b) { return a.cell < b.cell; });
+  std::partial_sum(first_of_cell.begin(), first_of_cell.end(), first_of_cell.begin());
+  clipped.m_pieces.resize(first_of_cell.back());
+  clipped.m_corners.reserve(number_of_corners);
+  clipped.m_points.reserve(number_of_points);
+  for(Chunk& chunk : chunks) {
+    const std::uint32_t shift = std::uint32_t(clipped.m_points.size()) - first_cut;
+    for(Piece p : chunk.pieces) {
+      p.first += clipped.m_corners.size();
+      clipped.m_pieces[first_of_cell[p.cell]++] = p;
+    }
+    for(std::uint32_t corner : chunk.corners) clipped.m_corners.push_back(corner < first_cut ? corner : corner + shift);
+    clipped.m_points.insert(clipped.m_points.end(), chunk.points.begin(), chunk.points.end());
+    chunk = Chunk();
+  }
   return clipped;
 }
 
