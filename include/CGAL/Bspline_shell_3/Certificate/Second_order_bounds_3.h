@@ -82,7 +82,7 @@ public:
   /// \pre `field` outlives this object
   template <typename ConcurrencyTag>
   Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer, ConcurrencyTag)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_cells(field.number_of_cells())
+    : m_field(&field), m_inner(inner), m_outer(outer), m_places(field.number_of_cells()), m_cells(field.number_of_cells())
   {
     constexpr std::size_t chunk = 256;
     internal::for_each_chunk<ConcurrencyTag>(m_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -91,7 +91,7 @@ public:
   }
 
   /// of a cell, in user units
-  double width(Cell_index c) const { return m_cells[c].width; }
+  double width(Cell_index c) const { return m_places[c].width; }
 
   Sample sample(const Point_3& p) const { return sample({ p[0], p[1], p[2] }, m_field->locate(p), true, true); }
 
@@ -100,7 +100,7 @@ public:
   {
     const Coordinates x = middle(p, q);
     for(Cell_index c : { p.cell, q.cell })
-      if(c != no_cell && contains(m_cells[c], x)) return sample(x, c, true, true);
+      if(c != no_cell && contains(m_places[c], x)) return sample(x, c, true, true);
     return sample(x, locate(x), true, true);
   }
 
@@ -125,18 +125,24 @@ private:
   typedef Symmetric_matrix_3 Symmetric_matrix;
   typedef Symmetric_matrix_range_3 Matrix_range;
 
-  // What is known of all of a cell, per user unit. Margins: the field minus the inner threshold, the outer one minus the field.
-  struct Cell_bounds
+  // What samples ask of a cell: one line of the processor's cache. Margins: the field minus the inner threshold, the outer one minus the field.
+  struct alignas(64) Cell_place
   {
     Coordinates corner;
     double width;
+    const double* coefficients;
+    double value_error;               // bounds the roundings of a margin at a point
+    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. Elsewhere, no numbers.
+    double inner, outer;
+  };
+
+  // what is known of all of a cell, per user unit
+  struct Cell_bounds
+  {
     Matrix_range above, below, field;                   // second derivatives, of the margins and the field
     Coordinates least_gradient, greatest_gradient;      // of the field, components
     double steepness, curvature;                        // sums of absolute first and second derivatives, of the margins and the field
-    double value_error, gradient_error;                 // bound the roundings of a margin and of a gradient's component at a point
-    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards.
-    bool has_flat_thresholds;
-    double inner, outer;
+    double gradient_error;                              // bounds the roundings of a gradient's component at a point
   };
 
   static Coordinates middle(const Sample& p, const Sample& q)
@@ -146,7 +152,7 @@ private:
 
   Cell_index locate(const Coordinates& x) const { return m_field->locate(Point_3(x[0], x[1], x[2])); }
 
-  static bool contains(const Cell_bounds& cell, const Coordinates& x)
+  static bool contains(const Cell_place& cell, const Coordinates& x)
   {
     for(int a = 0; a < 3; ++a)
       if(x[a] < cell.corner[a] || x[a] > cell.corner[a] + cell.width) return false;
@@ -158,7 +164,8 @@ private:
   {
     Sample s = { x, c, -1, -1, {} };
     if(c == Field::npos) return s;
-    const typename Field::Cell cell = m_field->cell(c);
+    const Cell_place& place = m_places[c];
+    const typename Field::Cell cell(place.corner, place.width, place.coefficients, 0);
     double value = 0;
     if(wants_gradient) {
       const auto jet = cell.first_order_jet(x);
@@ -169,9 +176,9 @@ private:
     }
     s.above = s.below = 0;
     if(wants_margins) {
-      const Cell_bounds& bounds = m_cells[c];
-      s.above = value - (bounds.has_flat_thresholds ? bounds.inner : m_inner.value(x, c)) - bounds.value_error;
-      s.below = (bounds.has_flat_thresholds ? bounds.outer : m_outer.value(x, c)) - value - bounds.value_error;
+      const bool are_flat = !std::isnan(place.inner);
+      s.above = value - (are_flat ? place.inner : m_inner.value(x, c)) - place.value_error;
+      s.below = (are_flat ? place.outer : m_outer.value(x, c)) - value - place.value_error;
     }
     return s;
   }
@@ -211,9 +218,11 @@ private:
     const Enclosed_tricubic f = enclosed_value(cell), above = m_inner.difference(f, c);
     Enclosed_tricubic below = m_outer.difference(f, c);
     for(double& x : below.coefficients) x = -x;
+    Cell_place& place = m_places[c];
+    place.corner = cell.corner();
+    place.width = width;
+    place.coefficients = cell.coefficients();
     Cell_bounds& bounds = m_cells[c];
-    bounds.corner = cell.corner();
-    bounds.width = width;
     bounds.field = second_derivatives(f, width);
     bounds.above = second_derivatives(above, width);
     bounds.below = second_derivatives(below, width);
@@ -225,17 +234,19 @@ private:
     // Of values that cells compute at points in them: Form_error covers more roundings than there are. A threshold is the difference of the
     // field and a margin.
     const internal::Form_error error(8 * internal::rounding);
-    bounds.value_error = 2 * error(f) + error(above) + error(below);
+    place.value_error = 2 * error(f) + error(above) + error(below);
     const Level_range inner = threshold_range(m_inner, c), outer = threshold_range(m_outer, c);
-    bounds.inner = inner.max;
-    bounds.outer = outer.min;
     const double variation = (std::max)(inner.max - inner.min, outer.max - outer.min);
-    bounds.has_flat_thresholds = variation < flat * (outer.min - inner.max);
-    if(bounds.has_flat_thresholds) bounds.value_error += variation;
+    place.inner = place.outer = std::numeric_limits<double>::quiet_NaN();
+    if(variation < flat * (outer.min - inner.max)) {
+      place.inner = inner.max;
+      place.outer = outer.min;
+      place.value_error += variation;
+    }
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
     bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width + internal::underflow;
     // Comparisons pass over what is no number; what is infinite they keep.
-    if(!(bounds.steepness + bounds.curvature + bounds.value_error + bounds.gradient_error < std::numeric_limits<double>::infinity()))
+    if(!(bounds.steepness + bounds.curvature + place.value_error + bounds.gradient_error < std::numeric_limits<double>::infinity()))
       bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
   }
 
@@ -303,7 +314,7 @@ private:
       if(!fails && !part.is_contained) {
         const double margin = (std::min)(s.above, s.below);
         fails = margin < 0;
-        m_result.leaves_shell = margin < -2 * m_all.m_cells[s.cell].value_error;
+        m_result.leaves_shell = margin < -2 * m_all.m_places[s.cell].value_error;
       }
       if(!fails && !part.is_transversal) {
         const double at_point = slope(s, m_normal.direction);
@@ -348,13 +359,13 @@ private:
       return Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]);
     }
 
-    static bool is_in(const Bbox_3& box, const Cell_bounds& cell)
+    static bool is_in(const Bbox_3& box, const Cell_place& cell)
     {
       for(int a = 0; a < 3; ++a)
         if((box.min)(a) < cell.corner[a] || (box.max)(a) > cell.corner[a] + cell.width) return false;
       return true;
     }
-    static bool do_meet(const Bbox_3& box, const Cell_bounds& cell)
+    static bool do_meet(const Bbox_3& box, const Cell_place& cell)
     {
       for(int a = 0; a < 3; ++a)
         if((box.max)(a) < cell.corner[a] || (box.min)(a) > cell.corner[a] + cell.width) return false;
@@ -362,7 +373,7 @@ private:
     }
 
     // false if the facet's plane misses the cell
-    bool plane_meets(const Cell_bounds& cell, const Part& part) const
+    bool plane_meets(const Cell_place& cell, const Part& part) const
     {
       double distance = 0, extent = 0, reach = 0;
       for(int a = 0; a < 3; ++a) {
@@ -392,15 +403,15 @@ private:
     void find_cells(const Part& part)
     {
       double width = 0;
-      for(const Sample& s : part.corner) width = (std::max)(width, m_all.m_cells[s.cell].width);
+      for(const Sample& s : part.corner) width = (std::max)(width, m_all.width(s.cell));
       const Edges e = edges(part);
       if(e.longest < large_extent * width) {
         const Bbox_3 box = bbox(part);
         const Cell_index first = part.corner[0].cell;
-        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.m_cells[first]);
+        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.m_places[first]);
         if(is_covered) meet(first);
         else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
-          if(plane_meets(m_all.m_cells[c], part)) meet(c);
+          if(plane_meets(m_all.m_places[c], part)) meet(c);
         });
         is_covered = is_covered && !m_cells.empty();
         if(is_covered) examine(part, e, region_from(0));
@@ -439,7 +450,7 @@ private:
     Cell_index locate(const Coordinates& x) const
     {
       for(std::size_t n = m_cells.size(); n-- > 0; )
-        if(contains(m_all.m_cells[m_cells[n].cell], x)) return m_cells[n].cell;
+        if(contains(m_all.m_places[m_cells[n].cell], x)) return m_cells[n].cell;
       return m_all.locate(x);
     }
 
@@ -447,11 +458,11 @@ private:
     Region region_from(std::size_t begin) const
     {
       const Cell_bounds& first = m_all.m_cells[m_cells[begin].cell];
-      Region region = { begin, m_cells.size(), {}, {}, {}, first.width, first.steepness, first.curvature, m_cells[begin].is_transversal };
+      Region region = { begin, m_cells.size(), {}, {}, {}, m_all.width(m_cells[begin].cell), first.steepness, first.curvature, m_cells[begin].is_transversal };
       Matrix_range above = first.above, below = first.below, field = first.field;
       for(std::size_t n = begin + 1; n < m_cells.size(); ++n) {
         const Cell_bounds& cell = m_all.m_cells[m_cells[n].cell];
-        region.width = (std::min)(region.width, cell.width);
+        region.width = (std::min)(region.width, m_all.width(m_cells[n].cell));
         region.steepness = (std::max)(region.steepness, cell.steepness);
         region.curvature = (std::max)(region.curvature, cell.curvature);
         region.is_transversal = region.is_transversal && m_cells[n].is_transversal;
@@ -471,7 +482,7 @@ private:
       const Bbox_3 box = bbox(part);
       const std::size_t size = m_cells.size();
       for(std::size_t n = around.begin; n < around.end; ++n)
-        if(around.end - around.begin == 1 || do_meet(box, m_all.m_cells[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
+        if(around.end - around.begin == 1 || do_meet(box, m_all.m_places[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
       const bool is_smaller = m_cells.size() - size < around.end - around.begin;
       if(!is_smaller) m_cells.resize(size);
       if(is_smaller && m_cells.size() > size) examine(part, e, box, region_from(size));
@@ -545,6 +556,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
+  std::vector<Cell_place> m_places;
   std::vector<Cell_bounds> m_cells;
 };
 
