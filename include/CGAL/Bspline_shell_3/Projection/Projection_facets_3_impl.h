@@ -233,6 +233,33 @@ Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& dire
   return best;
 }
 
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
+Projection_facets_3::facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first, double last) const
+{
+  using internal::cross;
+  using internal::dot;
+  constexpr int most_moves = 16;        // more take longer than to look it up
+  for(int moves = 0; moves < most_moves; ++moves) {
+    const Facet& f = m_facets[facet];
+    const double volume = dot(f.normal, direction);
+    if(!(volume > 0)) return npos;
+    const Coordinates v[3] = { difference(f.vertex[0], p), difference(f.vertex[1], p), difference(f.vertex[2], p) };
+    double least = 0;
+    int passed = -1;
+    for(int i = 0; i < 3; ++i) {
+      const double side = dot(direction, cross(v[i], v[(i + 1) % 3]));
+      if(side < least) { least = side; passed = i; }
+    }
+    if(passed == -1) {
+      const double s = dot(f.normal, v[0]) / volume;
+      return s >= first && s <= last ? facet : npos;
+    }
+    facet = f.neighbor[passed];
+    if(facet == npos) return npos;
+  }
+  return npos;
+}
+
 // The exact one, rounded, where cancellation would turn it so that points of the facet were far from its plane.
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates
 Projection_facets_3::normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)

@@ -41,6 +41,7 @@ public:
   typedef typename Base::Point_3 Point_3;
   typedef typename Base::Image Image;
   typedef typename Base::Coordinates Coordinates;
+  typedef typename Base::Hint Hint;
 
   using Base::Base;
 
@@ -48,7 +49,14 @@ public:
   template <typename Point>
   Image operator()(const Point& p) const
   {
-    Image image = Base::operator()(p);
+    Hint hint;
+    return (*this)(p, hint);
+  }
+  /// the same, as that of `Shell_projection_3`
+  template <typename Point>
+  Image operator()(const Point& p, Hint& hint) const
+  {
+    Image image = Base::operator()(p, hint);
     const bool is_beyond = image.status == Flow_status::STARTS_OUTSIDE || image.status == Flow_status::LEAVES_SHELL;
     if(!is_beyond || this->target().number_of_facets() == 0) return image;
     const auto closest = this->target().closest({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });

@@ -155,7 +155,7 @@ public:
     }
     internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
       return traced_point(*(std::begin(locations) + std::ptrdiff_t(n)));
-    }, visitor, [&](std::size_t n, const auto& p) { images[n] = m_to_target(p); });
+    }, visitor, [&, hint = typename Projection_to_target::Hint()](std::size_t n, const auto& p) mutable { images[n] = m_to_target(p, hint); });
     return images;
   }
 

@@ -64,8 +64,8 @@ struct Projected_point
  * has a status that says why. A curve that the certificate says nothing about is followed just as well, as far as it stays in
  * the shell; where it meets the mesh several times, the image is one of the hits that have the gradient behind them.
  *
- * Const member functions may be called from several threads at once, and give the same result for a point whatever else is
- * asked for.
+ * Const member functions may be called from several threads at once. Where points are projected together, they tell each other where to begin; what
+ * they get is the same with any number of threads, and, up to the tolerance, whatever else is asked for.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -79,6 +79,9 @@ public:
   typedef Projected_point<TriangleMesh, Point_3> Image;
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
+
+  /// where to begin: the facet of the last image. Points that come one after the other, near each other, take less time with it.
+  struct Hint { typename Target::Index facet = Target::npos; };
 
   /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell
@@ -101,6 +104,13 @@ public:
   template <typename Point>
   Image operator()(const Point& p) const
   {
+    Hint hint;
+    return (*this)(p, hint);
+  }
+  /// the same, up to the tolerance. \param hint one for each sequence of points
+  template <typename Point>
+  Image operator()(const Point& p, Hint& hint) const
+  {
     Image image;
     if(!m_target->is_valid()) {
       image.status = Flow_status::INVALID_MESH;
@@ -121,8 +131,9 @@ public:
         }
       }
     typename internal::Facet_on_curve<Shell>::Hit hit;
-    image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, hit);
+    image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, hint.facet, hit);
     if(image.status != Flow_status::SUCCESS) return image;
+    hint.facet = hit.facet;
 
     Coordinates weights = hit.barycentric;
     double sum = 0;

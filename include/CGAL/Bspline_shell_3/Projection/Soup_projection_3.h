@@ -48,6 +48,7 @@ public:
   typedef Projected_point<TriangleMesh, Point_3> Image;
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
+  struct Hint {};         ///< of no use here
 
   /// as that of `Shell_projection_3`
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
@@ -86,6 +87,9 @@ public:
     image.value = hit.value;
     return image;
   }
+
+  template <typename Point>
+  Image operator()(const Point& p, Hint&) const { return (*this)(p); }
 
   /// the images of many points, as `Shell_projection_3::project()`
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>

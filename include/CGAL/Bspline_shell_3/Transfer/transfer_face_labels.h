@@ -75,8 +75,8 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   std::vector<Sample> found(target.number_of_facets() * samples.size());
   internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
     return target.traced_point(Index(n / samples.size()), samples[n % samples.size()]);
-  }, visitor, [&](std::size_t n, const auto& p) {
-    const auto image = map.to_source()(p);
+  }, visitor, [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+    const auto image = map.to_source()(p, hint);
     found[n].facet = image.location.first;
     found[n].status = image.status;
     found[n].is_continued = image.is_continued;

@@ -71,9 +71,9 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   std::vector<Flow_differential> differentials(has_mapping ? points.size() : 0);
   std::vector<typename Map::Source_image> images(points.size());
   internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-                                           [&](std::size_t n, const auto& p) {
+                                           [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
     if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
-    else images[n] = map.to_source()(p);        // the target's facets do not matter
+    else images[n] = map.to_source()(p, hint);        // the target's facets do not matter
     if constexpr(has_mapping)
       if(images[n]) {
         differentials[n] = internal::differential_from_image(map, images[n], p);
@@ -141,7 +141,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   std::vector<typename Map::Target_image> images(points.size());
   const bool complete = internal::for_each_point<ConcurrencyTag>(
     points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-    [&](std::size_t n, const auto& p) { images[n] = map.to_target()(p); });
+    [&, hint = typename Map::Projection_to_target::Hint()](std::size_t n, const auto& p) mutable { images[n] = map.to_target()(p, hint); });
 
   // a third of the facets' areas
   const std::vector<std::size_t> position = internal::positions_of_corners(source);

@@ -43,7 +43,8 @@ public:
     : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
   {}
 
-  Flow_status operator()(const Coordinates& start, Hit& hit) const;
+  // `near`: one where the search may begin, or `npos`
+  Flow_status operator()(const Coordinates& start, Index near, Hit& hit) const;
 
 private:
   typedef Integral_curve<Shell, Flow_velocity> Curve;
@@ -72,11 +73,17 @@ private:
     return false;
   }
 
-  // From the facet where the tangent meets the target, over edges, to the one where the curve does. Gives up rather than err.
-  bool walk(Curve& curve, Hit& best) const
+  // where the tangent at the beginning meets the target, seen from a facet near it, or anywhere on it
+  Index facet_on_tangent(const Curve& curve, Index near) const
   {
     const double above = curve.room(true), below = curve.room(false);
-    Index facet = m_facets->facet_on_line(curve.state(), curve.derivative(), below, above, bend * (above - below) * curve.speed());
+    if(near != Projection_facets_3::npos) return m_facets->facet_on_line_near(near, curve.state(), curve.derivative(), below, above);
+    return m_facets->facet_on_line(curve.state(), curve.derivative(), below, above, bend * (above - below) * curve.speed());
+  }
+
+  // From a facet that the tangent meets, over edges, to the one where the curve does. Gives up rather than err.
+  bool walk(Curve& curve, Index facet, Hit& best) const
+  {
     if(facet == Projection_facets_3::npos) return false;
     Index previous = Projection_facets_3::npos;
     for(int moves = 0; moves < max_moves; ++moves) {
@@ -200,12 +207,18 @@ private:
 };
 
 template <typename Shell>
-Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Hit& hit) const
+Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index near, Hit& hit) const
 {
   Curve curve(*m_shell, m_tolerance);
   const Flow_status status = curve.start(start);
   if(status != Flow_status::SUCCESS) return status;
-  return walk(curve, hit) && settle(curve, hit) ? Flow_status::SUCCESS : search(start, hit);
+  if(near != Projection_facets_3::npos) {
+    if(walk(curve, facet_on_tangent(curve, near), hit) && settle(curve, hit)) return Flow_status::SUCCESS;
+    hit = Hit();
+    curve.start(start);
+  }
+  if(walk(curve, facet_on_tangent(curve, Projection_facets_3::npos), hit) && settle(curve, hit)) return Flow_status::SUCCESS;
+  return search(start, hit);
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES

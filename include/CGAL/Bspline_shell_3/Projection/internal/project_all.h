@@ -23,7 +23,7 @@ std::vector<typename Projection::Image> project_all(const Projection& projection
   std::vector<typename Projection::Image> images(std::size_t(std::end(points) - std::begin(points)));
   for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) -> decltype(auto) {
     return *(std::begin(points) + std::ptrdiff_t(n));
-  }, visitor, [&](std::size_t n, const auto& p) { images[n] = projection(p); });
+  }, visitor, [&, hint = typename Projection::Hint()](std::size_t n, const auto& p) mutable { images[n] = projection(p, hint); });
   return images;
 }
 
