@@ -587,6 +587,35 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
   CHECK(shared > 0);
 }
 
+TEST_CASE("Certificate: components of the mesh that share a component of the cover are not told apart where facets fold over, paths or not")
+{
+  const Field field = two_balls();
+  const auto folded = [](Mesh mesh) {
+    // a vertex is moved past a neighbor, on the sphere
+    Kernel::Vector_3 center(0, 0, 0);
+    for(auto v : mesh.vertices()) center = center + (mesh.point(v) - CGAL::ORIGIN) / double(mesh.number_of_vertices());
+    const auto h = *mesh.halfedges().begin();
+    Point_3& p = mesh.point(mesh.source(h));
+    const Kernel::Vector_3 from = p - (CGAL::ORIGIN + center), past = from + 1.5 * (mesh.point(mesh.target(h)) - p);
+    p = CGAL::ORIGIN + center + past * std::sqrt(from.squared_length() / past.squared_length());
+    return mesh;
+  };
+  std::size_t shared = 0;
+  for(double outer = outer_level; outer < 0.75; outer += 0.005) {
+    const Certificate whole = certify(field, inner_level, outer, together(left(), right()));
+    if(whole.verdict(Claim::GRADIENT) != Verdict::PROVED) break;
+    if(whole.number_of_covers() == 2) continue;
+    CAPTURE(outer);
+    const Certificate certificate = certify(field, inner_level, outer, together(folded(left()), right()));
+    REQUIRE(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
+    REQUIRE(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::REFUTED);
+    CHECK(certificate.paths().size() == 2);
+    CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::UNDECIDED);
+    ++shared;
+  }
+  CHECK(shared > 0);
+}
+
 TEST_CASE("Certificate: a field that has changed since the last mesh was examined is another field")
 {
   Field field = radial_field();

@@ -389,6 +389,53 @@ TEST_CASE("Projection: with one thread and with several, images are the same, bi
   CHECK(same(loose[0], projection(radial_shell(), mesh, 1e-3)(points[0])));
 }
 
+TEST_CASE("Projection: wherever the search begins, the image is the same up to the tolerance")
+{
+  const Mesh mesh = sphere(3, 0.85);
+  const Projection project = projection(radial_shell(), mesh);
+  const std::size_t facets = mesh.number_of_faces();
+  CGAL::Random random(3);
+  std::size_t near = 0;
+  for(const Point_3& p : random_points(2000)) {
+    const Image reference = project(p);
+    REQUIRE(reference.status == Flow_status::SUCCESS);
+    Projection::Hint hint;
+    hint.facet = Projection::Target::Index(random.get_int(0, int(facets)));      // mostly far away, and facing elsewhere
+    const Image image = project(p, hint);
+    check_consistent(radial_shell(), mesh, image, project.tolerance());
+    CHECK(distance(image.point, reference.point) <= 2 * project.tolerance());
+    CHECK(project.target().face_of(hint.facet) == image.location.first);
+    // from a neighbor
+    hint.facet = project.target().traced_facets().neighbor(hint.facet, 0);
+    const Image from_neighbor = project(p, hint);
+    CHECK(distance(from_neighbor.point, reference.point) <= 2 * project.tolerance());
+    near += from_neighbor.location.first == reference.location.first;
+  }
+  CHECK(near > 1990);
+
+  // f = z^2: on both sides of the plane, and between sheets in one part of the shell, of which the curve meets the one that it meets
+  const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
+  const std::vector<double> grid = { -0.5, 0.1, 0.5 };
+  Mesh sheets = sheet(grid, grid, [](double, double) { return -0.2; });
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(sheets);
+  const std::size_t of_lower = sheets.number_of_faces();
+  CGAL::copy_face_graph(sheet(grid, grid, [](double, double) { return 0.5; }), sheets);
+  const Projection to_sheets = projection(shell, sheets);
+  for(double z : { 0.11, 0.85, -0.11, -0.3 })
+    for(std::size_t f = 0; f < 2 * of_lower; ++f) {
+      Projection::Hint hint;
+      hint.facet = Projection::Target::Index(f);
+      const Image image = to_sheets(Point_3(0.2, 0.3, z), hint);
+      REQUIRE(image.status == Flow_status::SUCCESS);
+      CHECK(distance(image.point, Point_3(0.2, 0.3, z > 0 ? 0.5 : -0.2)) <= to_sheets.tolerance());
+    }
+  // a point without an image leaves the hint as it is
+  Projection::Hint hint;
+  hint.facet = 1;
+  CHECK(to_sheets(Point_3(0.2, 0.3, 0.01), hint).status == Flow_status::STARTS_OUTSIDE);
+  CHECK(hint.facet == 1);
+}
+
 TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
 {
   struct Visitor

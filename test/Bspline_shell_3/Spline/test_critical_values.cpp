@@ -98,6 +98,34 @@ TEST_CASE("Values at critical points: g less half of the slope of f towards the 
   CHECK(close > 100);       // the radius is that of roundings
 }
 
+TEST_CASE("Values at critical points: terms that cancel leave their roundings, also where little else is left")
+{
+  // x - y, and a little more, about a point far away on the diagonal
+  CGAL::Random random(5);
+  for(int n = 0; n < 200; ++n) {
+    Enclosed_tricubic f, none = {};
+    for(int m = 0; m < 64; ++m) f.coefficients[m] = (m % 4 - m / 4 % 4) / 3. + 1e-9 * random_number(random, -1, 1);
+    f.radius = 0;
+    const double far = random_number(random, 1e3, 1e6);
+    const Point c = { far, far, 0.5 };
+    const Enclosed_tricubic found = BS::values_at_critical_points(none, f, c);
+    for(int corner = 0; corner < 8; ++corner) {
+      const Exact_point t = { Rational(corner & 1), Rational(corner >> 1 & 1), Rational(corner >> 2) };
+      Exact_coefficients in_f;
+      for(int m = 0; m < 64; ++m) in_f[m] = Rational(f.coefficients[m]);
+      Rational truth(0);
+      for(int a = 0; a < 3; ++a) {
+        std::array<int, 3> order = { 0, 0, 0 };
+        order[a] = 1;
+        truth -= (t[a] - Rational(c[a])) * bernstein_value(in_f, t, order) / 2;
+      }
+      const int at = 3 * (corner & 1) + 12 * (corner >> 1 & 1) + 48 * (corner >> 2);
+      CHECK(CGAL::abs(truth - Rational(found.coefficients[at])) <= Rational(found.radius));
+    }
+    CHECK(found.radius < 1e-13 * far);
+  }
+}
+
 TEST_CASE("Values at critical points: of a quadratic function about its center they are one number, and the center is found")
 {
   CGAL::Random random(2);
