@@ -9,13 +9,13 @@
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Mesh/intersecting_facets.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -173,12 +173,9 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_intersections()
 {
-  std::vector<std::pair<Face_index, Face_index> > pairs;
-  // overlapping meshes may have a quadratic number of pairs: enough of them is enough
-  Polygon_mesh_processing::self_intersections<ConcurrencyTag>(m_mesh, std::back_inserter(pairs),
-                                                              CGAL::parameters::maximum_number(max_pairs));
   std::vector<std::size_t> facets;
-  for(const auto& pair : pairs) {
+  // overlapping meshes may have a quadratic number of pairs: enough of them is enough
+  for(const auto& pair : internal::intersecting_facets<ConcurrencyTag>(m_mesh, max_pairs)) {
     facets.push_back(m_origin[pair.first]);
     facets.push_back(m_origin[pair.second]);
   }
