@@ -52,16 +52,16 @@ Mesh together(const Mesh& a, const Mesh& b)
   return mesh;
 }
 
-void check(const Mesh& mesh)
+void check(const Mesh& mesh, bool has_grid = true)
 {
   const Pairs reference = without_grid(mesh);
   for(std::size_t size : { 1, 60, 150 }) {
-    REQUIRE(mesh.number_of_faces() >= 16 * size);       // there is a grid
+    REQUIRE(mesh.number_of_faces() >= 16 * size);       // a grid is tried
     CAPTURE(size);
     CHECK(BS::internal::intersecting_facets<CGAL::Sequential_tag>(mesh, unlimited, size) == reference);
     CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(mesh, unlimited, size) == reference);
   }
-  CHECK(BS::internal::Facet_grid<Mesh>(mesh, 150).fill(3 * mesh.number_of_faces()));
+  CHECK(BS::internal::Facet_grid<Mesh>(mesh, 150).fill(3 * mesh.number_of_faces()) == has_grid);
 }
 
 } // namespace
@@ -86,7 +86,7 @@ TEST_CASE("Intersecting facets: where spheres meet, touch, or coincide, on plane
   check(together(ball, ball));
 }
 
-TEST_CASE("Intersecting facets: a single pair is found wherever it is")
+TEST_CASE("Intersecting facets: a single facet through the surface is found wherever it is")
 {
   CGAL::Random random(1);
   const Mesh ball = sphere(4);
@@ -107,7 +107,6 @@ TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells
 {
   const Mesh ball = sphere(4);
   check(together(ball, moved(sphere(0), Kernel::Vector_3(0.3, 0.2, 0.1), 1.1)));
-  check(together(moved(ball, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)));
   Mesh flat = ball;
   for(auto v : flat.vertices()) flat.point(v) = Point_3(flat.point(v).x(), flat.point(v).y(), 0.01 * flat.point(v).z());
   check(flat);
@@ -131,9 +130,16 @@ TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with an
   CHECK(some.size() == 50);
   CHECK(std::includes(all.begin(), all.end(), some.begin(), some.end()));
   CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
-  for(double size : { 1e-323, 1.7e308 }) {
+  // without a grid
+  for(int n = 0; n < 10; ++n)
+    CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(both, 50, 100000)
+          == BS::internal::intersecting_facets<CGAL::Sequential_tag>(both, 50, 100000));
+  // nearly all of the mesh in one cell
+  check(together(moved(both, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
+  for(double size : { 5e-324, 1.7e308 }) {
     Mesh extreme = ball;
     for(auto v : extreme.vertices()) extreme.point(v) = Point_3(size * extreme.point(v).x(), size * extreme.point(v).y(), size * extreme.point(v).z());
+    CHECK_FALSE(BS::internal::Facet_grid<Mesh>(extreme, 150).fill(3 * extreme.number_of_faces()));
     CHECK(BS::internal::intersecting_facets<CGAL::Sequential_tag>(extreme, unlimited, 150) == without_grid(extreme));
   }
 }

@@ -79,7 +79,7 @@ public:
   };
 
   /// bounds the second derivatives on all cells
-  /// \pre `field` outlives this object
+  /// \pre `field` outlives this object, and does not change
   template <typename ConcurrencyTag>
   Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer, ConcurrencyTag)
     : m_field(&field), m_inner(inner), m_outer(outer), m_places(field.number_of_cells()), m_cells(field.number_of_cells())
@@ -130,9 +130,9 @@ private:
   {
     Coordinates corner;
     double width;
-    const double* coefficients;
+    const double* coefficients;       // in the field
     double value_error;               // bounds the roundings of a margin at a point
-    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. Elsewhere, no numbers.
+    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. NaN elsewhere.
     double inner, outer;
   };
 
@@ -165,7 +165,8 @@ private:
     Sample s = { x, c, -1, -1, {} };
     if(c == Field::npos) return s;
     const Cell_place& place = m_places[c];
-    const typename Field::Cell cell(place.corner, place.width, place.coefficients, 0);
+    constexpr double no_radius = 0;       // values do not ask for it
+    const typename Field::Cell cell(place.corner, place.width, place.coefficients, no_radius);
     double value = 0;
     if(wants_gradient) {
       const auto jet = cell.first_order_jet(x);

@@ -96,7 +96,7 @@ public:
     std::vector<Sample> m_samples;          // of its vertices
   };
 
-  /// \pre there is a shell, and it outlives this object
+  /// \pre there is a shell, it outlives this object, and its field does not change
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
 
   /// which of the facets that are accepted are proved

@@ -13,6 +13,7 @@
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -343,6 +345,8 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
   const std::size_t size = mesh.number_of_faces();
   Clipped_mesh_3 clipped;
   clipped.m_normals.resize(size);
+  CGAL_precondition(!mesh.has_garbage());
+  clipped.m_points.reserve(mesh.number_of_vertices());
   for(auto v : mesh.vertices()) clipped.m_points.push_back({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() });
   const std::uint32_t first_cut = std::uint32_t(clipped.m_points.size());
 
@@ -378,13 +382,14 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
     }
   });
 
-  std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);      // begins with those of the cell before
+  std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);      // where the pieces of a cell go
   std::size_t number_of_corners = 0, number_of_points = first_cut;
   for(const Chunk& chunk : chunks) {
     for(const Piece& p : chunk.pieces) ++first_of_cell[std::size_t(p.cell) + 1];
     number_of_corners += chunk.corners.size();
     number_of_points += chunk.points.size();
   }
+  CGAL_assertion(number_of_points <= std::numeric_limits<std::uint32_t>::max());
   std::partial_sum(first_of_cell.begin(), first_of_cell.end(), first_of_cell.begin());
   clipped.m_pieces.resize(first_of_cell.back());
   clipped.m_corners.reserve(number_of_corners);

@@ -32,18 +32,18 @@ class Facet_grid
 {
   typedef typename TriangleMesh::Face_index Face_index;
 public:
-  // \param size of a cell, in facets, about: those of a surface fill as many cells as a square of them has
+  // \param size about how many facets a cell gets: a surface passes through as many cells as a square has
   Facet_grid(const TriangleMesh& mesh, std::size_t size) : m_mesh(mesh)
   {
     for(Face_index f : mesh.faces()) m_bbox += bbox(f);
     const double longest = (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
     m_width = longest / std::ceil(std::sqrt(double(mesh.number_of_faces()) / double(size)));
-    if(!(m_width > 0 && std::isfinite(m_width))) return;      // of numbers that small or large, there is no grid
+    if(!(m_width > 0 && std::isfinite(m_width))) return;      // no grid for coordinates so small or large
     for(int a = 0; a < 3; ++a) m_cells[std::size_t(a)] = interval(a, (m_bbox.max)(a)) + 1;
     m_first.assign(m_cells[0] * m_cells[1] * m_cells[2] + 1, 0);
   }
 
-  // False if that would take too much memory, as facets are large, or there is no grid.
+  // False if that would take too much memory, as facets are large, if much of the mesh is in one cell, or if there is no grid.
   bool fill(std::size_t most)
   {
     if(m_first.empty()) return false;
@@ -54,6 +54,7 @@ public:
       if(total > most) return false;
       visit(r, [&](std::size_t cell) { ++m_first[cell + 1]; });
     }
+    if(*std::max_element(m_first.begin(), m_first.end()) > m_mesh.number_of_faces() / 4) return false;
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_facets.resize(total);
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
@@ -102,15 +103,16 @@ private:
   std::vector<Face_index> m_facets;
 };
 
-// Pairs of facets that intersect, in their order, and not more than a number of them: `Polygon_mesh_processing::self_intersections()`, of large meshes
-// cell by cell of a grid, which takes linear time, and memory that is in the processor's cache.
+// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of threads:
+// `Polygon_mesh_processing::self_intersections()`, of large meshes in the cells of a grid, most of which fit the processor's cache.
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> >
 intersecting_facets(const TriangleMesh& mesh, unsigned int most_pairs, std::size_t facets_of_cell = 1024)
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  constexpr std::size_t least_cells = 8, most_cells = 256, most_copies = 3;      // more cells are no faster, and each is a call that has preconditions
+  // more cells are no faster, and each is a call, which checks all of the mesh where preconditions are on
+  constexpr std::size_t least_cells = 8, most_cells = 256, most_copies = 3;
   const auto np = CGAL::parameters::maximum_number(most_pairs);
   std::vector<Pair> pairs;
   bool is_known = false;
@@ -123,7 +125,13 @@ intersecting_facets(const TriangleMesh& mesh, unsigned int most_pairs, std::size
         if(facets.size() > 1) Polygon_mesh_processing::self_intersections<Sequential_tag>(facets, mesh, std::back_inserter(found), np);
       });
   }
-  if(!is_known) Polygon_mesh_processing::self_intersections<ConcurrencyTag>(mesh, std::back_inserter(pairs), np);
+  if(!is_known) {
+    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(mesh, std::back_inserter(pairs), np);
+    if(pairs.size() >= most_pairs) {      // which ones depends on threads
+      pairs.clear();
+      Polygon_mesh_processing::self_intersections<Sequential_tag>(mesh, std::back_inserter(pairs), np);
+    }
+  }
   for(Pair& pair : pairs)
     if(pair.second < pair.first) std::swap(pair.first, pair.second);
   std::sort(pairs.begin(), pairs.end());

@@ -103,7 +103,8 @@ public:
   /// else, among those that come as near to the segment as `margin`, the one that its line misses least; `npos` if there is none
   Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const;
 
-  /// a facet that the segment meets from behind, found over edges from another one that faces along it; `npos` if none is found so
+  /// A facet that the segment meets from behind, found by walking over edges from `facet`. All facets on the way must face along `direction`; `npos` if
+  /// the walk ends at a border, or takes too many moves.
   Index facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first, double last) const;
 
 private:

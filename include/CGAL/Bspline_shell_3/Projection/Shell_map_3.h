@@ -47,8 +47,8 @@ namespace Bspline_shells {
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
  * \tparam TargetMesh_ a model of `FaceListGraph`
- * \tparam ProjectionToSource_ how points of the shell get to the source; others than the default are for polygon soups (`Soup_map_3`), and no
- *         component is asked for then
+ * \tparam ProjectionToSource_ how points of the shell get to the source, with a `Hint` or without; others than the default are for polygon soups
+ *         (`Soup_map_3`), and no component is asked for then
  * \tparam ProjectionToTarget_ how they get to the target
  */
 template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_,

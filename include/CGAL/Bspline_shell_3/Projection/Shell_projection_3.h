@@ -64,8 +64,9 @@ struct Projected_point
  * has a status that says why. A curve that the certificate says nothing about is followed just as well, as far as it stays in
  * the shell; where it meets the mesh several times, the image is one of the hits that have the gradient behind them.
  *
- * Const member functions may be called from several threads at once. Where points are projected together, they tell each other where to begin; what
- * they get is the same with any number of threads, and, up to the tolerance, whatever else is asked for.
+ * Const member functions may be called from several threads at once. Points that are projected together begin at each other's facets; the result does
+ * not depend on the number of threads. If each curve meets the mesh once, it depends on the other points by the tolerance at most; otherwise they may
+ * decide which of the hits is the image.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -80,7 +81,8 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
 
-  /// where to begin: the facet of the last image. Points that come one after the other, near each other, take less time with it.
+  /// where the search begins: the facet of the last image, as a number of `Projection_target_3::traced_facets()`. Points that come one after the other,
+  /// near each other, take less time with it. Use one hint for each sequence of points and thread.
   struct Hint { typename Target::Index facet = Target::npos; };
 
   /// \pre `shell` outlives this object, and `target` is not null
@@ -107,7 +109,7 @@ public:
     Hint hint;
     return (*this)(p, hint);
   }
-  /// the same, up to the tolerance. \param hint one for each sequence of points
+  /// the same, up to the tolerance if the curve meets the mesh once. \param hint any; it becomes the facet of the image, if there is one
   template <typename Point>
   Image operator()(const Point& p, Hint& hint) const
   {
@@ -131,7 +133,8 @@ public:
         }
       }
     typename internal::Facet_on_curve<Shell>::Hit hit;
-    image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, hint.facet, hit);
+    const typename Target::Index near = hint.facet < m_target->traced_facets().number_of_facets() ? hint.facet : Target::npos;
+    image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, near, hit);
     if(image.status != Flow_status::SUCCESS) return image;
     hint.facet = hit.facet;
 

@@ -181,8 +181,8 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   if(complete)
     internal::for_each_point<ConcurrencyTag>(
       missed.size(), [&](std::size_t i) { return target.traced_vertices()[missed[i]]; }, visitor,
-      [&](std::size_t i, const auto& p) {
-        pulled[missed[i]] = map.to_source()(p);
+      [&, hint = typename Map::Projection_to_source::Hint()](std::size_t i, const auto& p) mutable {
+        pulled[missed[i]] = map.to_source()(p, hint);
         is_continued[missed[i]] = pulled[missed[i]].is_continued;
         is_snapped[missed[i]] = pulled[missed[i]].is_snapped;
       });

@@ -43,7 +43,7 @@ public:
     : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
   {}
 
-  // `near`: one where the search may begin, or `npos`
+  // `near`: a facet where the search begins, or `npos`
   Flow_status operator()(const Coordinates& start, Index near, Hit& hit) const;
 
 private:
@@ -73,18 +73,9 @@ private:
     return false;
   }
 
-  // where the tangent at the beginning meets the target, seen from a facet near it, or anywhere on it
-  Index facet_on_tangent(const Curve& curve, Index near) const
-  {
-    const double above = curve.room(true), below = curve.room(false);
-    if(near != Projection_facets_3::npos) return m_facets->facet_on_line_near(near, curve.state(), curve.derivative(), below, above);
-    return m_facets->facet_on_line(curve.state(), curve.derivative(), below, above, bend * (above - below) * curve.speed());
-  }
-
   // From a facet that the tangent meets, over edges, to the one where the curve does. Gives up rather than err.
   bool walk(Curve& curve, Index facet, Hit& best) const
   {
-    if(facet == Projection_facets_3::npos) return false;
     Index previous = Projection_facets_3::npos;
     for(int moves = 0; moves < max_moves; ++moves) {
       Hit hit;
@@ -212,12 +203,19 @@ Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index ne
   Curve curve(*m_shell, m_tolerance);
   const Flow_status status = curve.start(start);
   if(status != Flow_status::SUCCESS) return status;
+  // the facet that the tangent meets, over edges or by the tree
+  const Coordinates x = curve.state(), tangent = curve.derivative();
+  const double above = curve.room(true), below = curve.room(false), margin = bend * (above - below) * curve.speed();
   if(near != Projection_facets_3::npos) {
-    if(walk(curve, facet_on_tangent(curve, near), hit) && settle(curve, hit)) return Flow_status::SUCCESS;
-    hit = Hit();
-    curve.start(start);
+    const Index facet = m_facets->facet_on_line_near(near, x, tangent, below, above);
+    if(facet != Projection_facets_3::npos) {
+      if(walk(curve, facet, hit) && settle(curve, hit)) return Flow_status::SUCCESS;
+      hit = Hit();
+      curve.start(start);
+    }
   }
-  if(walk(curve, facet_on_tangent(curve, Projection_facets_3::npos), hit) && settle(curve, hit)) return Flow_status::SUCCESS;
+  const Index facet = m_facets->facet_on_line(x, tangent, below, above, margin);
+  if(facet != Projection_facets_3::npos && walk(curve, facet, hit) && settle(curve, hit)) return Flow_status::SUCCESS;
   return search(start, hit);
 }
 
