@@ -111,13 +111,13 @@ intersecting_facets(const TriangleMesh& mesh, unsigned int most_pairs, std::size
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  // more cells are no faster, and each is a call, which checks all of the mesh where preconditions are on
-  constexpr std::size_t least_cells = 8, most_cells = 256, most_copies = 3;
+  // A surface fills a few times `most_squares` cells. More cells are no faster, and each is a call, which checks the whole mesh if preconditions are on.
+  constexpr std::size_t least_cells = 8, most_squares = 256, most_copies = 3;
   const auto np = CGAL::parameters::maximum_number(most_pairs);
   std::vector<Pair> pairs;
   bool is_known = false;
   if(mesh.number_of_faces() >= least_cells * facets_of_cell) {
-    Facet_grid<TriangleMesh> grid(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_cells));
+    Facet_grid<TriangleMesh> grid(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_squares));
     is_known = grid.fill(most_copies * mesh.number_of_faces());
     if(is_known)
       pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid.number_of_cells(), 1, [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
