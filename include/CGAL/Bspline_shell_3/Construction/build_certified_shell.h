@@ -19,6 +19,8 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
+#include <CGAL/tags.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -177,6 +179,10 @@ extern template Certified_bspline_shell_3 build_certified_shell<Parallel_if_avai
   Shell_construction&, const Certified_shell_parameters&, const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
 extern template Certified_bspline_shell_3 build_certified_shell<Parallel_if_available_tag>(
   Shell_construction&, const Certified_shell_parameters&, const std::optional<Any_signed_distance_3>&);
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template Certified_bspline_shell_3 build_certified_shell<Sequential_tag>(
+  Shell_construction&, const Certified_shell_parameters&, const std::optional<Any_signed_distance_3>&);
+#  endif
 #endif
 
 } // namespace Bspline_shells

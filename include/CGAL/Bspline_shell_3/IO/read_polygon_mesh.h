@@ -12,6 +12,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
@@ -115,6 +116,12 @@ Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh)
   Offending_simplices offenders;
   return read_triangle_mesh(file, mesh, offenders);
 }
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+namespace internal {
+extern template void assign_soup(const Polygon_soup&, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>&);
+}
+#endif
 
 } // namespace Bspline_shells
 } // namespace CGAL
