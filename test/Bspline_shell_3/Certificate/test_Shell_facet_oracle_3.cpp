@@ -9,6 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <random>
 #include <vector>
 
 namespace {
@@ -92,6 +94,39 @@ TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of 
       CHECK(oracle(p, bad, memory) == Placement_verdict::FACES_AWAY);
       CHECK(oracle(p, good, memory) == Placement_verdict::ACCEPTED);
     }
+  }
+}
+
+TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted")
+{
+  const auto shell = ball_shell();
+  for(const auto proofs : { BS::Facet_proofs::ALL, BS::Facet_proofs::WHERE_DOUBTFUL }) {
+    const Oracle oracle(shell, proofs);
+    Oracle::Memory memory;
+    std::mt19937 random(1);
+    const auto choose = [&](std::size_t n) { return random() % n; };
+    // fans at few places, of links that mostly differ in one vertex from the one before
+    std::vector<Point_3> places, link = band({ 0, 60, 120, 180, 240, 300 });
+    for(double x : { 0., 0.1, 0.3, 0.5 })
+      for(double z : { 0.62, 0.7, 0.8, 0.85 }) places.push_back(Point_3(x, 0, z));
+    std::size_t accepted = 0;
+    constexpr std::size_t questions = 4000;
+    for(std::size_t n = 0; n < questions; ++n) {
+      if(choose(50) == 0) link = choose(2) == 0 ? band({ 0, 60, 120, 180, 240, 300 }) : band({ 0, 50, 100, 150, 200, 250, 300 });
+      if(choose(3) == 0) {
+        const std::size_t v = choose(link.size());
+        const Point_3 moved = band({ 360. * double(v) / double(link.size()) + 10. * double(choose(3)) })[0];
+        const double scale = 0.86 + 0.02 * double(choose(10));
+        link[v] = Point_3(scale * moved.x(), scale * moved.y(), scale * moved.z());
+      }
+      const Point_3& p = places[choose(places.size())];
+      Oracle::Memory nothing;
+      const bool is_accepted = oracle(p, link, nothing) == Placement_verdict::ACCEPTED;
+      CHECK((oracle(p, link, memory) == Placement_verdict::ACCEPTED) == is_accepted);
+      accepted += is_accepted ? 1 : 0;
+    }
+    CHECK(accepted > questions / 50);
+    CHECK(accepted < questions / 2);
   }
 }
 

@@ -91,9 +91,29 @@ public:
     {
       std::size_t operator()(const Place& place) const { return boost::hash_range(place.begin(), place.end()); }
     };
-    std::unordered_map<Place, std::vector<Facet>, Hash> m_facets;       // at each place
-    std::vector<Point_3> m_link;            // the last one
-    std::vector<Sample> m_samples;          // of its vertices
+    const std::vector<Facet>* facets_at(const Place& place) const
+    {
+      const auto found = m_facets.find(place);
+      return found == m_facets.end() ? nullptr : &found->second;
+    }
+    void add(const Place& place, const Facet& facet)
+    {
+      constexpr std::size_t most_places = 1 << 20;
+      if(m_facets.size() == most_places) m_facets.clear();
+      m_facets[place].push_back(facet);
+    }
+    void set_link(const std::vector<Point_3>& link)
+    {
+      if(m_link == link) return;
+      m_link = link;
+      m_samples.assign(link.size(), std::nullopt);
+      m_first = 0;
+    }
+
+    std::unordered_map<Place, std::vector<Facet>, Hash> m_facets;         // at each place
+    std::vector<Point_3> m_link;                                          // the last one
+    std::vector<std::optional<Sample> > m_samples;                        // of its vertices, as far as they were needed
+    std::size_t m_first = 0;      // the vertex whose edge rejected the last place: it most likely rejects the next one, too
   };
 
   /// \pre there is a shell, it outlives this object, and its field does not change
@@ -171,14 +191,6 @@ private:
     return found.is_transversal ? Placement_verdict::ACCEPTED : Placement_verdict::FACES_AWAY;
   }
 
-  void find_samples(const std::vector<Point_3>& link, Memory& memory) const
-  {
-    if(memory.m_link == link) return;
-    memory.m_link = link;
-    memory.m_samples.clear();
-    for(const Point_3& q : link) memory.m_samples.push_back(m_bounds->sample(q));
-  }
-
   // by an axis that is long enough for its direction not to be spoilt by rounding
   std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
@@ -207,41 +219,52 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   const std::size_t size = link.size();
-  const Sample at_p = m_bounds->sample(p);
-  if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
-  for(std::size_t n = 0; n < size; ++n)
-    if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
-  // for most facets, both ends of an edge at `p` are in the shell, and the middle decides
-  find_samples(link, memory);
-  boost::container::small_vector<Sample, 16> middles;
-  for(std::size_t n = 0; n < size; ++n) {
-    const Sample& q = memory.m_samples[n];
-    middles.push_back(m_bounds->sample_middle(at_p, q));
-    const Sample& middle = middles.back();
-    if(!is_in(q) || !is_in(middle)) return Placement_verdict::LEAVES_SHELL;
-    for(const Sample& s : { q, middle })
-      if(!faces_along(s, p, link[n], link[(n + 1) % size]) || !faces_along(s, p, link[(n + size - 1) % size], link[n]))
-        return Placement_verdict::FACES_AWAY;
-  }
-  const std::size_t turns = winding_number(p, at_p, link);
-  if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
-  std::vector<char> is_known(size, 0);
+  boost::container::small_vector<char, 16> is_known(size, 0);
   const typename Memory::Place place = { p[0], p[1], p[2] };
-  const auto known = memory.m_facets.find(place);
-  if(known != memory.m_facets.end())
+  if(const std::vector<typename Memory::Facet>* known = memory.facets_at(place))
     for(std::size_t n = 0; n < size; ++n)
-      for(const typename Memory::Facet& facet : known->second) {
+      for(const typename Memory::Facet& facet : *known) {
         if(facet.q != link[n] || facet.r != link[(n + 1) % size]) continue;
         if(facet.verdict != Placement_verdict::ACCEPTED) return facet.verdict;
         is_known[n] = 1;
       }
+  const Sample at_p = m_bounds->sample(p);
+  if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
+  for(std::size_t n = 0; n < size; ++n)
+    if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
+  // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says of its facets:
+  struct Rejected { std::size_t facet; Placement_verdict verdict; };
+  const auto rejected_at = [&](std::size_t n, const Sample& s) -> std::optional<Rejected> {
+    if(!is_in(s)) return Rejected{ n, Placement_verdict::LEAVES_SHELL };
+    for(std::size_t facet : { n, (n + size - 1) % size })
+      if(!faces_along(s, p, link[facet], link[(facet + 1) % size])) return Rejected{ facet, Placement_verdict::FACES_AWAY };
+    return std::nullopt;
+  };
+  memory.set_link(link);
+  boost::container::small_vector<Sample, 16> middles(size);
+  const std::size_t first = memory.m_first;
+  for(std::size_t n = first, left = size; left > 0; --left, n = (n + 1) % size) {
+    memory.m_first = n;
+    if(!memory.m_samples[n]) memory.m_samples[n] = m_bounds->sample(link[n]);
+    std::optional<Rejected> rejected = rejected_at(n, *memory.m_samples[n]);
+    if(!rejected) {
+      middles[n] = m_bounds->sample_middle(at_p, *memory.m_samples[n]);
+      rejected = rejected_at(n, middles[n]);
+    }
+    if(rejected) {
+      memory.add(place, { link[rejected->facet], link[(rejected->facet + 1) % size], rejected->verdict });
+      return rejected->verdict;
+    }
+  }
+  const std::size_t turns = winding_number(p, at_p, link);
+  if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
   // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
   std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
   std::atomic<std::size_t> first_rejected(size);
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    verdicts[n] = judge({ at_p, memory.m_samples[n], memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
+    verdicts[n] = judge({ at_p, *memory.m_samples[n], *memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
     if(verdicts[n] == Placement_verdict::ACCEPTED) return;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
@@ -254,9 +277,8 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   if(is_small) internal::for_each_chunk<Sequential_tag>(size, 1, examine);
   else internal::for_each_chunk<ConcurrencyTag>(size, 1, examine);
   if(first_rejected == size) return Placement_verdict::ACCEPTED;
-  std::vector<typename Memory::Facet>& facets = memory.m_facets[place];
   for(std::size_t n = 0; n <= first_rejected; ++n)
-    if(!is_known[n]) facets.push_back({ link[n], link[(n + 1) % size], verdicts[n] });
+    if(!is_known[n]) memory.add(place, { link[n], link[(n + 1) % size], verdicts[n] });
   return verdicts[first_rejected];
 }
 

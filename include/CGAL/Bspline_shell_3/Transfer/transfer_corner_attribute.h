@@ -165,6 +165,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   typedef typename Map::Projection_to_source::Target Source;
   typedef typename Map::Projection_to_target::Target Target;
   typedef typename Source::Index Index;
+  typedef typename Map::Projection_to_source::Hint Hint;
   typedef std::array<double, 3> Coordinates;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
@@ -187,7 +188,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   std::vector<Facet> facets(target.number_of_facets());
 
   // along a facet from its centroid to a corner
-  const auto follow = [&](Index n, int corner, Index from, Facet& result) {
+  const auto follow = [&](Index n, int corner, Index from, Hint& hint, Facet& result) {
     const auto at = [&](double t) {
       Coordinates barycentric;
       for(int i = 0; i < 3; ++i) barycentric[i] = (1 - t) / 3 + (i == corner ? t : 0);
@@ -196,11 +197,11 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     const auto traced = [&](double t) { return target.traced_point(typename Target::Index(n), at(t)); };
     constexpr double shortest = 1. / 1024;
     double t = 0, step = 1;
-    auto image = map.to_source()(traced(t));
+    auto image = map.to_source()(traced(t), hint);
     Index facet = from;
     while(t < 1) {
       const double next = (std::min)(t + step, 1.);
-      const auto there = map.to_source()(traced(next));
+      const auto there = map.to_source()(traced(next), hint);
       if(!there) { result.status = there.status; return; }
       result.is_continued = result.is_continued || there.is_continued;
       result.is_snapped = result.is_snapped || there.is_snapped;
@@ -235,14 +236,14 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
 
   internal::for_each_point<ConcurrencyTag>(facets.size(), [&](std::size_t n) {
     return target.traced_point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
-  }, visitor, [&](std::size_t n, const auto& p) {
+  }, visitor, [&, hint = Hint()](std::size_t n, const auto& p) mutable {
     Facet& result = facets[n];
-    const auto center = map.to_source()(p);
+    const auto center = map.to_source()(p, hint);
     result.status = center.status;
     result.is_continued = center.is_continued;
     result.is_snapped = center.is_snapped;
     for(int corner = 0; corner < 3 && result.status == Flow_status::SUCCESS; ++corner)
-      follow(Index(n), corner, source.facet_of(center.location.first), result);
+      follow(Index(n), corner, source.facet_of(center.location.first), hint, result);
   });
 
   for(std::size_t n = 0; n < facets.size(); ++n) {

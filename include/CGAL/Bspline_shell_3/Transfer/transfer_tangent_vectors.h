@@ -82,11 +82,12 @@ struct Tangent_sample
 
 // `prepare(differential)` makes the differential that of the map to the target, and returns the normal of the plane in which the image is to be
 template <typename Map, typename Point, typename Prepare>
-Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p, const Prepare& prepare)
+Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p,
+                              typename Map::Projection_to_source::Hint& hint, const Prepare& prepare)
 {
   const auto& source = map.to_source().target();
   Tangent_sample sample;
-  const typename Map::Source_image image = map.to_source()(p);
+  const typename Map::Source_image image = map.to_source()(p, hint);
   sample.status = image.status;
   sample.is_continued = image.is_continued;
   sample.is_snapped = image.is_snapped;
@@ -180,9 +181,9 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   std::vector<internal::Tangent_sample> samples(target.number_of_facets() * places.size());
   internal::for_each_point<ConcurrencyTag>(samples.size(), [&](std::size_t n) {
     return target.traced_point(Index(n / places.size()), places[n % places.size()]);
-  }, visitor, [&](std::size_t n, const auto& p) {
+  }, visitor, [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
     const Index facet = Index(n / places.size());
-    samples[n] = internal::tangent_sample(map, field, symmetry, p, [&](Flow_differential& differential) {
+    samples[n] = internal::tangent_sample(map, field, symmetry, p, hint, [&](Flow_differential& differential) {
       differential.prepend_to_end(target.traced_derivative(facet, places[n % places.size()]));
       return normal(facet);
     });
@@ -255,8 +256,9 @@ Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap 
   if(map.status() == Flow_status::SUCCESS) {
     const auto field = internal::Tangent_field::interpolated(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
                                                              internal::positions_of_corners(source), symmetry);
-    internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor, [&](std::size_t n, const auto& p) {
-      samples[n] = internal::tangent_sample(map, field, symmetry, p, [](const Flow_differential& differential) { return differential.velocity; });
+    internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+                                             [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+      samples[n] = internal::tangent_sample(map, field, symmetry, p, hint, [](const Flow_differential& differential) { return differential.velocity; });
     });
   }
   else

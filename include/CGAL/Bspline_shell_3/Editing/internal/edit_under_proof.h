@@ -93,27 +93,27 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
       offenders.facets.push_back(n);
       rejected.freeze(facets[n]);
     }
-  std::vector<typename Graph_traits::vertex_descriptor> folded;
-  std::vector<Point> link;
-  std::size_t position = 0;
-  for(auto v : vertices(mesh)) {
-    const std::size_t n = position++;
-    if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
-    if(CGAL::is_border(v, mesh) || frozen.is_fixed(v)) continue;
-    link.clear();
-    bool is_degenerate = false;
-    for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-      link.push_back(get(vpm, source(h, mesh)));
-      is_degenerate = is_degenerate || is_zero(h, mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
+  const std::vector<typename Graph_traits::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  const auto folded = collect_from_chunks<ConcurrencyTag, std::size_t>(all.size(), chunk, [&](std::size_t begin, std::size_t end, auto& found) {
+    std::vector<Point> link;
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto v = all[n];
+      if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
+      if(CGAL::is_border(v, mesh) || frozen.is_fixed(v)) continue;
+      link.clear();
+      bool is_degenerate = false;
+      for(auto h : CGAL::halfedges_around_target(v, mesh)) {
+        link.push_back(get(vpm, source(h, mesh)));
+        is_degenerate = is_degenerate || is_zero(h, mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
+      }
+      if(is_degenerate) continue;
+      std::reverse(link.begin(), link.end());
+      if(oracle.winding_number(get(vpm, v), link) != 1) found.push_back(n);
     }
-    if(is_degenerate) continue;
-    std::reverse(link.begin(), link.end());
-    if(oracle.winding_number(get(vpm, v), link) == 1) continue;
-    offenders.vertices.push_back(n);
-    folded.push_back(v);
-  }
-  for(auto v : folded)
-    for(auto f : CGAL::faces_around_target(halfedge(v, mesh), mesh)) rejected.freeze(f);
+  });
+  offenders.vertices.insert(offenders.vertices.end(), folded.begin(), folded.end());
+  for(std::size_t n : folded)
+    for(auto f : CGAL::faces_around_target(halfedge(all[n], mesh), mesh)) rejected.freeze(f);
   return rejected;
 }
 
