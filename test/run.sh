@@ -14,7 +14,8 @@ options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DBUILD_TESTIN
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 if [ "${1-}" = --sanitize ]; then
   build=${BUILD_DIR:-build/sanitize}
-  options+=(-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DBSPLINE_SHELL_3_SANITIZE=ON -DBSPLINE_SHELL_3_EXAMPLES=OFF)
+  # -Og compiles hardly longer than -O0, and what it compiles runs three times faster
+  options+=(-DCMAKE_CXX_FLAGS_RELEASE=-Og -DBSPLINE_SHELL_3_SANITIZE=ON -DBSPLINE_SHELL_3_EXAMPLES=OFF)
   target=(--target shell_tests)
   # what is allocated once by libraries is no leak of ours
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
