@@ -15,6 +15,8 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,6 @@ typedef BS::Spline_threshold<Hierarchical_field> Varying;
 typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
 typedef BS::Second_order_bounds_3<Hierarchical_field, Varying> Varying_bounds;
 typedef std::array<Point_3, 3> Triangle;
-typedef CGAL::Sequential_tag Tag;
 using BS::Verdict;
 
 const double inf = std::numeric_limits<double>::infinity();
@@ -41,7 +42,7 @@ typename AnyBounds::Facet_bounds examine(const AnyBounds& bounds, const Triangle
                         most_bisections, wanted_slope);
 }
 
-Bounds between(const Uniform_field& field, double inner, double outer) { return Bounds(field, Constant(inner), Constant(outer), Tag()); }
+Bounds between(const Uniform_field& field, double inner, double outer) { return Bounds(field, Constant(inner), Constant(outer)); }
 
 bool is_contained(const Uniform_field& field, double inner, double outer, const Triangle& t, std::size_t most_bisections = many)
 {
@@ -190,7 +191,7 @@ TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds 
     set_random(field, random, height, noise);
     set_random(inner, random, { { 1, { 0, 0, 1 } }, { -0.2, { 0, 0, 0 } } }, noise);
     set_random(outer, random, { { 1, { 0, 0, 1 } }, { 0.2, { 0, 0, 0 } } }, noise);
-    const Varying_bounds bounds(field, Varying(inner), Varying(outer), Tag());
+    const Varying_bounds bounds(field, Varying(inner), Varying(outer));
     const BS::Field_predicates_3<Hierarchical_field> predicates(field);
     for(int n = 0; n < 60; ++n) {
       Triangle t = random_triangle(random, n);
@@ -378,7 +379,7 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
       f.set_coefficients(c);
       return f;
     };
-    REQUIRE(examine(Varying_bounds(field, Varying(inner), Varying(outer), Tag()), t).is_contained);
+    REQUIRE(examine(Varying_bounds(field, Varying(inner), Varying(outer)), t).is_contained);
     // the field, or a threshold: by an eighth more than there is room for, or an eighth less
     for(double sign : { 1., -1. }) {
       const double bump = sign * 0.2 / peak;
@@ -391,12 +392,12 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
         return farthest > 0.2;
       }();
       const auto contained = [&](const Hierarchical_field& f, const Varying& i, const Varying& o) {
-        return examine(Varying_bounds(f, i, o, Tag()), t).is_contained;
+        return examine(Varying_bounds(f, i, o), t).is_contained;
       };
       if(is_met) {
         CHECK_FALSE(contained(too_high, Varying(inner), Varying(outer)));
         CHECK_FALSE((sign > 0 ? contained(field, Varying(inner), too_narrow) : contained(field, too_narrow, Varying(outer))));
-        CHECK_FALSE(examine(Varying_bounds(too_high, Varying(inner), Varying(outer), Tag()), t).is_transversal);
+        CHECK_FALSE(examine(Varying_bounds(too_high, Varying(inner), Varying(outer)), t).is_transversal);
       }
       if(n % 3 == 0) {
         CHECK(contained(high, Varying(inner), Varying(outer)));
@@ -518,7 +519,7 @@ TEST_CASE("Second-order bounds: nothing is proved where the field or a threshold
         // one of small cells, or of large ones
         x[n == 0 ? random.get_int(0, int(x.size()) / 2) : int(x.size()) - 1 - random.get_int(0, 600)] = bad;
         f[which].set_coefficients(x);
-        const Varying_bounds bounds(f[0], Varying(f[1]), Varying(f[2]), Tag());
+        const Varying_bounds bounds(f[0], Varying(f[1]), Varying(f[2]));
         for(int m = 0; m < 30; ++m) {
           const Triangle t = random_triangle(random, m);
           if(CGAL::collinear(t[0], t[1], t[2])) continue;
@@ -667,26 +668,28 @@ TEST_CASE("Second-order bounds: the bound of the slope is near what the slope is
   }
 }
 
-TEST_CASE("Second-order bounds: the same with any number of threads, and rigorous in any rounding mode")
+TEST_CASE("Second-order bounds: rigorous in any rounding mode, and the same whichever mode cells are met in first")
 {
   CGAL::Random random(31);
   Uniform_field field(cells_of_cube());
   set_random(field, random, height, 0.02);
-  const Bounds one = between(field, -0.5, 0.5), two(field, Constant(-0.5), Constant(0.5), CGAL::Parallel_if_available_tag());
+  const Bounds bounds = between(field, -0.5, 0.5);
   const BS::Field_predicates_3<Uniform_field> predicates(field);
   for(int n = 0; n < 60; ++n) {
     const Triangle t = random_triangle(random, n);
     if(CGAL::collinear(t[0], t[1], t[2])) continue;
-    const auto a = examine(one, t, many, 1), b = examine(two, t, many, 1);
-    CHECK(a.is_contained == b.is_contained);
-    CHECK(a.is_transversal == b.is_transversal);
-    CHECK(a.slope == b.slope);
+    const auto expected = examine(bounds, t, many, 1);
     for(int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+      const Bounds others = between(field, -0.5, 0.5);
       std::fesetround(mode);
-      const auto found = examine(one, t, many, 1);
+      const auto found = examine(others, t, many, 1);
       const int after = std::fegetround();
       std::fesetround(FE_TONEAREST);
       CHECK(after == mode);
+      const auto again = examine(others, t, many, 1);
+      CHECK(again.is_contained == expected.is_contained);
+      CHECK(again.is_transversal == expected.is_transversal);
+      CHECK(again.slope == expected.slope);
       if(found.is_contained) CHECK(predicates.values_within(t, { -0.5, 0.5 }) == Verdict::PROVED);
       if(found.is_transversal) CHECK(predicates.crosses_upwards(t) == Verdict::PROVED);
     }
@@ -896,9 +899,20 @@ private:
   CGAL::Bbox_3 m_covered;
   double m_radius;
 };
+// A field whose cells cannot be had a few times.
+struct Failing_cells : Known_cells
+{
+  using Known_cells::Known_cells;
+  Cell cell(Cell_index c) const
+  {
+    if(failures-- > 0) throw std::runtime_error("no cell");
+    return Known_cells::cell(c);
+  }
+  mutable int failures = 0;       // that are left
+};
 typedef BS::Second_order_bounds_3<Known_cells> Known_bounds;
 
-Known_bounds between(const Known_cells& field, double inner, double outer) { return Known_bounds(field, Constant(inner), Constant(outer), Tag()); }
+Known_bounds between(const Known_cells& field, double inner, double outer) { return Known_bounds(field, Constant(inner), Constant(outer)); }
 
 // the value of a function on the cell from 0 to 1, exact, or a derivative
 Rational exact_value(const Tricubic& b, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
@@ -975,6 +989,43 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
   }
 }
 
+TEST_CASE("Second-order bounds: threads that ask for the same cells at once get what one thread gets")
+{
+  CGAL::Random random(5);
+  Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 2));
+  set_random(field, random, height, 0.05);
+  std::vector<Triangle> triangles;
+  for(int n = 0; n < 300; ++n) triangles.push_back(random_triangle(random, n));
+  typedef BS::Second_order_bounds_3<Hierarchical_field> Hierarchical_bounds;
+  const auto examine_all = [&](const Hierarchical_bounds& bounds) {
+    std::vector<double> slopes;
+    for(const Triangle& t : triangles) slopes.push_back(examine(bounds, t).slope);
+    return slopes;
+  };
+  const std::vector<double> expected = examine_all(Hierarchical_bounds(field, Constant(-10), Constant(10)));
+  CHECK(std::any_of(expected.begin(), expected.end(), [](double slope) { return slope > 0; }));
+  for(int times = 0; times < 20; ++times) {
+    const Hierarchical_bounds bounds(field, Constant(-10), Constant(10));
+    std::array<std::vector<double>, 4> found;
+    std::vector<std::thread> threads;
+    for(auto& slopes : found) threads.emplace_back([&] { slopes = examine_all(bounds); });
+    for(std::thread& thread : threads) thread.join();
+    for(const auto& slopes : found) CHECK(slopes == expected);
+  }
+}
+
+TEST_CASE("Second-order bounds: an exception of the field's passes through, and the cell can be asked for again")
+{
+  const Failing_cells field(10. * product(one, one, rising));
+  const BS::Second_order_bounds_3<Failing_cells> bounds(field, Constant(-5), Constant(5));
+  const Triangle t = { Point_3(0.5, 0.5, 0.5), Point_3(0.51, 0.5, 0.5), Point_3(0.5, 0.51, 0.5) };
+  for(int times = 0; times < 2; ++times) {
+    field.failures = 1;
+    CHECK_THROWS_AS(examine(bounds, t), std::runtime_error);
+  }
+  CHECK(examine(bounds, t).is_contained);
+}
+
 TEST_CASE("Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
 {
   // the thresholds vary by less than a thousandth of the thickness
@@ -982,7 +1033,7 @@ TEST_CASE("Second-order bounds: a facet in a threshold's range leaves the shell 
     const Tricubic constant = product(one, one, one), variation = 2e-4 / 3 * product(three_t, one, one);
     const Known_cells field(value * constant), inner(variation), outer(constant + variation);
     const BS::Spline_threshold<Known_cells> i(inner), o(outer);
-    const BS::Second_order_bounds_3<Known_cells, BS::Spline_threshold<Known_cells>> bounds(field, i, o, Tag());
+    const BS::Second_order_bounds_3<Known_cells, BS::Spline_threshold<Known_cells>> bounds(field, i, o);
     const auto facet = [&](double x) {
       return examine(bounds, { Point_3(x, 0.4, 0.4), Point_3(x, 0.6, 0.4), Point_3(x, 0.4, 0.6) }).leaves_shell;
     };

@@ -513,8 +513,7 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
     for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
   }
   // with bounds that are shared
-  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(),
-                                                                  CGAL::Sequential_tag());
+  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold());
   Certificate sharing(shell, bounds);
   sharing.verify<CGAL::Parallel_if_available_tag>(left(0.46));
   check_equal(sharing, certify(field, inner_level, outer_level, left(0.46)));

@@ -102,7 +102,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
   const auto shell = ball_shell();
   for(const auto proofs : { BS::Facet_proofs::ALL, BS::Facet_proofs::WHERE_DOUBTFUL }) {
     const Oracle oracle(shell, proofs);
-    Oracle::Memory memory;
+    Oracle::Memory memory, short_memory(5);
     std::mt19937 random(1);
     const auto choose = [&](std::size_t n) { return random() % n; };
     // fans at few places, of links that mostly differ in one vertex from the one before
@@ -123,6 +123,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
       Oracle::Memory nothing;
       const bool is_accepted = oracle(p, link, nothing) == Placement_verdict::ACCEPTED;
       CHECK((oracle(p, link, memory) == Placement_verdict::ACCEPTED) == is_accepted);
+      CHECK((oracle(p, link, short_memory) == Placement_verdict::ACCEPTED) == is_accepted);
       accepted += is_accepted ? 1 : 0;
     }
     CHECK(accepted > questions / 50);

@@ -83,7 +83,7 @@ void check_field(Tally& tally, CGAL::Random& random)
     else if(rounded_normal(t).dot(rounded_gradient(field, { t[0][0], t[0][1], t[0][2] })) < 0 && chance(random, 0.9)) std::swap(t[1], t[2]);
     const auto thresholds = random_thresholds(random, cells, field, t, static_cast<const Threshold*>(nullptr));
     const Shell shell(field, thresholds.first, thresholds.second);
-    const BS::Second_order_bounds_3<Field, Threshold> bounds(field, thresholds.first, thresholds.second, CGAL::Sequential_tag());
+    const BS::Second_order_bounds_3<Field, Threshold> bounds(field, thresholds.first, thresholds.second);
     const Segment edge = { t[0], t[1] };
     check_levels(tally, random, shell, predicates, t);
     check_levels(tally, random, shell, predicates, edge);

@@ -13,18 +13,20 @@
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/is_positive_on_triangle.h>
 #include <CGAL/Bspline_shell_3/Spline/second_derivatives.h>
-#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/FPU.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
+#include <memory>
+#include <thread>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -78,20 +80,15 @@ public:
     double slope = 0;         ///< if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
   };
 
-  /// bounds the second derivatives on all cells
+  /// Takes no time: cells are bounded when a point or a triangle meets them first.
   /// \pre `field` outlives this object, and does not change
-  template <typename ConcurrencyTag>
-  Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer, ConcurrencyTag)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_places(field.number_of_cells()), m_cells(field.number_of_cells())
-  {
-    constexpr std::size_t chunk = 256;
-    internal::for_each_chunk<ConcurrencyTag>(m_cells.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) bound(Cell_index(c));
-    });
-  }
+  Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer)
+    : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]())
+    , m_places(new Cell_place[field.number_of_cells()]), m_cells(new Cell_bounds[field.number_of_cells()])
+  {}
 
   /// of a cell, in user units
-  double width(Cell_index c) const { return m_places[c].width; }
+  double width(Cell_index c) const { return place(c).width; }
 
   Sample sample(const Point_3& p) const { return sample({ p[0], p[1], p[2] }, m_field->locate(p), true, true); }
 
@@ -100,7 +97,7 @@ public:
   {
     const Coordinates x = middle(p, q);
     for(Cell_index c : { p.cell, q.cell })
-      if(c != no_cell && contains(m_places[c], x)) return sample(x, c, true, true);
+      if(c != no_cell && contains(place(c), x)) return sample(x, c, true, true);
     return sample(x, locate(x), true, true);
   }
 
@@ -164,7 +161,7 @@ private:
   {
     Sample s = { x, c, -1, -1, {} };
     if(c == Field::npos) return s;
-    const Cell_place& place = m_places[c];
+    const Cell_place& place = this->place(c);
     constexpr double no_radius = 0;       // values do not ask for it
     const typename Field::Cell cell(place.corner, place.width, place.coefficients, no_radius);
     double value = 0;
@@ -212,7 +209,43 @@ private:
     return sum;
   }
 
-  void bound(Cell_index c)
+  // Many cells of a field are never met.
+  enum class State : char { UNKNOWN, BUSY, KNOWN };
+  const Cell_place& place(Cell_index c) const
+  {
+    ensure(c);
+    return m_places[c];
+  }
+  const Cell_bounds& bounds(Cell_index c) const
+  {
+    ensure(c);
+    return m_cells[c];
+  }
+  void ensure(Cell_index c) const
+  {
+    if(m_states[c].load(std::memory_order_acquire) != State::KNOWN) bound_once(c);
+  }
+  // Another thread that bounds the cell is waited for, and followed if an exception of the field's ends it.
+  void bound_once(Cell_index c) const
+  {
+    std::atomic<State>& state = m_states[c];
+    for(;;) {
+      State found = State::UNKNOWN;
+      if(state.compare_exchange_strong(found, State::BUSY)) break;
+      if(found == State::KNOWN) return;
+      std::this_thread::yield();
+    }
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // bounds do not depend on who asks first
+    try {
+      bound(c);
+    } catch(...) {
+      state.store(State::UNKNOWN);
+      throw;
+    }
+    state.store(State::KNOWN, std::memory_order_release);
+  }
+
+  void bound(Cell_index c) const
   {
     const typename Field::Cell cell = m_field->cell(c);
     const double width = cell.width();
@@ -315,7 +348,7 @@ private:
       if(!fails && !part.is_contained) {
         const double margin = (std::min)(s.above, s.below);
         fails = margin < 0;
-        m_result.leaves_shell = margin < -2 * m_all.m_places[s.cell].value_error;
+        m_result.leaves_shell = margin < -2 * m_all.place(s.cell).value_error;
       }
       if(!fails && !part.is_transversal) {
         const double at_point = slope(s, m_normal.direction);
@@ -331,7 +364,7 @@ private:
     double slope_error(const Sample& s) const
     {
       const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
-      return 4 * m_all.m_cells[s.cell].gradient_error + (2 * m_normal.radius + 8 * internal::rounding) * size;
+      return 4 * m_all.bounds(s.cell).gradient_error + (2 * m_normal.radius + 8 * internal::rounding) * size;
     }
 
     static Edges edges(const Part& part)
@@ -388,7 +421,7 @@ private:
 
     void meet(Cell_index c)
     {
-      const Cell_bounds& cell = m_all.m_cells[c];
+      const Cell_bounds& cell = m_all.bounds(c);
       double sum = 0, size = 0;
       for(int a = 0; a < 3; ++a) {
         sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a], m_normal.direction[a] * cell.greatest_gradient[a]);
@@ -409,10 +442,10 @@ private:
       if(e.longest < large_extent * width) {
         const Bbox_3 box = bbox(part);
         const Cell_index first = part.corner[0].cell;
-        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.m_places[first]);
+        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.place(first));
         if(is_covered) meet(first);
         else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
-          if(plane_meets(m_all.m_places[c], part)) meet(c);
+          if(plane_meets(m_all.place(c), part)) meet(c);
         });
         is_covered = is_covered && !m_cells.empty();
         if(is_covered) examine(part, e, region_from(0));
@@ -451,18 +484,18 @@ private:
     Cell_index locate(const Coordinates& x) const
     {
       for(std::size_t n = m_cells.size(); n-- > 0; )
-        if(contains(m_all.m_places[m_cells[n].cell], x)) return m_cells[n].cell;
+        if(contains(m_all.place(m_cells[n].cell), x)) return m_cells[n].cell;
       return m_all.locate(x);
     }
 
     // the cells met from a number on
     Region region_from(std::size_t begin) const
     {
-      const Cell_bounds& first = m_all.m_cells[m_cells[begin].cell];
+      const Cell_bounds& first = m_all.bounds(m_cells[begin].cell);
       Region region = { begin, m_cells.size(), {}, {}, {}, m_all.width(m_cells[begin].cell), first.steepness, first.curvature, m_cells[begin].is_transversal };
       Matrix_range above = first.above, below = first.below, field = first.field;
       for(std::size_t n = begin + 1; n < m_cells.size(); ++n) {
-        const Cell_bounds& cell = m_all.m_cells[m_cells[n].cell];
+        const Cell_bounds& cell = m_all.bounds(m_cells[n].cell);
         region.width = (std::min)(region.width, m_all.width(m_cells[n].cell));
         region.steepness = (std::max)(region.steepness, cell.steepness);
         region.curvature = (std::max)(region.curvature, cell.curvature);
@@ -483,7 +516,7 @@ private:
       const Bbox_3 box = bbox(part);
       const std::size_t size = m_cells.size();
       for(std::size_t n = around.begin; n < around.end; ++n)
-        if(around.end - around.begin == 1 || do_meet(box, m_all.m_places[m_cells[n].cell])) m_cells.push_back(Cell_met(m_cells[n]));
+        if(around.end - around.begin == 1 || do_meet(box, m_all.place(m_cells[n].cell))) m_cells.push_back(Cell_met(m_cells[n]));
       const bool is_smaller = m_cells.size() - size < around.end - around.begin;
       if(!is_smaller) m_cells.resize(size);
       if(is_smaller && m_cells.size() > size) examine(part, e, box, region_from(size));
@@ -557,8 +590,10 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
-  std::vector<Cell_place> m_places;
-  std::vector<Cell_bounds> m_cells;
+  // Of cells that are not known yet, places and bounds have no values, and mostly no memory.
+  std::unique_ptr<std::atomic<State>[]> m_states;
+  std::unique_ptr<Cell_place[]> m_places;
+  std::unique_ptr<Cell_bounds[]> m_cells;
 };
 
 } // namespace Bspline_shells

@@ -302,7 +302,7 @@ private:
     std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
     std::vector<Facet_verdict> verdicts(triangles.size());
     constexpr std::size_t most_bisections = 65536;      // large facets meet thousands of cells
-    if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer, ConcurrencyTag());
+    if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer);
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       Result& result = results[begin / chunk];
       for(std::size_t n = begin; n < end; ++n) {

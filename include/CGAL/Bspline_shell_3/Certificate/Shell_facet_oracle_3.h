@@ -67,8 +67,8 @@ enum class Facet_proofs
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex, and for the bounds on all
- *         cells that are computed first; verdicts are the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex; verdicts are
+ *         the same
  */
 template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold, typename ConcurrencyTag = Sequential_tag>
 class Shell_facet_oracle_3
@@ -98,9 +98,10 @@ public:
     }
     void add(const Place& place, const Facet& facet)
     {
-      constexpr std::size_t most_places = 1 << 20;
-      if(m_facets.size() == most_places) m_facets.clear();
-      m_facets[place].push_back(facet);
+      constexpr std::size_t most_facets = 32;       // at one place: each facet of a link is compared with all of them
+      if(m_facets.size() == m_most_places && m_facets.count(place) == 0) m_facets.clear();
+      std::vector<Facet>& facets = m_facets[place];
+      if(facets.size() < most_facets) facets.push_back(facet);
     }
     void set_link(const std::vector<Point_3>& link)
     {
@@ -110,10 +111,15 @@ public:
       m_first = 0;
     }
 
+    std::size_t m_most_places;
     std::unordered_map<Place, std::vector<Facet>, Hash> m_facets;         // at each place
     std::vector<Point_3> m_link;                                          // the last one
     std::vector<std::optional<Sample> > m_samples;                        // of its vertices, as far as they were needed
     std::size_t m_first = 0;      // the vertex whose edge rejected the last place: it most likely rejects the next one, too
+
+  public:
+    /// \param most_places at so many places, facets are remembered; with one more, all is forgotten
+    explicit Memory(std::size_t most_places = 1 << 20) : m_most_places(most_places) {}
   };
 
   /// \pre there is a shell, it outlives this object, and its field does not change
@@ -206,7 +212,7 @@ private:
 template <typename Field, typename Threshold, typename ConcurrencyTag>
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs)
   : m_shell(&shell), m_proofs(proofs), m_predicates(shell.field())
-  , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold(), ConcurrencyTag()))
+  , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
 {
   CGAL_precondition(bool(shell));
   for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)

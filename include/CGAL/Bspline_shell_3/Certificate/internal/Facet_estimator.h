@@ -26,7 +26,8 @@ enum class Facet_estimate
 
 // Guesses what Second_order_bounds_3 proves of a triangle, for some tenths of the time. Values and gradients at the corners of a part give a cubic
 // triangle, whose Bernstein coefficients bound the margins, and slopes at corners and middles of edges a quadratic one. How far the cubics are off
-// at the middles, and how much slopes bend, is what they may be wrong by. Parts are bisected until that is enough.
+// at the middles, and how much slopes bend, is what they may be wrong by; of parts larger than some cells, that times their area. Parts are bisected until
+// that is enough.
 template <typename Bounds>
 class Facet_estimator
 {
@@ -52,8 +53,8 @@ public:
 
 private:
   static constexpr int most_bisections = 512;
-  static constexpr double large_extent = 3;         // cells, of parts that are bisected without a look at their cubics
-  static constexpr double safety = 2;               // margins, relative to what the cubics are off by
+  static constexpr double small_extent = 3, large_extent = 12;      // cells, of parts that few points tell enough of, and of those they tell nothing of
+  static constexpr double safety = 2;               // margins of small parts, relative to what the cubics are off by
   static constexpr double slope_safety = 0.5;       // slopes, relative to how much they bend
 
   struct Edge { const Sample &p, &q; };
@@ -84,7 +85,8 @@ private:
         top = v;
       }
     }
-    if(longest > large_extent * large_extent * width * width) {
+    const double extent = longest / (width * width);      // squared, in cells
+    if(extent > large_extent * large_extent) {
       const Edge e = edge(corners, top);
       const Sample middle = known[top] ? *known[top] : m_bounds.sample_middle(e.p, e.q);
       const Facet_estimate there = at(middle);
@@ -121,7 +123,9 @@ private:
     }
     // the coefficient in the middle, by which quadratic functions are reproduced
     least = (std::min)({ least, above_on_edges / 4 - above_at_corners / 6, below_on_edges / 4 - below_at_corners / 6 });
-    if(least > safety * off && least_slope > slope_safety * bend) return Facet_estimate::CLEAR;
+    // the fewer points for a cell, the more they must agree
+    const double sparsity = (std::max)(1., extent / (small_extent * small_extent));
+    if(least > sparsity * safety * off && least_slope > sparsity * slope_safety * bend) return Facet_estimate::CLEAR;
     return bisect(corners, top, middles[top], {{ &middles[0], &middles[1], &middles[2] }});
   }
 
