@@ -472,6 +472,7 @@ TEST_CASE("Simplification: without success a map of constrained edges says what 
   const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
                                                     .protect_constraints(false));
   CHECK(result.status == Status::NOT_CERTIFIED);
+  CHECK(result.is_repeated);
   CHECK(result.collapsed > 100);
   CHECK(result.constrained_edges == 0);
   CHECK(is_equal(mesh, before));

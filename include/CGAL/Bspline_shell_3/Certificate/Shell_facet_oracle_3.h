@@ -84,6 +84,11 @@ public:
   /// are tried for an edge have the same link
   class Memory
   {
+  public:
+    /// \param most_places at so many places, facets are remembered; with one more, all is forgotten
+    explicit Memory(std::size_t most_places = 1 << 20) : m_most_places(most_places) {}
+
+  private:
     friend class Shell_facet_oracle_3;
     typedef std::array<double, 3> Place;
     struct Facet { Point_3 q, r; Placement_verdict verdict; };
@@ -116,10 +121,6 @@ public:
     std::vector<Point_3> m_link;                                          // the last one
     std::vector<std::optional<Sample> > m_samples;                        // of its vertices, as far as they were needed
     std::size_t m_first = 0;      // the vertex whose edge rejected the last place: it most likely rejects the next one, too
-
-  public:
-    /// \param most_places at so many places, facets are remembered; with one more, all is forgotten
-    explicit Memory(std::size_t most_places = 1 << 20) : m_most_places(most_places) {}
   };
 
   /// \pre there is a shell, it outlives this object, and its field does not change

@@ -89,8 +89,9 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
  *     the map must take new vertices: those that close the mesh while it is edited.
  *
- * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage, constrained edges and frozen facets, facets are proved on the
- * way only where an estimate leaves them in doubt; `target_edge_length` is asked again, from the beginning, if all has to be done again.
+ * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage and frozen facets, facets are proved on the way only where
+ * an estimate leaves them in doubt. If all has to be done again, `target_edge_length` is asked again, from the beginning, and the map of constrained
+ * edges says what it said.
  *
  * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex, and a move a projection. Vertices that share no
  * edge are moved at the same time, which takes most of the time; other operations follow each other. The certificate costs what it costs for any mesh
@@ -160,8 +161,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
-  // a map that is written to would see a run that is undone
-  constexpr bool may_repeat = CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
+  constexpr bool may_repeat = true;
   return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
                                                           [&](const auto& oracle, const auto& frozen, const auto& all) {
     typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
