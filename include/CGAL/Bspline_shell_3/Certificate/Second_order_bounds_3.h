@@ -80,7 +80,7 @@ public:
     double slope = 0;         ///< if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
   };
 
-  /// Takes no time: cells are bounded when a point or a triangle meets them first.
+  /// Nothing is computed yet: a cell is bounded when a point or a triangle meets it first.
   /// \pre `field` outlives this object, and does not change
   Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]())
@@ -209,7 +209,7 @@ private:
     return sum;
   }
 
-  // Many cells of a field are never met.
+  // Many cells of a field are never met, and need no bounds.
   enum class State : char { UNKNOWN, BUSY, KNOWN };
   const Cell_place& place(Cell_index c) const
   {
