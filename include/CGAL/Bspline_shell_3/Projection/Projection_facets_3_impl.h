@@ -143,10 +143,11 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
   const double squared = dot(f.normal, f.normal);
   Position result{ {}, -std::numeric_limits<double>::infinity(), 0, {} };
   Coordinates e[3];
-  double longest = 0;         // squared
+  double lengths[3], longest = 0;         // squared
   for(int i = 0; i < 3; ++i) {
     e[i] = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
-    longest = (std::max)(longest, dot(e[i], e[i]));
+    lengths[i] = dot(e[i], e[i]);
+    longest = (std::max)(longest, lengths[i]);
   }
   Coordinates& w = result.barycentric;
   // Rounding moves a point by eps / thinness of its distance from the facet's vertex, and after a second step by the square of that
@@ -162,10 +163,12 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
     w[0] = 1 - w[1] - w[2];
   }
   else w = exact_barycentric(f, p);
+  // compared by their squares, with a sign
   for(int i = 0; i < 3; ++i) {
-    const double outside = -w[(i + 2) % 3] * std::sqrt(squared / dot(e[i], e[i]));
+    const double weight = w[(i + 2) % 3], outside = -weight * std::abs(weight) / lengths[i];
     if(outside > result.outside) { result.outside = outside; result.edge = i; }
   }
+  result.outside = std::copysign(std::sqrt(std::abs(result.outside) * squared), result.outside);
   result.nearest = result.barycentric;
   if(!(result.outside > 0)) return result;
   // where two edges meet at a small angle, a point far from both may be next to their lines

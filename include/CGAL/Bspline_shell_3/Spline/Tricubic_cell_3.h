@@ -85,15 +85,19 @@ public:
   template <typename Point>
   First_order_jet first_order_jet(const Point& p) const
   {
-    const std::array<double, 3> t = local_coordinates(p);
+    First_order_jet jet = local_first_order_jet(local_coordinates(p));
+    for(double& d : jet.gradient) d /= m_width;
+    return jet;
+  }
+  /// the same at local coordinates, and with derivatives by these
+  First_order_jet local_first_order_jet(const std::array<double, 3>& t) const
+  {
     Basis_jet<2> b;
     for(int a = 0; a < 3; ++a) {
       b[0][a] = bernstein(t[a]);
       b[1][a] = bernstein_derivative(t[a]);
     }
-    First_order_jet jet = internal::first_order_jet<double>(m_coefficients, b);
-    for(double& d : jet.gradient) d /= m_width;
-    return jet;
+    return internal::first_order_jet<double>(m_coefficients, b);
   }
 
   template <typename Point>

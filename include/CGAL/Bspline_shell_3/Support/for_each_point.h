@@ -7,17 +7,13 @@
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H
 
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,27 +27,21 @@ namespace internal {
 template <typename ConcurrencyTag, typename Visitor, typename PointOf, typename Function>
 bool for_each_point(std::size_t size, const PointOf& point, Visitor& visitor, const Function& f)
 {
-  typedef Simple_cartesian<double> Kernel;
-  typedef std::pair<Kernel::Point_3, std::size_t> Item;
-  std::vector<Item> items(size);
+  std::vector<std::array<double, 3> > points(size);
   for_each_chunk<ConcurrencyTag>(size, 1024, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       const auto p = point(n);
-      items[n] = { Kernel::Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])), n };
+      points[n] = { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) };
     }
   });
-  const auto finite = std::stable_partition(items.begin(), items.end(), [](const Item& item) {
-    return std::isfinite(item.first.x()) && std::isfinite(item.first.y()) && std::isfinite(item.first.z());
-  });
-  typedef Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Item> > Traits;
-  hilbert_sort<ConcurrencyTag>(items.begin(), finite, Traits());
+  const Morton_order order = morton_order<ConcurrencyTag>(points);
 
   constexpr std::size_t block = 16384, chunk = 64;
   for(std::size_t first = 0; first < size; first += block) {
     const std::size_t last = (std::min)(size, first + block);
     for_each_chunk<ConcurrencyTag>(last - first, chunk, [&](std::size_t begin, std::size_t end) {
       Function of_chunk(f);
-      for(std::size_t i = first + begin; i < first + end; ++i) of_chunk(items[i].second, items[i].first);
+      for(std::size_t i = first + begin; i < first + end; ++i) of_chunk(order[i], points[order[i]]);
     });
     if(!visitor.advance(last, size) && last < size) return false;
   }

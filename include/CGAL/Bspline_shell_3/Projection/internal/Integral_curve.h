@@ -30,11 +30,17 @@ struct Flow_velocity
 
   Tricubic_cell_3 cell;
 
-  void operator()(const State& x, State& dx, double /* s */) const
+  void operator()(const State& x, State& dx, double /* s */) const { evaluate(x, dx); }
+
+  // returns f
+  double evaluate(const State& x, State& dx) const
   {
-    const auto g = cell.first_order_jet(x).gradient;
-    const double scale = 1 / dot(g, g);
-    for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
+    // by local coordinates, which spares divisions: with h = width grad f, dx = width h / |h|^2
+    const auto jet = cell.local_first_order_jet(cell.local_coordinates(x));
+    const auto& h = jet.gradient;
+    const double scale = cell.width() / dot(h, h);
+    for(int a = 0; a < 3; ++a) dx[a] = scale * h[a];
+    return jet.value;
   }
 };
 
@@ -46,7 +52,9 @@ struct Flow_velocity_with_differential
 
   Tricubic_cell_3 cell;
 
-  void operator()(const State& x, State& dx, double /* s */) const
+  void operator()(const State& x, State& dx, double /* s */) const { evaluate(x, dx); }
+
+  double evaluate(const State& x, State& dx) const
   {
     const auto jet = cell.second_order_jet(x);
     const auto& g = jet.gradient;
@@ -60,6 +68,7 @@ struct Flow_velocity_with_differential
       const double along = 2 * scale * dot(g, u);
       for(int a = 0; a < 3; ++a) dx[j + a] = scale * (u[a] - along * g[a]);
     }
+    return jet.value;
   }
 };
 
@@ -83,7 +92,6 @@ public:
   // `tolerance`, in user units: of a step, and of what is in the shell
   Integral_curve(const Shell& shell, double tolerance)
     : m_shell(&shell), m_tolerance(tolerance), m_velocity{ shell.field().cell(0) }
-    , m_stepper(Error_checker(tolerance / steps_per_curve, 0.))
   {}
 
   // begins a curve. State and value are valid after success only.
@@ -95,12 +103,12 @@ public:
     if(!is_shell_cell(m_next_cell)) return Flow_status::STARTS_OUTSIDE;
     enter_next_cell();
     m_end = x;
-    m_end_s = m_velocity.cell.value(x);
-    m_velocity(m_end, m_end_dx, m_end_s);
+    m_end_s = m_velocity.evaluate(m_end, m_end_dx);
     if(!is_gradient_certain())
       return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
     begin_step();
     m_step_size = std::numeric_limits<double>::infinity();
+    m_step_error = 1;
     m_steps = 0;
     m_has_left = false;
     return is_within_thresholds(m_end, m_end_s) ? Flow_status::SUCCESS : Flow_status::STARTS_OUTSIDE;
@@ -136,7 +144,7 @@ public:
   {
     if(m_stepped.s == m_begin_s) return m_begin;
     State x;
-    m_stepper.stepper().calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_stepped.x, m_stepped.dx, m_stepped.s);
+    m_stepper.calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_stepped.x, m_stepped.dx, m_stepped.s);
     return x;
   }
   // Makes the step end at `s`, which is in it. The polynomial between its ends has their places and derivatives: with t = (s - begin) / length, it is off
@@ -151,7 +159,7 @@ public:
       m_end = at(s);
       m_velocity(m_end, m_end_dx, s);
     } else {
-      m_stepper.stepper().do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, s - m_begin_s);
+      m_stepper.do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, s - m_begin_s);
       m_stepped = { m_end, m_end_dx, m_end_s };
     }
   }
@@ -166,10 +174,8 @@ public:
   // @}
 
 private:
-  typedef boost::numeric::odeint::runge_kutta_dopri5<State> Runge_kutta;
-  typedef boost::numeric::odeint::default_error_checker<double, typename Runge_kutta::algebra_type, typename Runge_kutta::operations_type>
-    Error_checker;
-  typedef boost::numeric::odeint::controlled_runge_kutta<Runge_kutta, Error_checker> Stepper;
+  typedef boost::numeric::odeint::runge_kutta_dopri5<State> Stepper;
+  typedef boost::numeric::odeint::default_step_adjuster<double, double> Step_adjuster;
 
   static constexpr double slack = 1e-6;             // of a cell's width
   static constexpr double near_end = 0.03;          // of a step's length
@@ -223,6 +229,8 @@ private:
     begin_step();
     const double longest = m_velocity.cell.width() / speed();
     double ds = goal - m_begin_s;
+    // computed here, as most curves end after a step
+    m_step_size = Step_adjuster().increase_step(m_step_size, m_step_error, Stepper::stepper_order_value);
     for(double limit : { m_step_size, longest })
       if(std::abs(ds) > limit) ds = std::copysign(limit, ds);
     for(;;) {
@@ -231,13 +239,16 @@ private:
         cut(m_begin_s);
         return Flow_status::GRADIENT_VANISHES;
       }
-      double s = m_begin_s, next = ds;
-      const bool accepted = m_stepper.try_step(m_velocity, m_begin, m_begin_dx, s, m_end, m_end_dx, next) == boost::numeric::odeint::success;
+      State errors;
+      m_stepper.do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, ds, errors);
+      m_step_error = 0;
+      for(double error : errors) m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_tolerance));
+      const bool accepted = !(m_step_error > 1);
       if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
-        m_step_size = (std::max)(std::abs(next), std::abs(ds));
+        m_step_size = std::abs(ds);
         break;
       }
-      ds = accepted ? ds / 8 : next;
+      ds = accepted ? ds / 8 : Step_adjuster().decrease_step(ds, m_step_error, Stepper::error_order_value);
       if(!(std::abs(ds) > smallest_step * longest)) {
         cut(m_begin_s);
         const auto range = m_velocity.cell.coefficient_range();
@@ -311,7 +322,8 @@ private:
   State m_begin, m_begin_dx, m_end, m_end_dx;
   double m_begin_s = 0, m_end_s = 0;
   struct { State x, dx; double s; } m_stepped;      // where the last step of the method ended, before it was cut
-  double m_step_size = 0;
+  double m_step_size = 0;                           // of the last step, as a difference of f
+  double m_step_error = 0;                          // of that step, as a part of what is allowed
   int m_steps = 0;
   bool m_has_left = false;                          // the shell
 };
