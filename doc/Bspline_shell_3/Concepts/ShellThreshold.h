@@ -3,7 +3,7 @@
 \cgalConcept
 
 The concept `ShellThreshold` describes a bound of a shell: a number, or a function that is tricubic on the leaf cells of
-the field that it bounds. Predicates and certificate know it by its difference to the field only.
+the field that it bounds. Predicates and certificate know it by its range on a cell and its difference to the field only.
 
 \cgalHasModel `CGAL::Bspline_shells::Constant_threshold`
 \cgalHasModel `CGAL::Bspline_shells::Spline_threshold`
@@ -31,6 +31,9 @@ public:
   /// the same, for a point of a leaf cell, or next to it: `p` has three coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point_3>
   double value(const Point_3& p, std::uint32_t cell) const;
+
+  /// encloses the threshold on a leaf cell
+  CGAL::Bspline_shells::Level_range range(std::uint32_t cell) const;
 
   /// encloses a function on a leaf cell minus the threshold, as a polynomial over the cell with a radius that covers all
   /// rounding

@@ -739,7 +739,7 @@ TEST_CASE("Thresholds: differences to them and their ranges on cells")
   for(Field::Cell_index c = 0; c < field.number_of_cells(); c += 37) {
     const auto cell = field.cell(c);
     const BS::Enclosed_tricubic f = BS::enclosed_value(cell), above = varying.difference(f, c), above_constant = constant.difference(f, c);
-    const BS::Level_range range = BS::threshold_range(varying, c), one = BS::threshold_range(constant, c);
+    const BS::Level_range range = varying.range(c), one = constant.range(c);
     CHECK(one.min <= 0.37);
     CHECK(one.max >= 0.37);
     CHECK(one.max - one.min < 1e-12);

@@ -130,8 +130,8 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(thresholds.outer().value(Point_3(2.499, 0, 0)) < at_end);
   for(Index c = 0; c < ball.field.number_of_cells(); ++c) {
     if(!(ball.ranges[c].min <= ball.ranges[c].max)) continue;
-    CHECK(BS::threshold_range(thresholds.inner(), c).min <= ball.ranges[c].min);
-    CHECK(BS::threshold_range(thresholds.outer(), c).max >= ball.ranges[c].max);
+    CHECK(thresholds.inner().range(c).min <= ball.ranges[c].min);
+    CHECK(thresholds.outer().range(c).max >= ball.ranges[c].max);
   }
   // the one next to the place alone
   const double less = 1.2;

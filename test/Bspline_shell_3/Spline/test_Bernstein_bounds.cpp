@@ -299,7 +299,7 @@ TEST_CASE("Bounds: a field on a cell has the cell's radius; thresholds are subtr
     CHECK(CGAL::abs(Rational(exact_f[n] - exact_g[n] - Rational(above.coefficients[n]))) <= Rational(above.radius));
     CHECK(CGAL::abs(Rational(exact_f[n] - 2 - Rational(above_two.coefficients[n]))) <= Rational(above_two.radius));
   }
-  const Level_range range = BS::threshold_range(threshold, 0), two = BS::threshold_range(BS::Constant_threshold(2), 0);
+  const Level_range range = threshold.range(0), two = BS::Constant_threshold(2).range(0);
   for(int n = 0; n < 64; ++n) CHECK(contains(range, exact_g[n]));
   CHECK(range.max - range.min < 1.1);
   CHECK(contains(two, 2));

@@ -132,21 +132,21 @@ public:
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
-    return n == npos ? npos : l.leaf[n];
+    return n == npos ? npos : l.nodes[n].leaf;
   }
   /// whether the cell of a level with that lattice point exists and is split
   bool is_split(int level, const Lattice_3::Point& p) const
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
-    return n != npos && l.leaf[n] == npos;
+    return n != npos && l.nodes[n].leaf == npos;
   }
   /// the leaf that the cell of a level with that lattice point is, or is a part of; `npos` if there is none
   Index leaf_around(int level, Lattice_3::Point p) const
   {
     for(int l = level; l >= 0; --l) {
       const Index n = m_levels[std::size_t(l)].cells.index(p);
-      if(n != npos) return m_levels[std::size_t(l)].leaf[n];
+      if(n != npos) return m_levels[std::size_t(l)].nodes[n].leaf;
       for(int& i : p) i = floor_shift(i, 1);
     }
     return npos;
@@ -162,13 +162,16 @@ public:
   template <typename Point>
   Index locate(const Point& p) const
   {
-    const Index root = m_roots.locate(p);
-    if(root == npos) return npos;
-    Lattice_3::Point cell = m_roots.lattice_point(root);
+    Index n = m_roots.locate(p);
+    if(n == npos) return npos;
+    Lattice_3::Point cell = m_roots.lattice_point(n);
     for(int l = 0; ; ++l) {
-      const Index c = leaf(l, cell);
-      if(c != npos) return c;
-      for(int a = 0; a < 3; ++a) cell[a] = 2 * cell[a] + (p[a] >= coordinate(l + 1, a, 2 * cell[a] + 1) ? 1 : 0);
+      const Node& node = m_levels[std::size_t(l)].nodes[n];
+      if(node.leaf != npos) return node.leaf;
+      int octant = 0;
+      for(int a = 0; a < 3; ++a) octant |= int(p[a] >= coordinate(l + 1, a, 2 * cell[a] + 1)) << a;
+      n = child(l, node, octant);
+      cell = child(cell, octant);
     }
   }
 
@@ -176,7 +179,7 @@ public:
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
-    return m_roots.visit_cells(box, [&](Index root) { visit_leaves(0, m_roots.lattice_point(root), box, visit); });
+    return m_roots.visit_cells(box, [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
   }
 
   /// calls `visit(n)` for every leaf that has a part of a face of `c` in common; returns whether there is any
@@ -195,12 +198,28 @@ public:
 
 private:
   struct Leaf { Lattice_3::Point point; int level; };
+  struct Node
+  {
+    Index leaf;           // npos if the cell is split
+    Index rows;           // of children, if it is
+  };
   struct Level
   {
     Lattice_set_3 cells;
-    std::vector<Index> leaf;        // the number of each cell; npos if it is split
+    std::vector<Node> nodes;                        // by number of the cell
+    std::vector<std::array<Index, 4> > rows;        // the first children in the four rows of a split cell, along x; numbers in the next level
     Index first_leaf = 0;
   };
+
+  // a child of a split cell, by the bits of its octant: its number in the next level, and its lattice point
+  Index child(int level, const Node& node, int octant) const
+  {
+    return m_levels[std::size_t(level)].rows[node.rows][std::size_t(octant >> 1)] + Index(octant & 1);
+  }
+  static Lattice_3::Point child(const Lattice_3::Point& p, int octant)
+  {
+    return { 2*p[0] + (octant & 1), 2*p[1] + (octant >> 1 & 1), 2*p[2] + (octant >> 2) };
+  }
 
   static std::uint64_t key(const Lattice_3::Point& p) { return Lattice_key::encode(p[0], p[1], p[2]); }
   static int floor_shift(int i, int bits) { return (i - (i & ((1 << bits) - 1))) / (1 << bits); }
@@ -247,23 +266,28 @@ private:
       m_levels.emplace_back();
       Level& level = m_levels.back();
       level.cells = Lattice_set_3(keys);
-      level.leaf.assign(keys.size(), npos);
+      level.nodes.assign(keys.size(), { npos, npos });
       level.first_leaf = Index(m_leaves.size());
       Keys children;
       std::size_t s = 0;
       for(std::size_t n = 0; n < keys.size(); ++n) {
         const Lattice_3::Point& p = level.cells.point(Index(n));
         if(l < m_split.size() && s < m_split[l].size() && m_split[l][s] == keys[n]) {
-          ++s;
-          for(int o = 0; o < 8; ++o) children.push_back(Lattice_key::encode(2*p[0] + (o & 1), 2*p[1] + (o >> 1 & 1), 2*p[2] + (o >> 2)));
+          level.nodes[n].rows = Index(s++);
+          for(int o = 0; o < 8; ++o) children.push_back(key(child(p, o)));
         } else {
-          level.leaf[n] = Index(m_leaves.size());
+          level.nodes[n].leaf = Index(m_leaves.size());
           m_leaves.push_back({ p, int(l) });
         }
       }
       std::sort(children.begin(), children.end());
       keys.swap(children);
     }
+    for(std::size_t l = 0; l < m_split.size(); ++l)
+      for(std::uint64_t k : m_split[l]) {
+        m_levels[l].rows.emplace_back();
+        for(int row = 0; row < 4; ++row) m_levels[l].rows.back()[std::size_t(row)] = m_levels[l+1].cells.index(child(Lattice_key::decode(k), 2 * row));
+      }
   }
 
   std::array<double, 3> corner(int level, const Lattice_3::Point& p) const
@@ -273,10 +297,10 @@ private:
 
   // visits the leaves, in a cell that meets the box, that meet it
   template <typename Visitor>
-  void visit_leaves(int level, const Lattice_3::Point& p, const Bbox_3& box, const Visitor& visit) const
+  void visit_leaves(int level, Index n, const Lattice_3::Point& p, const Bbox_3& box, const Visitor& visit) const
   {
-    const Index c = leaf(level, p);
-    if(c != npos) { visit(c); return; }
+    const Node& node = m_levels[std::size_t(level)].nodes[n];
+    if(node.leaf != npos) { visit(node.leaf); return; }
     bool meets[3][2];
     for(int a = 0; a < 3; ++a) {
       const double middle = coordinate(level + 1, a, 2 * p[a] + 1);
@@ -285,7 +309,7 @@ private:
     }
     for(int o = 0; o < 8; ++o)
       if(meets[0][o & 1] && meets[1][o >> 1 & 1] && meets[2][o >> 2])
-        visit_leaves(level + 1, { 2*p[0] + (o & 1), 2*p[1] + (o >> 1 & 1), 2*p[2] + (o >> 2) }, box, visit);
+        visit_leaves(level + 1, child(level, node, o), child(p, o), box, visit);
   }
 
   template <typename Visitor>
@@ -295,7 +319,7 @@ private:
     if(c != npos) { visit(c); return; }
     for(int o = 0; o < 8; ++o)
       if((o >> axis & 1) == int(positive))
-        visit_leaves_at_face(level + 1, { 2*p[0] + (o & 1), 2*p[1] + (o >> 1 & 1), 2*p[2] + (o >> 2) }, axis, positive, visit);
+        visit_leaves_at_face(level + 1, child(p, o), axis, positive, visit);
   }
 
   static constexpr int most_levels = 10;

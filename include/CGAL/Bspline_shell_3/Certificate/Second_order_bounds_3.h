@@ -269,7 +269,7 @@ private:
     // field and a margin.
     const internal::Form_error error(8 * internal::rounding);
     place.value_error = 2 * error(f) + error(above) + error(below);
-    const Level_range inner = threshold_range(m_inner, c), outer = threshold_range(m_outer, c);
+    const Level_range inner = m_inner.range(c), outer = m_outer.range(c);
     const double variation = (std::max)(inner.max - inner.min, outer.max - outer.min);
     place.inner = place.outer = std::numeric_limits<double>::quiet_NaN();
     if(variation < flat * (outer.min - inner.max)) {

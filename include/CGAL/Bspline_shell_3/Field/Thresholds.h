@@ -9,10 +9,14 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -40,6 +44,9 @@ public:
   double value(const Point_3&) const { return m_level; }
   template <typename Point_3>
   double value(const Point_3&, std::uint32_t /* cell */) const { return m_level; }
+
+  /// encloses it on a leaf cell
+  Level_range range(std::uint32_t /* cell */) const { return { m_level, m_level }; }
 
   /// a function minus the threshold, on a leaf cell
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
@@ -70,45 +77,69 @@ public:
 
   Spline_threshold() = default;       ///< none
   /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of: `has_cells_of()`
-  explicit Spline_threshold(Field field) : m_field(std::make_shared<const Field>(std::move(field))) {}
+  explicit Spline_threshold(Field field) : m_data(std::make_shared<const Data>(std::move(field))) {}
 
-  const Field& field() const { return *m_field; }
+  const Field& field() const { return m_data->field; }
 
   /// whether the threshold has the leaf cells of a field, under the same numbers
   template <typename OtherField>
   bool has_cells_of(const OtherField& other) const
   {
-    if(!m_field || m_field->number_of_cells() != other.number_of_cells()) return false;
+    if(!m_data || field().number_of_cells() != other.number_of_cells()) return false;
     for(std::size_t c = 0; c < other.number_of_cells(); ++c) {
-      const auto a = m_field->cell(typename Field::Cell_index(c)), b = other.cell(typename OtherField::Cell_index(c));
+      const auto a = field().cell(typename Field::Cell_index(c)), b = other.cell(typename OtherField::Cell_index(c));
       if(a.corner() != b.corner() || a.width() != b.width()) return false;
     }
     return true;
   }
 
-  double value(const typename Field::Point_3& p) const { return m_field->value(p).value(); }
+  double value(const typename Field::Point_3& p) const { return field().value(p).value(); }
   template <typename Point_3>
-  double value(const Point_3& p, std::uint32_t cell) const { return m_field->cell(cell).value(p); }
+  double value(const Point_3& p, std::uint32_t cell) const
+  {
+    const double constant = this->constant(cell);
+    return std::isnan(constant) ? field().cell(cell).value(p) : constant;
+  }
+  /// what all of its coefficients on a leaf cell are, as mostly; NaN where they differ
+  double constant(std::uint32_t cell) const { return m_data->constants[cell]; }
+
+  /// encloses it on a leaf cell
+  Level_range range(std::uint32_t cell) const
+  {
+    const double constant = this->constant(cell);
+    if(!std::isnan(constant)) {
+      const double radius = internal::radius_of_difference(0, field().cell(cell).error_radius(), std::abs(constant));
+      return { constant - radius, constant + radius };
+    }
+    Enclosed_tricubic zero;
+    zero.coefficients.fill(0);
+    const Level_range negative = difference(zero, cell).range();
+    return { -negative.max, -negative.min };
+  }
 
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t cell) const
   {
-    return Bspline_shells::difference(f, enclosed_value(m_field->cell(cell)));
+    return Bspline_shells::difference(f, enclosed_value(field().cell(cell)));
   }
 
 private:
-  std::shared_ptr<const Field> m_field;
-};
+  struct Data
+  {
+    explicit Data(Field field_) : field(std::move(field_)), constants(field.number_of_cells())
+    {
+      for(std::size_t c = 0; c < constants.size(); ++c) {
+        const double* const b = field.cell(typename Field::Cell_index(c)).coefficients();
+        const bool is_constant = std::all_of(b + 1, b + 64, [b](double x) { return x == b[0]; });
+        constants[c] = is_constant ? b[0] : std::numeric_limits<double>::quiet_NaN();
+      }
+    }
 
-/// \ingroup PkgBsplineShell3Field
-/// encloses a threshold on a leaf cell
-template <typename Threshold>
-Level_range threshold_range(const Threshold& threshold, std::uint32_t cell)
-{
-  Enclosed_tricubic zero;
-  zero.coefficients.fill(0);
-  const Level_range negative = threshold.difference(zero, cell).range();
-  return { -negative.max, -negative.min };
-}
+    Field field;
+    std::vector<double> constants;
+  };
+
+  std::shared_ptr<const Data> m_data;
+};
 
 /// \ingroup PkgBsplineShell3Field
 /// encloses both thresholds on a leaf cell
@@ -118,8 +149,8 @@ Level_range threshold_range(const Threshold& inner, const Threshold& outer, std:
   if constexpr(Threshold::is_constant) {
     return { inner.level(), outer.level() };
   } else {
-    Level_range range = threshold_range(inner, cell);
-    range.include(threshold_range(outer, cell));
+    Level_range range = inner.range(cell);
+    range.include(outer.range(cell));
     return range;
   }
 }

@@ -58,6 +58,12 @@ inline double largest_size(const std::array<double, 64>& b)
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double underflow = 1024 * (std::numeric_limits<double>::min)();
 
+// of coefficients that are differences, rounded, of others with these radii
+inline double radius_of_difference(double f, double g, double largest_difference)
+{
+  return (1 + 4 * rounding) * (f + g + rounding * largest_difference + underflow);
+}
+
 // What rounding can do to a coefficient of a form of degree nine.
 //
 // With |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a, the absolute weights of a polar form
@@ -176,8 +182,7 @@ inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_t
 {
   Enclosed_tricubic d;
   for(int n = 0; n < 64; ++n) d.coefficients[n] = f.coefficients[n] - g.coefficients[n];
-  const double largest = internal::largest_size(d.coefficients);
-  d.radius = (1 + 4 * internal::rounding) * (f.radius + g.radius + internal::rounding * largest + internal::underflow);
+  d.radius = internal::radius_of_difference(f.radius, g.radius, internal::largest_size(d.coefficients));
   return d;
 }
 
