@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -265,6 +266,34 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
   CHECK(proofs == Proofs{ all });
 }
 
+TEST_CASE("Simplification: an edit that is done again finds constrained edges as they were, and leaves them as it says")
+{
+  Mesh mesh = sphere(2);
+  const Mesh start = mesh;
+  const auto first_edges = [&](std::size_t number) { return Edge_set(mesh.edges().begin(), std::next(mesh.edges().begin(), std::ptrdiff_t(number))); };
+  Edge_set constrained = first_edges(40);
+  const Edge_set before = constrained;
+  CGAL::Boolean_property_map<Edge_set> map(constrained);
+  int runs = 0;
+  const auto edit = [&](const auto&, auto&, const auto&) {
+    CHECK(constrained == before);
+    for(auto e : first_edges(60)) put(map, e, !get(map, e));
+    if(++runs == 1) mesh.point(*mesh.vertices().begin()) = Point_3(9, 9, 9);
+    else put(map, *before.begin(), true);
+    return Status::SUCCESS;
+  };
+  BS::Simplification_result<Mesh> result;
+  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), map, sphere_shell(), true, CGAL::parameters::default_values(),
+                                                             result, edit) == Status::SUCCESS);
+  CHECK(runs == 2);
+  CHECK(result.is_repeated);
+  CHECK(is_equal(mesh, start));
+  Edge_set expected = first_edges(60);
+  for(auto e : before) expected.erase(e);
+  expected.insert(*before.begin());
+  CHECK(constrained == expected);
+}
+
 TEST_CASE("Simplification: what is done again is what would have been done at once, also with policies that have a state")
 {
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
@@ -369,7 +398,7 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
     Mesh mesh = start;
     Edge_set constrained = edges_between(mesh, is_on_line);
     REQUIRE(constrained.size() == 96);
-    const CGAL::Boolean_property_map<Edge_set> map(constrained);
+    CGAL::Boolean_property_map<Edge_set> map(constrained);
     const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(map).protect_constraints(protect));
     REQUIRE(result);
     CHECK(result.constrained_edges == constrained.size());
