@@ -6,10 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_COVER_3_H
 #define CGAL_BSPLINE_SHELL_3_CERTIFICATE_SHELL_COVER_3_H
 
+#include <CGAL/Bspline_shell_3/Certificate/internal/Box_examination.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
-#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -24,7 +24,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,7 +62,7 @@ public:
   ///        sides of a wall or a gap is one component of the cover, unless boxes between are excluded. Zero where components do not matter.
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int separating_depth = 3)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_separating_depth(separating_depth), m_first(field.number_of_cells(), unseen)
+    : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth), m_first(field.number_of_cells(), unseen)
   {}
 
   const Field& field() const { return *m_field; }
@@ -243,7 +242,7 @@ public:
   Level_range critical_values(const Cover_box& box) const { return Bspline_shells::critical_values(function(box)); }
 
   /// whether all of a box is certainly in the shell
-  bool is_between_thresholds(const Cover_box& box) const { return are_between_thresholds(functions_on(box)); }
+  bool is_between_thresholds(const Cover_box& box) const { return m_examination.are_between_thresholds(functions_on(box)); }
 
   /// a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the least bounds are subdivided
   /// until these are near what the field has in their middles, or a number of subdivisions is used up.
@@ -310,12 +309,9 @@ public:
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
   static constexpr int max_border_depth = 4;
-  static constexpr int max_steps_of_direction = 12;
 
-  // the field and, unless the thresholds are constant, its differences to both
-  typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
-
-  typedef std::array<std::array<double, 64>, 3> Vectors;      // by axis
+  typedef internal::Box_examination<Threshold> Examination;
+  typedef typename Examination::Functions Functions;
 
   struct Part { Cover_box box; Functions functions; };
   struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
@@ -386,13 +382,13 @@ private:
     queue[0].box.kind = Box_kind::UNDECIDED;
     queue[0].box.proof = {};
     for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
-    queue[0].functions = functions(c);
+    queue[0].functions = m_examination.functions(m_field->cell(c), c);
     const std::size_t begin = boxes.size();
     const bool at_border = touches_border(m_field->cell(c).bbox());
     for(std::size_t n = 0; n < queue.size(); ++n) {
       examine_part(queue[n]);
       const Cover_box& box = queue[n].box;
-      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && seems_critical(queue[n].functions))
+      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && m_examination.seems_critical(queue[n].functions))
                         : (is_critical(box.kind) && box.depth < m_separating_depth)
                         // what is inside must be told from what is not
                         || (box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box)));
@@ -415,29 +411,9 @@ private:
     return !m_field->visit_cells(grown(box), [](typename Field::Cell_index) {});
   }
 
-  Functions functions(std::uint32_t c) const
-  {
-    Functions functions;
-    functions[0] = enclosed_value(m_field->cell(c));
-    if constexpr(!Threshold::is_constant) {
-      functions[1] = m_inner.difference(functions[0], c);
-      functions[2] = m_outer.difference(functions[0], c);
-    }
-    return functions;
-  }
-
-  bool are_between_thresholds(const Functions& functions) const
-  {
-    if constexpr(Threshold::is_constant) {
-      const Level_range r = functions[0].range();
-      return r.min >= m_inner.level() && r.max <= m_outer.level();
-    } else
-      return functions[1].range().min >= 0 && functions[2].range().max <= 0;
-  }
-
   Functions functions_on(const Cover_box& box) const
   {
-    Functions on_box = functions(box.cell);
+    Functions on_box = m_examination.functions(m_field->cell(box.cell), box.cell);
     for(int bit = int(box.depth) - 1; bit >= 0; --bit)
       for(Enclosed_tricubic& f : on_box) f = restrict_to_octant(f, octant(box, bit));
     return on_box;
@@ -449,34 +425,23 @@ private:
   void examine_part(Part& part) const
   {
     Cover_box box = part.box;
-    examine(part.functions, box);
+    m_examination.examine(part.functions, box);
     if(box.kind != Box_kind::UNDECIDED) part.box = box;
   }
 
-  // of the gradient in the shell, on a box that is not undecided: along its direction or a better one, or towards its center
+  double width(const Cover_box& box) const { return std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)); }
+
+  // of the gradient in the shell, on a box that is not undecided
   double gradient_bound(const Part& part) const
   {
-    const Enclosed_tricubic& f = part.functions[0];
-    const Vectors gradient = control_vectors_of_gradient(f);
-    std::array<double, 3> nearest = mean(gradient);
-    for(int step = 0; step < max_steps_of_direction; ++step) {
-      std::size_t worst;
-      worst_along(nearest, gradient, worst);
-      if(!approach(nearest, gradient, worst)) break;
-    }
-    double bound = 0;
-    const auto include = [&](const std::array<double, 3>& direction) {
-      const double size = length(direction);
-      if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
-    };
-    include(nearest);
-    if(part.box.kind == Box_kind::MONOTONE) include(part.box.proof);
-    else bound = (std::max)(bound, beyond_threshold(part.functions, part.box.kind, part.box.proof) / reach(part.box.proof));
+    const double bound = m_examination.gradient_bound(part.functions, part.box);
     // two quotients, of which the second may overflow, and of which little is known if they are denormal; the length is an upper bound
-    const double slope = bound / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
+    const double slope = bound / width(part.box);
     if(!((std::min)(bound, slope) >= internal::underflow)) return 0;
     return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
   }
+
+  double gradient_in_the_middle(const Part& part) const { return m_examination.gradient_in_the_middle(part.functions) / width(part.box); }
 
   // the same, of parts where that is far from what the field has in the middle
   double close_gradient_bound(const Part& part, int subdivisions) const
@@ -496,28 +461,6 @@ private:
     return (std::max)(bound, least);
   }
 
-  // its length, if the middle is in the shell; not rigorous
-  double gradient_in_the_middle(const Part& part) const
-  {
-    const auto middle = [](const Enclosed_tricubic& f) {
-      const internal::Weights<double> half = { 0.125, 0.375, 0.375, 0.125 };
-      return internal::contract(f.coefficients.data(), half, half, half);
-    };
-    if constexpr(Threshold::is_constant) {
-      const double f = middle(part.functions[0]);
-      if(f < m_inner.level() || f > m_outer.level()) return std::numeric_limits<double>::infinity();
-    } else
-      if(middle(part.functions[1]) < 0 || middle(part.functions[2]) > 0) return std::numeric_limits<double>::infinity();
-    double squared = 0;
-    for(int a = 0; a < 3; ++a) {
-      std::array<double, 3> axis = {};
-      axis[a] = 1;
-      const double slope = middle(enclosed_derivative(part.functions[0], axis));
-      squared += slope * slope;
-    }
-    return std::sqrt(squared) / std::ldexp(m_field->cell(part.box.cell).width(), -int(part.box.depth));
-  }
-
   // appends the octants of a part
   static void push_octants(std::size_t n, std::vector<Part>& parts)
   {
@@ -532,186 +475,6 @@ private:
         for(int a = 0; a < 3; ++a) child.box.proof[a] = 2 * part.box.proof[a] - ((o >> a) & 1);
       for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
     }
-  }
-
-  // finds the kind of a box and what proves it
-  void examine(const Functions& functions, Cover_box& box) const
-  {
-    bool meets_inner = false, meets_outer = false;
-    if constexpr(Threshold::is_constant) {
-      const Level_range r = functions[0].range();
-      box.kind = r.max < m_inner.level() || r.min > m_outer.level() ? Box_kind::EXCLUDED : Box_kind::UNDECIDED;
-    } else {
-      const Level_range inner = functions[1].range(), outer = functions[2].range();
-      box.kind = inner.max < 0 || outer.min > 0 ? Box_kind::EXCLUDED : Box_kind::UNDECIDED;
-      meets_inner = !(inner.min > 0);       // so written that what is not a number meets
-      meets_outer = !(outer.max < 0);
-    }
-    if(box.kind == Box_kind::EXCLUDED) return;
-    // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
-    double steepest = 0;
-    if constexpr(!Threshold::is_constant) {
-      for(int side = 1; side < 3; ++side) {
-        if(!(side == 1 ? meets_inner : meets_outer)) continue;
-        const double s = steepest_threshold(functions[0], functions[side]);
-        // so written that what is not a number is too steep
-        steepest = s >= 0 ? (std::max)(steepest, s) : std::numeric_limits<double>::infinity();
-      }
-    }
-    if(is_monotone(functions[0], steepest, box.proof)) {
-      box.kind = Box_kind::MONOTONE;
-      return;
-    }
-    const Critical_center center = critical_center(functions[0]);
-    const Level_range thresholds = mean_thresholds(functions);
-    if(!(center.value < thresholds.min || center.value > thresholds.max)) return;
-    const Box_kind kind = center.value < thresholds.min ? Box_kind::CRITICAL_BELOW : Box_kind::CRITICAL_ABOVE;
-    const double beyond = beyond_threshold(functions, kind, center.point);
-    if(beyond > 0 && beyond > steepest * reach(center.point)) {
-      box.kind = kind;
-      box.proof = center.point;
-    }
-  }
-
-  // whether critical points in a box seem to be in the shell; parts of it would say little more of their values
-  bool seems_critical(const Functions& functions) const
-  {
-    constexpr double near = 0.1, close = 0.2, level = 1. / 32;
-    const Critical_center center = critical_center(functions[0]);
-    const Level_range thresholds = mean_thresholds(functions);
-    if(!(center.value >= thresholds.min && center.value <= thresholds.max && center.slope < level)) return false;
-    if(std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; })) return false;
-    const Level_range values = values_at_critical_points(functions[0], functions[0], center.point).range();
-    return values.max - values.min < close * (std::max)(values.min, -values.max);
-  }
-
-  // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
-  // approached from their mean, towards the worst of them.
-  static bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<double, 3>& direction)
-  {
-    const Vectors gradient = control_vectors_of_gradient(f);
-    std::array<double, 3> nearest = mean(gradient);
-    for(int step = 0; step < max_steps_of_direction; ++step) {
-      std::size_t worst;
-      const double along = worst_along(nearest, gradient, worst);
-      if(along > 0 && along > steepest * length(nearest)) {
-        const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
-        for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
-        const double slope = enclosed_derivative(f, direction).range().min;
-        return slope > 0 && slope > steepest * length(direction);     // otherwise by rounding only
-      }
-      if(!approach(nearest, gradient, worst)) return false;
-    }
-    return false;
-  }
-
-  // how far all critical points of the field in a box lie beyond a threshold
-  double beyond_threshold(const Functions& functions, Box_kind kind, const std::array<double, 3>& center) const
-  {
-    const bool below = kind == Box_kind::CRITICAL_BELOW;
-    const Level_range above = [&] {
-      if constexpr(Threshold::is_constant)
-        return values_at_critical_points((below ? m_inner : m_outer).difference(functions[0], 0), functions[0], center).range();
-      else
-        return values_at_critical_points(functions[below ? 1 : 2], functions[0], center).range();
-    }();
-    return below ? -above.max : above.min;
-  }
-
-  // an upper bound of half the distance of points of a box from a center, in units of the box
-  static double reach(const std::array<double, 3>& center)
-  {
-    std::array<double, 3> farthest;
-    for(int a = 0; a < 3; ++a) farthest[a] = (std::max)(std::abs(center[a]), std::abs(1 - center[a])) / 2;
-    return (1 + 4 * internal::rounding) * length(farthest);
-  }
-
-  // the means of the thresholds on a box; not rigorous
-  Level_range mean_thresholds(const Functions& functions) const
-  {
-    if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };
-    else {
-      const auto mean = [](const Enclosed_tricubic& f) { return std::accumulate(f.coefficients.begin(), f.coefficients.end(), 0.) / 64; };
-      const double f = mean(functions[0]);
-      return { f - mean(functions[1]), f - mean(functions[2]) };
-    }
-  }
-
-  static std::array<double, 3> mean(const Vectors& vectors)
-  {
-    std::array<double, 3> m;
-    for(int a = 0; a < 3; ++a) m[a] = std::accumulate(vectors[a].begin(), vectors[a].end(), 0.) / 64;
-    return m;
-  }
-
-  // the least component along a vector, times its length
-  static double worst_along(const std::array<double, 3>& v, const Vectors& vectors, std::size_t& worst)
-  {
-    std::array<double, 64> along;
-    for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
-    // four searches at a time: one would wait for each of its comparisons
-    std::array<double, 4> least = { along[0], along[1], along[2], along[3] };
-    for(std::size_t n = 4; n < 64; n += 4)
-      for(std::size_t m = 0; m < 4; ++m) least[m] = (std::min)(least[m], along[n + m]);
-    const double of_all = (std::min)((std::min)(least[0], least[1]), (std::min)(least[2], least[3]));
-    worst = (std::min)(std::size_t(std::find(along.begin(), along.end(), of_all) - along.begin()), along.size() - 1);
-    return along[worst];
-  }
-
-  // moves a point to the nearest to the origin on its segment to one of the vectors; false if it is there
-  static bool approach(std::array<double, 3>& v, const Vectors& vectors, std::size_t worst)
-  {
-    std::array<double, 3> step;
-    double down = 0, squared = 0;
-    for(int a = 0; a < 3; ++a) {
-      step[a] = vectors[a][worst] - v[a];
-      down -= v[a] * step[a];
-      squared += step[a] * step[a];
-    }
-    const double part = down / squared;
-    if(!(part > 0)) return false;
-    for(int a = 0; a < 3; ++a) v[a] += (std::min)(part, 1.) * step[a];
-    return true;
-  }
-
-  // An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. NaN if a component is NaN.
-  static double length(const std::array<double, 3>& v)
-  {
-    const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-    if(largest == 0 && v[0] + v[1] + v[2] == 0) return 0;
-    double squared = 0;
-    for(double x : v) squared += (x / largest) * (x / largest);
-    return largest * (std::sqrt(squared) * (1 + 16 * internal::rounding)) + std::numeric_limits<double>::denorm_min();
-  }
-
-  // the coefficients of the partial derivatives raised to degree three; not rigorous
-  static Vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
-  {
-    Vectors gradient;
-    internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
-      const double* b = &f.coefficients[std::size_t(n)];
-      double* g = &gradient[std::size_t(axis)][std::size_t(n)];
-      const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
-      g[0] = 3 * s0;
-      g[stride] = s0 + 2 * s1;
-      g[2*stride] = 2 * s1 + s2;
-      g[3*stride] = 3 * s2;
-    });
-    return gradient;
-  }
-
-  // an upper bound of the length of the gradient of the threshold f - (f - threshold)
-  static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
-  {
-    const Enclosed_tricubic threshold = difference(f, above);
-    std::array<double, 3> steepest;
-    for(int a = 0; a < 3; ++a) {
-      std::array<double, 3> axis = {};
-      axis[a] = 1;
-      const Level_range r = enclosed_derivative(threshold, axis).range();
-      steepest[a] = (std::max)(std::abs(r.min), std::abs(r.max));
-    }
-    return length(steepest);
   }
 
   // calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box
@@ -748,7 +511,7 @@ private:
   }
 
   const Field* m_field;
-  Threshold m_inner, m_outer;
+  Examination m_examination;
   int m_separating_depth;
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;

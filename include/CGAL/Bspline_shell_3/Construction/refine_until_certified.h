@@ -7,11 +7,12 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_UNTIL_CERTIFIED_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
+#include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
@@ -62,31 +63,6 @@
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/*!
- * \ingroup PkgBsplineShell3Construction
- *
- * \brief what refinement aims at, and how far it may go.
- */
-struct Refinement_parameters
-{
-  Energy_weights weights;
-  /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
-  double slope_fraction = 0.2;
-  /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
-  bool constant_thresholds = false;
-  std::size_t max_rounds = 24;
-  double max_seconds = std::numeric_limits<double>::infinity();
-  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
-
-  Refinement_parameters()
-  {
-    weights.mu = 0;
-    weights.normal = 10;
-    weights.surface = 100;
-    weights.coefficients = 0.002;
-  }
-};
 
 /*!
  * \ingroup PkgBsplineShell3Construction
@@ -260,7 +236,9 @@ private:
     m_obstacles.clear();
     m_is_enforced = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
-    const std::vector<Index> split = sample(cells);
+    std::vector<Index> split;
+    if(m_field) split = update_signed_distance<ConcurrencyTag>(m_oracle, m_field->cells(), cells, m_samples);
+    else m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
       return Refinement_status::DISTANCE_NOT_FINITE;
     lap(DISTANCE);
@@ -362,7 +340,7 @@ private:
     Refinement_round& log = m_rounds.back();
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
-    std::vector<Failure> failures;
+    std::vector<Facet_failure> failures;
     for(int exchange = 0; ; ++exchange) {
       const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
@@ -394,10 +372,10 @@ private:
       if((thick.empty() && failures.empty()) || are_many_thick() || exchange + 1 == max_exchanges || is_late()) break;
       if(exchange > 1 && double(thick.size()) > progress * double(thick_before)) break;
       std::vector<Slope_condition> conditions;
-      for(const Failure& f : failures) {
-        if(f.cell != Field::npos && m_wanted[f.triangle] > 0)
-          conditions.push_back({ f.cell, f.triangle, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.triangle),
-                                 wanted_slope(f.cell, f.triangle) });
+      for(const Facet_failure& f : failures) {
+        if(f.cell != Field::npos && m_wanted[f.facet] > 0)
+          conditions.push_back({ f.cell, f.facet, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.facet),
+                                 wanted_slope(f.cell, f.facet) });
       }
       for(const Thick_cell& t : thick)
         if(m_wanted[t.facet] > 0)
@@ -407,9 +385,9 @@ private:
       m_enforcement->insert(std::move(conditions));
     }
     log.failing_facets = failures.size();
-    for(const Failure& f : failures)
-      if(f.cell != Field::npos && m_wanted[f.triangle] > 0 && m_refinements[f.triangle] < max_refinements_of_a_facet) {
-        ++m_refinements[f.triangle];
+    for(const Facet_failure& f : failures)
+      if(f.cell != Field::npos && m_wanted[f.facet] > 0 && m_refinements[f.facet] < max_refinements_of_a_facet) {
+        ++m_refinements[f.facet];
         mark_widely(f.cell);
       }
     mark_thick_cells();
@@ -449,52 +427,13 @@ private:
       if(m_part->cells[piece.cell]) m_unexamined[piece.facet] = 1;
   }
 
-  // a triangle that does not certainly cross the field upwards, and a point where it does not
-  struct Failure { std::uint32_t triangle; Index cell; std::array<double, 3> point; };
-
   // among those that were not examined since the field changed there
-  std::vector<Failure> failing_facets()
+  std::vector<Facet_failure> failing_facets()
   {
-    const Field_predicates_3<Field> predicates(*m_field);
-    std::vector<std::uint32_t> triangles;
-    for(auto f : m_input->mesh().faces())
-      if(m_unexamined[f]) triangles.push_back(std::uint32_t(f));
-    const std::size_t chunk = internal::chunk_size(triangles.size(), 64);
-    const auto find = [&](std::size_t begin, std::size_t end, std::vector<Failure>& found) {
-      for(std::size_t n = begin; n < end; ++n) {
-        const auto t = m_input->triangle(Input_mesh_3::Triangle_mesh::Face_index(triangles[n]));
-        const auto point = [&](int v) { return Field::Point_3(t[v].x(), t[v].y(), t[v].z()); };
-        Witness w;
-        if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
-          found.push_back({ triangles[n], m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2])), w.point });
-      }
-    };
-    std::vector<Failure> failures = internal::collect_from_chunks<ConcurrencyTag, Failure>(triangles.size(), chunk, find);
+    std::vector<Facet_failure> failures = Bspline_shells::failing_facets<ConcurrencyTag>(*m_field, *m_input, m_unexamined);
     std::fill(m_unexamined.begin(), m_unexamined.end(), 0);
-    for(const Failure& f : failures) m_unexamined[f.triangle] = 1;
+    for(const Facet_failure& f : failures) m_unexamined[f.facet] = 1;
     return failures;
-  }
-
-  // The samples of leaves that were there before are kept. Returns the others.
-  std::vector<Index> sample(const Cell_hierarchy_3& cells)
-  {
-    constexpr std::size_t n = Distance_samples::per_cell;
-    if(!m_field) {
-      m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
-      return {};
-    }
-    const Cell_hierarchy_3& old_cells = m_field->cells();
-    std::vector<Index> fresh;
-    std::vector<double> samples(cells.number_of_cells() * n);
-    for(Index c = 0; c < cells.number_of_cells(); ++c) {
-      const Index old = cells.level(c) < old_cells.number_of_levels() ? old_cells.leaf(cells.level(c), cells.lattice_point(c)) : Field::npos;
-      if(old == Field::npos) fresh.push_back(c);
-      else std::copy_n(&m_samples[old * n], n, &samples[c * n]);
-    }
-    const std::vector<double> more = sample_signed_distance<ConcurrencyTag>(m_oracle, cells, fresh);
-    for(std::size_t m = 0; m < fresh.size(); ++m) std::copy_n(&more[m * n], n, &samples[fresh[m] * n]);
-    m_samples.swap(samples);
-    return fresh;
   }
 
   void inherit_surface_factors(const Cell_hierarchy_3& cells)

@@ -6,9 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
 #define CGAL_BSPLINE_SHELL_3_FIT_SAMPLE_SIGNED_DISTANCE_H
 
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -73,6 +75,31 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
   std::vector<std::uint32_t> all(cells.number_of_cells());
   std::iota(all.begin(), all.end(), std::uint32_t(0));
   return sample_signed_distance<ConcurrencyTag>(oracle, cells, all);
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Fit
+ *
+ * \brief makes the samples of one hierarchy those of another: samples of leaves that both have are kept.
+ *
+ * \return the other leaves
+ */
+template <typename ConcurrencyTag>
+std::vector<std::uint32_t> update_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells,
+                                                  std::vector<double>& samples)
+{
+  constexpr std::size_t n = Distance_samples::per_cell;
+  std::vector<std::uint32_t> fresh;
+  std::vector<double> updated(cells.number_of_cells() * n);
+  for(std::uint32_t c = 0; c < cells.number_of_cells(); ++c) {
+    const std::uint32_t old = cells.level(c) < before.number_of_levels() ? before.leaf(cells.level(c), cells.lattice_point(c)) : Cell_hierarchy_3::npos;
+    if(old == Cell_hierarchy_3::npos) fresh.push_back(c);
+    else std::copy_n(&samples[old * n], n, &updated[c * n]);
+  }
+  const std::vector<double> more = sample_signed_distance<ConcurrencyTag>(oracle, cells, fresh);
+  for(std::size_t m = 0; m < fresh.size(); ++m) std::copy_n(&more[m * n], n, &updated[fresh[m] * n]);
+  samples.swap(updated);
+  return fresh;
 }
 
 } // namespace Bspline_shells

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
+
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief what refinement aims at, and how far it may go.
+ */
+struct Refinement_parameters
+{
+  Energy_weights weights;
+  /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
+  double slope_fraction = 0.2;
+  /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
+  bool constant_thresholds = false;
+  std::size_t max_rounds = 24;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
+
+  Refinement_parameters()
+  {
+    weights.mu = 0;
+    weights.normal = 10;
+    weights.surface = 100;
+    weights.coefficients = 0.002;
+  }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SPLINE_MONOTONE_DIRECTION_H
+#define CGAL_BSPLINE_SHELL_3_SPLINE_MONOTONE_DIRECTION_H
+
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. NaN if a component is NaN.
+inline double length_bound(const std::array<double, 3>& v)
+{
+  const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  if(largest == 0 && v[0] + v[1] + v[2] == 0) return 0;
+  double squared = 0;
+  for(double x : v) squared += (x / largest) * (x / largest);
+  return largest * (std::sqrt(squared) * (1 + 16 * rounding)) + std::numeric_limits<double>::denorm_min();
+}
+
+typedef std::array<std::array<double, 64>, 3> Gradient_vectors;      // by axis
+
+// the coefficients of the partial derivatives raised to degree three; not rigorous
+inline Gradient_vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
+{
+  Gradient_vectors gradient;
+  for_each_coefficient_line([&](int axis, int n, auto stride) {
+    const double* b = &f.coefficients[std::size_t(n)];
+    double* g = &gradient[std::size_t(axis)][std::size_t(n)];
+    const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+    g[0] = 3 * s0;
+    g[stride] = s0 + 2 * s1;
+    g[2*stride] = 2 * s1 + s2;
+    g[3*stride] = 3 * s2;
+  });
+  return gradient;
+}
+
+inline std::array<double, 3> mean(const Gradient_vectors& vectors)
+{
+  std::array<double, 3> m;
+  for(int a = 0; a < 3; ++a) m[a] = std::accumulate(vectors[a].begin(), vectors[a].end(), 0.) / 64;
+  return m;
+}
+
+// the least component along a vector, times its length
+inline double worst_along(const std::array<double, 3>& v, const Gradient_vectors& vectors, std::size_t& worst)
+{
+  std::array<double, 64> along;
+  for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
+  // four searches at a time: one would wait for each of its comparisons
+  std::array<double, 4> least = { along[0], along[1], along[2], along[3] };
+  for(std::size_t n = 4; n < 64; n += 4)
+    for(std::size_t m = 0; m < 4; ++m) least[m] = (std::min)(least[m], along[n + m]);
+  const double of_all = (std::min)((std::min)(least[0], least[1]), (std::min)(least[2], least[3]));
+  worst = (std::min)(std::size_t(std::find(along.begin(), along.end(), of_all) - along.begin()), along.size() - 1);
+  return along[worst];
+}
+
+// moves a point to the nearest to the origin on its segment to one of the vectors; false if it is there
+inline bool approach(std::array<double, 3>& v, const Gradient_vectors& vectors, std::size_t worst)
+{
+  std::array<double, 3> step;
+  double down = 0, squared = 0;
+  for(int a = 0; a < 3; ++a) {
+    step[a] = vectors[a][worst] - v[a];
+    down -= v[a] * step[a];
+    squared += step[a] * step[a];
+  }
+  const double part = down / squared;
+  if(!(part > 0)) return false;
+  for(int a = 0; a < 3; ++a) v[a] += (std::min)(part, 1.) * step[a];
+  return true;
+}
+
+constexpr int max_steps_of_direction = 12;
+
+// The control vectors' convex hull has a point nearest to the origin: one near it, which is approached from their mean, towards the worst of them.
+inline std::array<double, 3> nearest_of_hull(const Gradient_vectors& gradient)
+{
+  std::array<double, 3> nearest = mean(gradient);
+  for(int step = 0; step < max_steps_of_direction; ++step) {
+    std::size_t worst;
+    worst_along(nearest, gradient, worst);
+    if(!approach(nearest, gradient, worst)) break;
+  }
+  return nearest;
+}
+
+// Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
+// approached from their mean, towards the worst of them.
+inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<double, 3>& direction)
+{
+  const Gradient_vectors gradient = control_vectors_of_gradient(f);
+  std::array<double, 3> nearest = mean(gradient);
+  for(int step = 0; step < max_steps_of_direction; ++step) {
+    std::size_t worst;
+    const double along = worst_along(nearest, gradient, worst);
+    if(along > 0 && along > steepest * length_bound(nearest)) {
+      const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
+      for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
+      const double slope = enclosed_derivative(f, direction).range().min;
+      return slope > 0 && slope > steepest * length_bound(direction);     // otherwise by rounding only
+    }
+    if(!approach(nearest, gradient, worst)) return false;
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SPLINE_MONOTONE_DIRECTION_H

@@ -1,0 +1,62 @@
+// sample_signed_distance.h: samples of finer cells, from those of coarser ones.
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include "random_hierarchies.h"
+
+#include <CGAL/tags.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace BS = CGAL::Bspline_shells;
+
+namespace {
+
+// of a ball, and a count of the questions
+struct Counting_ball
+{
+  typedef BS::Any_signed_distance_3::Point_3 Point_3;
+  typedef double FT;
+  std::size_t* asked;
+  double operator()(const Point_3& p) const
+  {
+    ++*asked;
+    return std::sqrt(p.x()*p.x() + p.y()*p.y() + p.z()*p.z()) - 1;
+  }
+};
+
+} // namespace
+
+TEST_CASE("samples of the distance: of cells that were there before they are kept, and only others are asked for")
+{
+  CGAL::Random random(11);
+  std::size_t asked = 0;
+  const Counting_ball ball = { &asked };
+  const BS::Any_signed_distance_3 oracle(ball);
+  Hierarchy before(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 }, { 3, 3, 3 }));
+  std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, before);
+  for(int round = 0; round < 3; ++round) {
+    const Hierarchy cells = before.refined(random_leaves(random, before, 2));
+    std::vector<std::uint32_t> expected;
+    for(Hierarchy::Index c = 0; c < cells.number_of_cells(); ++c) {
+      bool is_old = false;
+      for(Hierarchy::Index b = 0; b < before.number_of_cells(); ++b)
+        is_old = is_old || (before.level(b) == cells.level(c) && before.lattice_point(b) == cells.lattice_point(c));
+      if(!is_old) expected.push_back(c);
+    }
+    asked = 0;
+    CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, cells, samples) == expected);
+    CHECK(asked == expected.size() * std::size_t(BS::Distance_samples::per_cell));
+    CHECK(samples == BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells));
+    CHECK_FALSE(expected.empty());
+    CHECK(expected.size() < cells.number_of_cells());
+    before = cells;
+  }
+  // nothing has changed
+  asked = 0;
+  CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, before, samples).empty());
+  CHECK(asked == 0);
+}
