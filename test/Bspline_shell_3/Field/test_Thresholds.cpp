@@ -27,7 +27,7 @@ TEST_CASE("Spline thresholds: a cell is constant where all of its coefficients a
   Eigen::VectorXd x = Eigen::VectorXd::Constant(Eigen::Index(field.number_of_coefficients()), 0.125);
   for(int n = 0; n < 3; ++n) x[random.get_int(0, int(x.size()))] = random.get_double(0.05, 0.2);
   // weighted sums of these and others are rounded to the others
-  for(int n = 0; n < 20; ++n) x[random.get_int(0, int(x.size()))] = std::nextafter(0.125, 1);
+  for(int n = 0; n < 20; ++n) x[random.get_int(0, int(x.size()))] = std::nextafter(0.125, n % 2);
   field.set_coefficients(x);
   const BS::Spline_threshold<Field> threshold(field);
 
@@ -51,6 +51,6 @@ TEST_CASE("Spline thresholds: a cell is constant where all of its coefficients a
     CHECK(threshold.value(p, c) == Approx(cell.value(p)).epsilon(1e-14));
   }
   CHECK(constant > 100);
-  CHECK(varying > 100);
+  CHECK(varying > 50);
   CHECK(rounded > 0);
 }
