@@ -398,7 +398,7 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
     Mesh mesh = start;
     Edge_set constrained = edges_between(mesh, is_on_line);
     REQUIRE(constrained.size() == 96);
-    CGAL::Boolean_property_map<Edge_set> map(constrained);
+    const CGAL::Boolean_property_map<Edge_set> map(constrained);
     const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(map).protect_constraints(protect));
     REQUIRE(result);
     CHECK(result.constrained_edges == constrained.size());
