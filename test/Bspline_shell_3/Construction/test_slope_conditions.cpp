@@ -115,6 +115,19 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
       if(n.second > most) most = n.second;
       most_pieces = (std::max)(most_pieces, pieces[n.first]);
     }
+    // where there are many pieces, evenly spread ones, wherever work is divided between threads
+    std::map<Index, std::size_t> all_pieces;
+    for(const auto& piece : in.clipped.pieces()) ++all_pieces[piece.cell];
+    for(const auto& n : in_cell) {
+      const std::size_t size = all_pieces[n.first], stride = (size + 47) / 48;
+      if(size > 8 && size == pieces[n.first]) wrong += n.second != (size + stride - 1) / stride;
+    }
+    CHECK(wrong == 0);
+    const std::vector<BS::Slope_condition> in_parallel =
+      BS::slope_conditions<CGAL::Parallel_if_available_tag>(in.field, in.clipped, in_triangles, everywhere, size);
+    CHECK(std::equal(conditions.begin(), conditions.end(), in_parallel.begin(), in_parallel.end(), [](const auto& a, const auto& b) {
+      return a.cell == b.cell && a.facet == b.facet && a.position == b.position;
+    }));
     CHECK(most <= 48 * (subdivisions < 6 ? 8 : 1));
     CHECK((most_pieces > 48) == (subdivisions == 6));
   }

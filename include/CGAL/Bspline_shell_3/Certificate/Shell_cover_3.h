@@ -250,7 +250,7 @@ public:
   template <typename ConcurrencyTag>
   double least_gradient() const
   {
-    constexpr std::size_t chunk = 256, max_subdivisions = 2000;
+    constexpr std::size_t chunk = 256, max_subdivisions = 2000, at_once = 16;
     constexpr double near = 0.7;
     std::vector<double> bounds(m_boxes.size(), std::numeric_limits<double>::infinity());
     internal::for_each_chunk<ConcurrencyTag>(m_boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -259,32 +259,42 @@ public:
           bounds[n] = gradient_bound({ m_boxes[n], functions_on(m_boxes[n]) });
     });
     struct Bounded_box { double bound; Cover_box box; };
+    struct Bounded_part { Bounded_box bounded; double in_the_middle; };
     const auto is_above = [](const Bounded_box& a, const Bounded_box& b) { return a.bound > b.bound; };
     std::vector<Bounded_box> least;       // a heap
     for(std::size_t n = 0; n < bounds.size(); ++n)
       if(bounds[n] < std::numeric_limits<double>::infinity()) least.push_back({ bounds[n], m_boxes[n] });
     if(least.empty()) return std::numeric_limits<double>::infinity();
     std::make_heap(least.begin(), least.end(), is_above);
-    std::vector<Part> parts;
-    double attained = std::numeric_limits<double>::infinity();
-    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions && least.front().bound < near * attained; ++subdivisions) {
-      std::pop_heap(least.begin(), least.end(), is_above);
-      const Bounded_box worst = least.back();
-      if(worst.box.depth == std::numeric_limits<std::uint16_t>::digits) return worst.bound;
-      least.pop_back();
-      parts.assign(1, Part{ worst.box, functions_on(worst.box) });
-      push_octants(0, parts);
-      for(std::size_t n = 1; n < parts.size(); ++n) {
-        examine_part(parts[n]);
-        if(parts[n].box.kind == Box_kind::EXCLUDED) continue;
-        attained = (std::min)(attained, gradient_in_the_middle(parts[n]));
-        // what proves a part may say less than what proves the box
-        least.push_back({ (std::max)(worst.bound, gradient_bound(parts[n])), parts[n].box });
+    std::vector<Bounded_box> worst;
+    double attained = gradient_in_the_middle({ least.front().box, functions_on(least.front().box) });
+    for(std::size_t subdivisions = 0; subdivisions < max_subdivisions; subdivisions += worst.size()) {
+      worst.clear();
+      while(worst.size() < at_once && !least.empty() && least.front().bound < near * attained
+            && least.front().box.depth < std::numeric_limits<std::uint16_t>::digits) {
+        std::pop_heap(least.begin(), least.end(), is_above);
+        worst.push_back(least.back());
+        least.pop_back();
+      }
+      if(worst.empty()) break;
+      const std::vector<Bounded_part> parts = internal::collect_from_chunks<ConcurrencyTag, Bounded_part>(
+        worst.size(), 1, [&](std::size_t w, std::size_t, std::vector<Bounded_part>& found) {
+          std::vector<Part> octants(1, Part{ worst[w].box, functions_on(worst[w].box) });
+          push_octants(0, octants);
+          for(std::size_t n = 1; n < octants.size(); ++n) {
+            examine_part(octants[n]);
+            if(octants[n].box.kind == Box_kind::EXCLUDED) continue;
+            // what proves a part may say less than what proves the box
+            found.push_back({ { (std::max)(worst[w].bound, gradient_bound(octants[n])), octants[n].box }, gradient_in_the_middle(octants[n]) });
+          }
+        });
+      for(const Bounded_part& part : parts) {
+        attained = (std::min)(attained, part.in_the_middle);
+        least.push_back(part.bounded);
         std::push_heap(least.begin(), least.end(), is_above);
       }
-      if(least.empty()) return std::numeric_limits<double>::infinity();
     }
-    return least.front().bound;
+    return least.empty() ? std::numeric_limits<double>::infinity() : least.front().bound;
   }
 
   /// for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell, on the boxes of the cover in it; infinite where

@@ -315,8 +315,9 @@ private:
   void begin_enforcement()
   {
     m_enforcement.emplace(*m_field, m_A, m_b);
-    m_enforcement->insert(slope_conditions(*m_field, *m_clipped, [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
-                                           [&](Index c) { return !m_part || m_part->cells[c]; }, [&](Index c) { return largest_on_mesh(c); }));
+    m_enforcement->insert(slope_conditions<ConcurrencyTag>(
+      *m_field, *m_clipped, [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
+      [&](Index c) { return !m_part || m_part->cells[c]; }, [&](Index c) { return largest_on_mesh(c); }));
   }
 
   // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is less than before anywhere.

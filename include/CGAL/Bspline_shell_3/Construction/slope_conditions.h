@@ -67,6 +67,7 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  *
  * Across a cell a field hardly varies more than that; whoever needs to know finds the places where it is not enough.
  *
+ * \tparam ConcurrencyTag as for `wanted_slopes()`; functions are called by several threads at once
  * \tparam Field `Hierarchical_bspline_field_3`
  * \tparam Slope a function of cells and triangles
  * \tparam Predicate of cells
@@ -77,12 +78,13 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  * \param is_asked for which cells conditions are wanted
  * \param largest what \f$|f|\f$ may be on the mesh in a cell, in units of the width of root cells
  */
-template <typename Field, typename Slope, typename Predicate, typename Size>
+template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slope, typename Predicate, typename Size>
 std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted, const Predicate& is_asked,
                                               const Size& largest)
 {
   constexpr double small = 0.25;
   constexpr std::size_t few = 8, most = 48;       // pieces in a cell
+  constexpr std::size_t chunk = 1024;
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const auto is_small = [&](const Clipped_mesh_3::Piece& piece) {
     std::array<double, 3> low = clipped.point(piece.first), high = low;
@@ -93,30 +95,37 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
       }
     return !((std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] }) > small * field.cells().width(piece.cell));
   };
-  std::vector<Slope_condition> conditions;
-  for(std::size_t n = 0, next; n < pieces.size(); n = next) {
-    const std::uint32_t c = pieces[n].cell;
-    for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}
-    if(!is_asked(c)) continue;
-    const typename Field::Cell cell = field.cell(c);
-    const double size = largest(c);
-    const std::size_t stride = (next - n + most - 1) / most;
-    for(std::size_t m = n; m < next; m += stride) {
-      const Clipped_mesh_3::Piece& piece = pieces[m];
-      const double slope = wanted(c, piece.facet);
-      if(!(slope > 0)) continue;
-      const auto add = [&](const std::array<double, 3>& p) {
-        conditions.push_back({ c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), slope, size });
-      };
-      std::array<double, 3> middle = {};
-      for(std::uint32_t v = 0; v < piece.size; ++v)
-        for(int a = 0; a < 3; ++a) middle[a] += clipped.point(piece.first + v)[a] / piece.size;
-      add(middle);
-      if(next - n > few || is_small(piece)) continue;
-      for(std::uint32_t v = 0; v < piece.size; ++v) add(clipped.point(piece.first + v));
-    }
-  }
-  return conditions;
+  // a cell belongs to the chunk that its first piece is in
+  const auto first_of_cell = [&](std::size_t n) {
+    while(0 < n && n < pieces.size() && pieces[n-1].cell == pieces[n].cell) ++n;
+    return n;
+  };
+  return internal::collect_from_chunks<ConcurrencyTag, Slope_condition>(
+    pieces.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Slope_condition>& conditions) {
+      end = first_of_cell(end);
+      for(std::size_t n = first_of_cell(begin), next; n < end; n = next) {
+        const std::uint32_t c = pieces[n].cell;
+        for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}
+        if(!is_asked(c)) continue;
+        const typename Field::Cell cell = field.cell(c);
+        const double size = largest(c);
+        const std::size_t stride = (next - n + most - 1) / most;
+        for(std::size_t m = n; m < next; m += stride) {
+          const Clipped_mesh_3::Piece& piece = pieces[m];
+          const double slope = wanted(c, piece.facet);
+          if(!(slope > 0)) continue;
+          const auto add = [&](const std::array<double, 3>& p) {
+            conditions.push_back({ c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), slope, size });
+          };
+          std::array<double, 3> middle = {};
+          for(std::uint32_t v = 0; v < piece.size; ++v)
+            for(int a = 0; a < 3; ++a) middle[a] += clipped.point(piece.first + v)[a] / piece.size;
+          add(middle);
+          if(next - n > few || is_small(piece)) continue;
+          for(std::uint32_t v = 0; v < piece.size; ++v) add(clipped.point(piece.first + v));
+        }
+      }
+    });
 }
 
 /*!

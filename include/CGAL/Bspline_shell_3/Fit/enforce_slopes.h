@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -92,7 +93,7 @@ public:
   /// \param field gives cells and functions; its coefficients are not looked at
   /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty keep their values
   /// \param b right-hand side
-  /// \pre all of them outlive this object
+  /// \pre all of them outlive this object; functions with an entry in common have supports that meet
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
   {
     m_first.assign(field.number_of_cells() + 1, 0);
@@ -150,14 +151,13 @@ public:
         break;
       }
       std::sort(violated.begin(), violated.end());
-      if(m_place.empty()) prepare(x);
       report.patches += solve_patches<ConcurrencyTag>(violated, x);
     }
     find_slacks<ConcurrencyTag>();
     for(Index c = 0; c < m_field.number_of_cells(); ++c) {
       if(m_least_slack[c] < 0) {
         report.violated_cells.push_back(c);
-        report.violated_facets.push_back(worst_facet(c));
+        report.violated_facets.push_back(m_conditions[least_slack(c).second].facet);
       }
       if(m_changed[c]) report.changed_cells.push_back(c);
     }
@@ -176,6 +176,7 @@ private:
   static constexpr double excess = 0.05;                // part by which a solution is to exceed what is wanted, as it is not exact
   static constexpr int max_dual_sweeps = 100;
   static constexpr double dual_tolerance = 1e-4;        // of slopes
+  static constexpr std::size_t cells_at_once = 8, columns_at_once = 16;         // for a thread
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
 
@@ -237,36 +238,30 @@ private:
 
   static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }
 
-  // by how much they exceed their bounds
-  Slacks slacks(const Slope_condition& condition) const
+  // calls visit(condition, slacks), by how much the numbers exceed their bounds, for the conditions in a cell
+  template <typename Visitor>
+  void visit_slacks(Index c, const Visitor& visit) const
   {
-    const std::array<Index, 16> rows = m_field.coefficient_rows(condition.cell);
+    if(m_first[c] == m_first[c+1]) return;
+    const std::array<Index, 16> rows = m_field.coefficient_rows(c);
     std::array<double, 64> local;
     for(int n = 0; n < 64; ++n) local[n] = m_points[rows[n / 4] + n % 4];
-    Slacks slacks = evaluate(condition, local.data());
-    for(int k = 0; k < numbers; ++k) slacks[k] -= bound(condition, k);
-    return slacks;
+    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n) {
+      Slacks slacks = evaluate(m_conditions[n], local.data());
+      for(int k = 0; k < numbers; ++k) slacks[k] -= bound(m_conditions[n], k);
+      visit(n, slacks);
+    }
   }
 
-  double least_slack(Index c) const
+  // and the first condition that has it
+  std::pair<double, std::size_t> least_slack(Index c) const
   {
-    double least = std::numeric_limits<double>::infinity();
-    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n)
-      for(double s : slacks(m_conditions[n])) least = (std::min)(least, s);
+    std::pair<double, std::size_t> least(std::numeric_limits<double>::infinity(), m_first[c]);
+    visit_slacks(c, [&](std::size_t n, const Slacks& slacks) {
+      for(double s : slacks)
+        if(s < least.first) least = { s, n };
+    });
     return least;
-  }
-
-  // the condition with the least slack
-  std::uint32_t worst_facet(Index c) const
-  {
-    const auto slack = [&](const Slope_condition& condition) {
-      const Slacks s = slacks(condition);
-      return *std::min_element(s.begin(), s.end());
-    };
-    std::size_t worst = m_first[c];
-    for(std::size_t n = m_first[c] + 1; n < m_first[c+1]; ++n)
-      if(slack(m_conditions[n]) < slack(m_conditions[worst])) worst = n;
-    return m_conditions[worst].facet;
   }
 
   template <typename ConcurrencyTag>
@@ -275,27 +270,10 @@ private:
     internal::for_each_chunk<ConcurrencyTag>(m_field.number_of_cells(), 1024, [&](std::size_t begin, std::size_t end) {
       for(std::size_t c = begin; c < end; ++c)
         if(!m_is_known[c]) {
-          m_least_slack[c] = least_slack(Index(c));
+          m_least_slack[c] = least_slack(Index(c)).first;
           m_is_known[c] = 1;
         }
     });
-  }
-
-  // the residual, which is kept up to date from now on, and the strictly lower triangle by rows
-  void prepare(const Vector& x)
-  {
-    m_residual = m_b - m_A.template selfadjointView<Eigen::Lower>() * x;
-    const std::size_t size = std::size_t(x.size());
-    m_row_begin.assign(size + 1, 0);
-    for(std::size_t c = 0; c < size; ++c)
-      for(int n = m_A.outerIndexPtr()[c] + 1; n < m_A.outerIndexPtr()[c+1]; ++n) ++m_row_begin[std::size_t(m_A.innerIndexPtr()[n]) + 1];
-    for(std::size_t c = 0; c < size; ++c) m_row_begin[c+1] += m_row_begin[c];
-    m_row_entries.resize(m_row_begin[size]);
-    std::vector<std::size_t> next(m_row_begin.begin(), m_row_begin.end() - 1);
-    for(std::size_t c = 0; c < size; ++c)
-      for(int n = m_A.outerIndexPtr()[c] + 1; n < m_A.outerIndexPtr()[c+1]; ++n)
-        m_row_entries[next[std::size_t(m_A.innerIndexPtr()[n])]++] = { int(c), n };
-    m_place.assign(size, -1);
   }
 
   // a cell that unknowns of a patch act on, and how they do
@@ -317,6 +295,9 @@ private:
     }
   };
 
+  // of each coefficient, among the unknowns of the last patch that it was in
+  typedef std::vector<std::atomic<int> > Places;
+
   // what is freed around a cell
   struct Patch
   {
@@ -324,6 +305,13 @@ private:
     std::vector<int> unknowns;      // ascending
     Bbox_3 reach;                   // of their functions
     Vector step;                    // of the unknowns; empty if the patch was not solved
+
+    // of a coefficient among the unknowns, or -1: then another patch may be writing its place
+    int place(Index u, const Places& places) const
+    {
+      const int p = places[u].load(std::memory_order_relaxed);
+      return std::size_t(p) < unknowns.size() && unknowns[std::size_t(p)] == int(u) ? p : -1;
+    }
   };
 
   // Solves the patches of cells one after the other, those at once that have nothing to do with each other. Returns how many were solved.
@@ -332,12 +320,18 @@ private:
   {
     constexpr std::size_t window = 64;      // patches that are looked at
     std::size_t solved = 0;
+    Places places(std::size_t(x.size()));
     std::list<Patch> waiting;
     std::vector<Patch*> batch;
     std::vector<Bbox_3> reaches;
     for(std::size_t next = 0; next < cells.size() || !waiting.empty(); ) {
+      batch.clear();
       for(; next < cells.size() && waiting.size() < window; ++next)
-        if(!m_hopeless[cells[next].second]) waiting.push_back(patch(cells[next].second));
+        if(!m_hopeless[cells[next].second]) {
+          waiting.push_back({ cells[next].second, {}, {}, {} });
+          batch.push_back(&waiting.back());
+        }
+      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { find_unknowns(*batch[n]); });
       // those that no earlier one reaches, done or not: the order is kept where it makes a difference
       batch.clear();
       reaches.clear();
@@ -346,10 +340,10 @@ private:
         reaches.push_back(p.reach);
         if(is_free) batch.push_back(&p);
       }
-      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { solve_patch(*batch[n]); });
+      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { solve_patch<ConcurrencyTag>(*batch[n], x, places); });
       for(const Patch* p : batch) {
         if(p->step.size() > 0) ++solved;
-        for(Eigen::Index n = 0; n < p->step.size(); ++n) add(p->unknowns[std::size_t(n)], p->step[n], x);
+        for(Eigen::Index n = 0; n < p->step.size(); ++n) x[p->unknowns[std::size_t(n)]] += p->step[n];
       }
       waiting.remove_if([&](const Patch& p) { return std::find(batch.begin(), batch.end(), &p) != batch.end(); });
     }
@@ -357,69 +351,48 @@ private:
   }
 
   // all that acts on a cell and its neighbors, or, where these are many smaller ones, on the cell
-  Patch patch(Index center)
+  void find_unknowns(Patch& patch) const
   {
-    const Bbox_3 b = m_field.cell(center).bbox();
-    const double margin = 0.5 * m_field.cells().width(center);
+    const Bbox_3 b = m_field.cell(patch.center).bbox();
+    const double margin = 0.5 * m_field.cells().width(patch.center);
     const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin, b.zmax() + margin);
-    Patch patch = { center, {}, core, {} };
     std::vector<int>& unknowns = patch.unknowns;
     const auto free_coefficients = [&](Index c) {
       m_field.visit_coefficients(c, [&](int, Index u, double) {
-        if(m_place[u] >= 0 || !has_equation(u)) return;
-        m_place[u] = 0;
-        unknowns.push_back(int(u));
+        if(has_equation(u)) unknowns.push_back(int(u));
       });
     };
+    const auto make_unique = [&] {
+      std::sort(unknowns.begin(), unknowns.end());
+      unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+    };
     m_field.visit_cells(core, free_coefficients);
-    for(int u : unknowns) m_place[u] = -1;
+    make_unique();
     if(unknowns.size() > max_unknowns) {
       unknowns.clear();
-      free_coefficients(center);
-      for(int u : unknowns) m_place[u] = -1;
+      free_coefficients(patch.center);
+      make_unique();
     }
-    std::sort(unknowns.begin(), unknowns.end());
+    patch.reach = core;
     for(int u : unknowns) patch.reach += m_field.support(Index(u));
-    return patch;
   }
 
   // Finds the step, if the cell still needs one, and what it means for the cells with conditions. Where reaches are apart, so is all that this reads and
   // writes: a cell lies in the support of each function that acts on it.
-  void solve_patch(Patch& patch)
+  template <typename ConcurrencyTag>
+  void solve_patch(Patch& patch, const Vector& x, Places& places)
   {
-    const double slack_before = least_slack(patch.center);
+    const double slack_before = least_slack(patch.center).first;
     if(!(slack_before < 0) || patch.unknowns.empty()) return;
     const std::vector<int>& unknowns = patch.unknowns;
-    const Eigen::Index size = Eigen::Index(unknowns.size());
-    for(Eigen::Index n = 0; n < size; ++n) m_place[unknowns[n]] = int(n);
-    // the cells with conditions that they may touch
-    std::vector<Patch_cell> cells;
-    m_field.visit_cells(patch.reach, [&](Index c) {
-      if(m_first[c] == m_first[c+1]) return;
-      Patch_cell cell;
-      cell.cell = c;
-      m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
-        const int place = m_place[u];
-        if(place >= 0) cell.entries.push_back({ n, place, weight });
-      });
-      if(cell.entries.empty()) return;
-      if(!m_is_known[c]) m_least_slack[c] = least_slack(c);
-      m_is_known[c] = 1;
-      cells.push_back(std::move(cell));
-    });
-
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
-    Vector r(size);
-    for(Eigen::Index n = 0; n < size; ++n) {
-      r[n] = m_residual[unknowns[n]];
-      // a zero may be stored for an unknown that acts on other cells, and is placed in another patch now
-      for(Matrix::InnerIterator it(m_A, unknowns[n]); it; ++it)
-        if(it.value() != 0 && m_place[it.row()] >= 0) H(m_place[it.row()], n) = it.value();
-    }
-    for(int u : unknowns) m_place[u] = -1;
+    for(std::size_t n = 0; n < unknowns.size(); ++n) places[std::size_t(unknowns[n])].store(int(n), std::memory_order_relaxed);
+    std::vector<Patch_cell> cells = cells_with_conditions<ConcurrencyTag>(patch, places);
+    Eigen::MatrixXd H;
+    Vector r;
+    assemble(patch, x, places, H, r);
     const Eigen::LLT<Eigen::MatrixXd> factor(H);
     if(factor.info() == Eigen::Success) {
-      patch.step = minimize(cells, factor, r);
+      patch.step = minimize<ConcurrencyTag>(cells, factor, r);
       // points are shared by cells: read all before any is written
       std::vector<std::pair<Index, double> > moved;
       for(const Patch_cell& cell : cells) {
@@ -434,47 +407,106 @@ private:
       }
       for(const std::pair<Index, double>& m : moved) m_points[m.first] = m.second;
     }
-    m_hopeless[patch.center] = least_slack(patch.center) < helps * slack_before;
+    m_hopeless[patch.center] = least_slack(patch.center).first < helps * slack_before;
+  }
+
+  // those that the unknowns of a patch act on
+  template <typename ConcurrencyTag>
+  std::vector<Patch_cell> cells_with_conditions(const Patch& patch, const Places& places)
+  {
+    std::vector<Index> near;
+    m_field.visit_cells(patch.reach, [&](Index c) { if(m_first[c] < m_first[c+1]) near.push_back(c); });
+    return internal::collect_from_chunks<ConcurrencyTag, Patch_cell>(near.size(), cells_at_once,
+                                                                     [&](std::size_t begin, std::size_t end, std::vector<Patch_cell>& found) {
+      for(std::size_t m = begin; m < end; ++m) {
+        const Index c = near[m];
+        Patch_cell cell;
+        cell.cell = c;
+        m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
+          const int p = patch.place(u, places);
+          if(p >= 0) cell.entries.push_back({ n, p, weight });
+        });
+        if(cell.entries.empty()) continue;
+        if(!m_is_known[c]) m_least_slack[c] = least_slack(c).first;
+        m_is_known[c] = 1;
+        found.push_back(std::move(cell));
+      }
+    });
+  }
+
+  // the unknowns' part of the matrix, its lower triangle, and of the residual
+  void assemble(const Patch& patch, const Vector& x, const Places& places, Eigen::MatrixXd& H, Vector& r) const
+  {
+    const Eigen::Index size = Eigen::Index(patch.unknowns.size());
+    H.setZero(size, size);
+    r.resize(size);
+    for(Eigen::Index n = 0; n < size; ++n) r[n] = m_b[patch.unknowns[std::size_t(n)]];
+    for(Eigen::Index n = 0; n < size; ++n) {
+      const int u = patch.unknowns[std::size_t(n)];
+      double sum = 0;
+      for(Matrix::InnerIterator it(m_A, u); it; ++it) {
+        sum += it.value() * x[it.row()];
+        const int p = patch.place(Index(it.row()), places);
+        if(p < 0) continue;
+        H(p, n) = it.value();
+        if(p != n) r[p] -= it.value() * x[u];
+      }
+      r[n] -= sum;
+    }
+    m_field.visit_coefficients_near(patch.reach, [&](Index v, const Bbox_3&) {
+      if(int(v) > patch.unknowns.back() || patch.place(v, places) >= 0) return;
+      for(Matrix::InnerIterator it(m_A, v); it; ++it) {
+        const int p = patch.place(Index(it.row()), places);
+        if(p >= 0) r[p] -= it.value() * x[v];
+      }
+    });
+  }
+
+  struct Violation
+  {
+    double slack;
+    std::size_t cell, condition;                // among the cells of the patch, and all conditions
+    int number;
+    bool operator<(const Violation& o) const { return std::tie(slack, condition, number) < std::tie(o.slack, o.condition, o.number); }
+  };
+
+  // what a step of the unknowns violates in cells, and is not in the program
+  void find_violations(std::vector<Patch_cell>& cells, std::size_t begin, std::size_t end, const Vector& step, std::vector<Violation>& violated) const
+  {
+    for(std::size_t c = begin; c < end; ++c) {
+      Patch_cell& cell = cells[c];
+      const std::array<double, 64> change = cell.change(step);
+      // most conditions are far from being violated
+      const Slacks largest = largest_changes(change.data(), scale(cell.cell));
+      if(m_least_slack[cell.cell] >= (std::max)(largest[0], largest[1])) continue;
+      const std::size_t first = m_first[cell.cell];
+      if(cell.before.empty()) {
+        visit_slacks(cell.cell, [&](std::size_t, const Slacks& slacks) { cell.before.push_back(slacks); });
+        cell.used.assign(cell.before.size(), std::array<char, numbers>{});
+      }
+      for(std::size_t n = 0; n < cell.before.size(); ++n) {
+        const Slacks& before = cell.before[n];
+        if(before[0] >= largest[0] && before[1] >= largest[1] && before[2] >= largest[2]) continue;
+        const Slacks changes = evaluate(m_conditions[first + n], change.data());
+        for(int k = 0; k < numbers; ++k)
+          if(!cell.used[n][k] && before[k] + changes[k] < 0) violated.push_back({ before[k] + changes[k], c, first + n, k });
+      }
+    }
   }
 
   // the step of the unknowns
+  template <typename ConcurrencyTag>
   Vector minimize(std::vector<Patch_cell>& cells, const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& r) const
   {
     const Eigen::Index size = r.size();
     const Vector free = factor.matrixL().solve(r);
     Vector step = factor.matrixU().solve(free);
-    struct Violation
-    {
-      double slack;
-      std::size_t cell, condition;                // among the cells, and all conditions
-      int number;
-      bool operator<(const Violation& o) const { return std::tie(slack, condition, number) < std::tie(o.slack, o.condition, o.number); }
-    };
-    std::vector<Violation> violated;
     Eigen::MatrixXd W(size, 0);                   // L^-1 G^T, for the conditions G in the program
     Eigen::MatrixXd K(0, 0);                      // W^T W
     Vector wanted(0), multipliers(0);             // of G x, beyond what x has
     for(int exchange = 0; exchange < max_exchanges; ++exchange) {
-      violated.clear();
-      for(std::size_t c = 0; c < cells.size(); ++c) {
-        Patch_cell& cell = cells[c];
-        const std::array<double, 64> change = cell.change(step);
-        // most conditions are far from being violated
-        const Slacks largest = largest_changes(change.data(), scale(cell.cell));
-        if(m_least_slack[cell.cell] >= (std::max)(largest[0], largest[1])) continue;
-        const std::size_t first = m_first[cell.cell];
-        if(cell.before.empty()) {
-          for(std::size_t n = first; n < m_first[cell.cell + 1]; ++n) cell.before.push_back(slacks(m_conditions[n]));
-          cell.used.assign(cell.before.size(), std::array<char, numbers>{});
-        }
-        for(std::size_t n = 0; n < cell.before.size(); ++n) {
-          const Slacks& before = cell.before[n];
-          if(before[0] >= largest[0] && before[1] >= largest[1] && before[2] >= largest[2]) continue;
-          const Slacks changes = evaluate(m_conditions[first + n], change.data());
-          for(int k = 0; k < numbers; ++k)
-            if(!cell.used[n][k] && before[k] + changes[k] < 0) violated.push_back({ before[k] + changes[k], c, first + n, k });
-        }
-      }
+      std::vector<Violation> violated = internal::collect_from_chunks<ConcurrencyTag, Violation>(cells.size(), cells_at_once,
+        [&](std::size_t begin, std::size_t end, std::vector<Violation>& found) { find_violations(cells, begin, end, step, found); });
       const std::size_t more = (std::min)({ violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
       if(more == 0) break;
       std::partial_sort(violated.begin(), violated.begin() + std::ptrdiff_t(more), violated.end());
@@ -494,11 +526,16 @@ private:
         wanted[column] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - cell.before[n][v.number];
         multipliers[column] = 0;
       }
-      auto added = W.rightCols(Eigen::Index(more));
-      factor.matrixL().solveInPlace(added);
+      internal::for_each_chunk<ConcurrencyTag>(more, columns_at_once, [&](std::size_t begin, std::size_t end) {
+        auto added = W.middleCols(old + Eigen::Index(begin), Eigen::Index(end - begin));
+        factor.matrixL().solveInPlace(added);
+      });
       // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other
       K.conservativeResize(W.cols(), W.cols());
-      K.rightCols(Eigen::Index(more)).noalias() = W.transpose() * added;
+      internal::for_each_chunk<ConcurrencyTag>(more, columns_at_once, [&](std::size_t begin, std::size_t end) {
+        const Eigen::Index first = old + Eigen::Index(begin), columns = Eigen::Index(end - begin);
+        K.middleCols(first, columns).noalias() = W.transpose() * W.middleCols(first, columns);
+      });
       K.bottomLeftCorner(Eigen::Index(more), old) = K.topRightCorner(old, Eigen::Index(more)).transpose();
       Vector gap = wanted - W.transpose() * free - K * multipliers;
       for(int sweep = 0; sweep < max_dual_sweeps; ++sweep) {
@@ -519,26 +556,14 @@ private:
     return step;
   }
 
-  // adds to a coefficient, and to the residual what it means
-  void add(int u, double delta, Vector& x)
-  {
-    x[u] += delta;
-    for(Matrix::InnerIterator it(m_A, u); it; ++it) m_residual[it.row()] -= it.value() * delta;
-    for(std::size_t n = m_row_begin[u]; n < m_row_begin[u+1]; ++n)
-      m_residual[m_row_entries[n].first] -= m_A.valuePtr()[m_row_entries[n].second] * delta;
-  }
-
   const Field& m_field;
   const Matrix& m_A;
   const Vector& m_b;
   std::vector<Slope_condition> m_conditions;                // by cell
   std::vector<std::size_t> m_first;                         // condition of each cell
-  Vector m_points, m_residual;
-  std::vector<std::size_t> m_row_begin;
-  std::vector<std::pair<int, int> > m_row_entries;          // column, and place among the values
+  Vector m_points;
   std::vector<char> m_hopeless, m_changed, m_is_known;      // of a cell: the last one, whether its least slack is
   std::vector<double> m_least_slack;
-  std::vector<int> m_place;                                 // of a coefficient in the patch, or -1
 };
 
 } // namespace Bspline_shells

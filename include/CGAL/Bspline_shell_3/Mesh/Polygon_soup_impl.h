@@ -117,28 +117,35 @@ struct Edge_use
 };
 
 // The edges of all polygons, sorted. Polygons of less than three corners, or with a vertex twice, are offenders.
-inline std::vector<Edge_use> edge_uses(const Polygon_soup::Polygons& polygons, std::vector<std::size_t>& offenders)
+inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std::size_t>& offenders)
 {
-  std::vector<Edge_use> uses;
   std::vector<std::size_t> sorted;
-  std::size_t first = 0;      // corner of the polygon
-  for(std::size_t p = 0; p < polygons.size(); ++p) {
-    const std::vector<std::size_t>& polygon = polygons[p];
-    const std::size_t size = polygon.size();
-    sorted = polygon;
+  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+    sorted = soup.polygons[p];
     std::sort(sorted.begin(), sorted.end());
-    if(size < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      offenders.push_back(p);
-    } else {
-      for(std::size_t i = 0; i < size; ++i) {
-        const std::size_t next = (i + 1) % size, a = polygon[i], b = polygon[next];
-        if(a < b) uses.push_back({ a, b, p, first + i, first + next, true });
-        else uses.push_back({ b, a, p, first + next, first + i, false });
-      }
-    }
-    first += size;
+    if(sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) offenders.push_back(p);
   }
-  std::sort(uses.begin(), uses.end());
+  if(!offenders.empty()) return {};
+  // by the lower vertex first: few edges have the same
+  const auto for_each_side = [&](const auto& f) {
+    std::size_t first = 0;      // corner of the polygon
+    for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
+      const std::vector<std::size_t>& polygon = soup.polygons[p];
+      for(std::size_t i = 0; i < polygon.size(); ++i) {
+        const std::size_t next = (i + 1) % polygon.size(), a = polygon[i], b = polygon[next];
+        f(a < b ? Edge_use{ a, b, p, first + i, first + next, true } : Edge_use{ b, a, p, first + next, first + i, false });
+      }
+      first += polygon.size();
+    }
+  };
+  std::vector<std::size_t> begin(soup.points.size() + 1, 0);
+  for_each_side([&](const Edge_use& use) { ++begin[use.lower + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Edge_use> uses(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for_each_side([&](const Edge_use& use) { uses[next[use.lower]++] = use; });
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    std::sort(uses.begin() + std::ptrdiff_t(begin[v]), uses.begin() + std::ptrdiff_t(begin[v+1]));
   return uses;
 }
 
@@ -231,7 +238,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offendi
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   turned = 0;
-  const std::vector<Edge_use> uses = edge_uses(soup.polygons, offenders.facets);
+  const std::vector<Edge_use> uses = edge_uses(soup, offenders.facets);
   if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
   const Shell_status status = diagnose_polygons(uses, soup.polygons.size(), offenders.facets);
   if(status != Shell_status::SUCCESS) return status;

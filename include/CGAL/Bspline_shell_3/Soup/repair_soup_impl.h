@@ -15,10 +15,12 @@
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +33,7 @@ inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup
 {
   typedef std::vector<std::size_t> Polygon;
   Polygon polygon = soup.polygons[n];
+  if(polygon.size() == 3 && polygon[0] != polygon[1] && polygon[1] != polygon[2] && polygon[2] != polygon[0]) return { polygon };     // most are
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   Polygon different = polygon;
@@ -69,7 +72,10 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
 
   Polygon_soup::Polygons polygons;
   std::vector<std::size_t> origin;
-  std::set<std::vector<std::size_t> > known;
+  std::unordered_set<std::vector<std::size_t>, boost::hash<std::vector<std::size_t> > > known;
+  known.reserve(soup.polygons.size());
+  polygons.reserve(soup.polygons.size());
+  origin.reserve(soup.polygons.size());
   for(std::size_t n = 0; n < soup.polygons.size(); ++n) {
     const std::vector<std::vector<std::size_t> > parts = internal::simple_polygons(soup, n);
     if(parts.empty()) ++repairs.removed_polygons;
