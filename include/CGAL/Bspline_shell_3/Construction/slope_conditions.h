@@ -102,7 +102,6 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
   };
   return internal::collect_from_chunks<ConcurrencyTag, Slope_condition>(
     pieces.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Slope_condition>& conditions) {
-      end = first_of_cell(end);
       for(std::size_t n = first_of_cell(begin), next; n < end; n = next) {
         const std::uint32_t c = pieces[n].cell;
         for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}

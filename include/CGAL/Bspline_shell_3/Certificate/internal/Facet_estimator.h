@@ -134,12 +134,14 @@ private:
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
+    const Sample between = m_bounds.sample_middle(corners[top], middle);        // of the edge of both halves
     for(std::size_t end : { 1, 2 }) {
-      const std::size_t replaced = (top + end) % 3;
+      const std::size_t replaced = (top + end) % 3, kept = (top + 3 - end) % 3;
       std::array<Sample, 3> half = corners;
       half[replaced] = middle;
       Middles known_of_half = {};
       known_of_half[replaced] = known[replaced];
+      known_of_half[kept] = &between;
       const Facet_estimate found = estimate(half, known_of_half);
       if(found != Facet_estimate::CLEAR) return found;
     }
