@@ -76,8 +76,8 @@ struct Slope_report
  * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
  * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
  * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
- * Patches are solved one after the other, worst first, in a few sweeps, and at once where their functions are apart; a cell whose patch did not help
- * is not tried again, unless conditions are added.
+ * Patches are solved one after the other, worst first, in a few sweeps, and at once where their functions are apart; as most wait for another one, each
+ * is solved by several threads. A cell whose patch did not help is not tried again, unless conditions are added.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -253,7 +253,7 @@ private:
     }
   }
 
-  // and the first condition that has it
+  // the least slack in a cell, and the first condition that has it
   std::pair<double, std::size_t> least_slack(Index c) const
   {
     std::pair<double, std::size_t> least(std::numeric_limits<double>::infinity(), m_first[c]);
