@@ -48,7 +48,8 @@ namespace CGAL {
  *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's box;
  *     default 0.01
  *   - `thickness(double)`: instead, in user units
- *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite
+ *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite. Several threads call it at once, unless
+ *     `ConcurrencyTag` is `Sequential_tag`.
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
  *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30, or as few as 20 where most of

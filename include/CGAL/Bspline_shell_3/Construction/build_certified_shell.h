@@ -21,6 +21,7 @@
 
 #include <CGAL/tags.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,7 +106,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
                           : parameters.sizing ? finest_resolution : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
-  bool is_thickness_valid = true;
+  std::atomic<bool> is_thickness_valid(true);       // several threads ask for it
   const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
