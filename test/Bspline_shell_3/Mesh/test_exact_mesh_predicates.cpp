@@ -7,6 +7,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
@@ -58,6 +59,49 @@ TEST_CASE("Fan winding: as often as the link goes round")
       CHECK(BS::fan_winding_number(mesh, v, mesh.point(v) + *g) == 1);
     }
   }
+}
+
+TEST_CASE("Embedded fans: they wind once around the mean of the normals that all of their facets face")
+{
+  const auto are_tips_embedded = [](const Mesh& mesh) {
+    const std::vector<char> sequential = BS::embedded_fans<CGAL::Sequential_tag>(mesh);
+    CHECK(BS::embedded_fans<CGAL::Parallel_if_available_tag>(mesh) == sequential);
+    CHECK(bool(sequential[0]) == BS::is_fan_embedded(mesh, Mesh::Vertex_index(0)));
+    CHECK(sequential[0] == sequential[1]);
+    return bool(sequential[0]);
+  };
+  for(double size : { 1e-60, 1., 1e55 })
+    for(double height : { 1e-3, 1., 1e3 }) {
+      CAPTURE(size, height);
+      const auto scaled = [&](Mesh mesh) {
+        for(auto v : mesh.vertices()) mesh.point(v) = CGAL::ORIGIN + size * (mesh.point(v) - CGAL::ORIGIN);
+        return mesh;
+      };
+      CHECK(are_tips_embedded(scaled(bipyramid(3, 1, height))));
+      CHECK(are_tips_embedded(scaled(bipyramid(12, 1, height))));
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(5, 2, height))));       // twice
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(12, 5, height))));      // five times
+    }
+  // a corner of the link on the other side of the tip, and of other edges
+  Mesh folded = bipyramid(6, 1);
+  folded.point(Mesh::Vertex_index(2)) = Point_3(-1.5, 0, 0);
+  CHECK_FALSE(are_tips_embedded(folded));
+  // normals that cancel
+  Mesh flat;
+  const auto a = flat.add_vertex(Point_3(0, 0, 0)), b = flat.add_vertex(Point_3(1, 0, 0)), c = flat.add_vertex(Point_3(0, 1, 0));
+  flat.add_face(a, b, c);
+  flat.add_face(a, c, b);
+  CHECK_FALSE(are_tips_embedded(flat));
+  // every vertex of ordinary meshes, but not those on a border, without facets, or removed
+  const Mesh ring = torus(3, 1, 9, 7);
+  CHECK(BS::embedded_fans<CGAL::Sequential_tag>(ring) == std::vector<char>(ring.num_vertices(), 1));
+  Mesh open = ring;
+  CGAL::Euler::remove_face(open.halfedge(Mesh::Face_index(0)), open);
+  const auto removed = open.add_vertex(), isolated = open.add_vertex();
+  open.remove_vertex(removed);
+  const std::vector<char> is_embedded = BS::embedded_fans<CGAL::Sequential_tag>(open);
+  CHECK(std::count(is_embedded.begin(), is_embedded.end(), 0) == 5);
+  CHECK_FALSE(is_embedded[isolated]);
 }
 
 TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")

@@ -1,6 +1,7 @@
-// intersecting_facets.h: a grid finds the pairs that a search without it finds, whatever its cells, with any number of threads.
+// intersecting_facets.h: the pairs that CGAL's test of all pairs finds, whatever the cells of the grid, with any number of threads.
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Mesh/intersecting_facets.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -11,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -30,7 +32,7 @@ Pairs sorted(Pairs pairs)
   return pairs;
 }
 
-Pairs without_grid(const Mesh& mesh)
+Pairs of_all_pairs(const Mesh& mesh)
 {
   Pairs pairs;
   CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(mesh, std::back_inserter(pairs));
@@ -52,14 +54,20 @@ Mesh together(const Mesh& a, const Mesh& b)
   return mesh;
 }
 
+template <typename ConcurrencyTag>
+Pairs found(const Mesh& mesh, unsigned int most_pairs, std::size_t facets_of_cell)
+{
+  return BS::internal::intersecting_facets<ConcurrencyTag>(mesh, BS::embedded_fans<ConcurrencyTag>(mesh), most_pairs, facets_of_cell);
+}
+
 void check(const Mesh& mesh, bool has_grid = true)
 {
-  const Pairs reference = without_grid(mesh);
+  const Pairs reference = of_all_pairs(mesh);
   for(std::size_t size : { 1, 60, 150 }) {
     REQUIRE(mesh.number_of_faces() >= 16 * size);       // a grid is tried
     CAPTURE(size);
-    CHECK(BS::internal::intersecting_facets<CGAL::Sequential_tag>(mesh, unlimited, size) == reference);
-    CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(mesh, unlimited, size) == reference);
+    CHECK(found<CGAL::Sequential_tag>(mesh, unlimited, size) == reference);
+    CHECK(found<CGAL::Parallel_if_available_tag>(mesh, unlimited, size) == reference);
   }
   CHECK(BS::internal::Facet_grid<Mesh>(mesh, 150).fill(3 * mesh.number_of_faces()) == has_grid);
 }
@@ -69,7 +77,7 @@ void check(const Mesh& mesh, bool has_grid = true)
 TEST_CASE("Intersecting facets: none in a sphere, and in two beside or inside of each other")
 {
   const Mesh ball = sphere(4);
-  CHECK(without_grid(ball).empty());
+  CHECK(of_all_pairs(ball).empty());
   check(ball);
   check(together(ball, moved(ball, Kernel::Vector_3(2.5, 0, 0))));
   check(together(ball, moved(ball, Kernel::Vector_3(0, 0, 0), 0.9)));
@@ -80,7 +88,7 @@ TEST_CASE("Intersecting facets: where spheres meet, touch, or coincide, on plane
   const Mesh ball = sphere(4);
   for(double x : { 0.5, 1., 1.3, 2. }) {
     const Mesh both = together(ball, moved(ball, Kernel::Vector_3(x, 0, 0)));
-    CHECK_FALSE(without_grid(both).empty());
+    CHECK_FALSE(of_all_pairs(both).empty());
     check(both);
   }
   check(together(ball, ball));
@@ -98,7 +106,39 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
     const Kernel::Vector_3 out = p - CGAL::ORIGIN,
                            u = edge * CGAL::cross_product(out, Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), 0.3));
     mesh.add_face(mesh.add_vertex(p - edge * out), mesh.add_vertex(p + edge * out), mesh.add_vertex(p + edge * out + u));
-    CHECK_FALSE(without_grid(mesh).empty());
+    CHECK_FALSE(of_all_pairs(mesh).empty());
+    check(mesh);
+  }
+}
+
+TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds, winds twice, or is embedded")
+{
+  const Mesh ball = sphere(4);
+  // the neighbors of a vertex that is pulled over them, or down
+  for(const Kernel::Vector_3& to : { Kernel::Vector_3(0.3, 0.2, 0.1), Kernel::Vector_3(0.1, -0.1, 0.4), Kernel::Vector_3(0, 0, -1) })
+    for(unsigned int v : { 0u, 50u, 1000u }) {
+      Mesh folded = ball;
+      folded.point(Mesh::Vertex_index(v)) = folded.point(Mesh::Vertex_index(v)) + to;
+      check(folded);
+    }
+  // all facets face the axis, and only common vertices tell that they intersect
+  Mesh star;
+  const int corners = 5;
+  const auto north = star.add_vertex(Point_3(0, 0, 1.5)), south = star.add_vertex(Point_3(0, 0, -1.5));
+  std::vector<Mesh::Vertex_index> link;
+  for(int n = 0; n < corners; ++n) link.push_back(star.add_vertex(Point_3(2 * std::cos(4 * CGAL_PI * n / corners), 2 * std::sin(4 * CGAL_PI * n / corners), 0)));
+  for(std::size_t n = 0; n < link.size(); ++n) {
+    star.add_face(link[n], link[(n + 1) % link.size()], north);
+    star.add_face(link[(n + 1) % link.size()], link[n], south);
+  }
+  CHECK_FALSE(of_all_pairs(star).empty());
+  check(together(ball, star));
+  // noise, from what leaves most fans embedded to what leaves hardly any
+  CGAL::Random random(2);
+  for(double noise : { 0.01, 0.03, 0.1 }) {
+    Mesh mesh = ball;
+    for(auto v : mesh.vertices())
+      mesh.point(v) = mesh.point(v) + noise * Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
     check(mesh);
   }
 }
@@ -118,28 +158,28 @@ TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells
     needles.add_face(needles.add_vertex(Point_3(x, -2, -2)), needles.add_vertex(Point_3(x, 2, 2)), needles.add_vertex(Point_3(x + 1e-4, 2, 2)));
   }
   CHECK_FALSE(BS::internal::Facet_grid<Mesh>(needles, 100).fill(3 * needles.number_of_faces()));
-  CHECK(BS::internal::intersecting_facets<CGAL::Sequential_tag>(needles, unlimited, 100) == without_grid(needles));
+  CHECK(found<CGAL::Sequential_tag>(needles, unlimited, 100) == of_all_pairs(needles));
 }
 
 TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with any number of threads; coordinates without a grid")
 {
   const Mesh ball = sphere(4), both = together(ball, moved(ball, Kernel::Vector_3(0.5, 0, 0)));
-  const Pairs all = without_grid(both);
+  const Pairs all = of_all_pairs(both);
   REQUIRE(all.size() > 50);
-  const Pairs some = BS::internal::intersecting_facets<CGAL::Sequential_tag>(both, 50, 150);
+  const Pairs some = found<CGAL::Sequential_tag>(both, 50, 150);
   CHECK(some.size() == 50);
   CHECK(std::includes(all.begin(), all.end(), some.begin(), some.end()));
-  CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
+  CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
   // without a grid
   for(int n = 0; n < 10; ++n)
-    CHECK(BS::internal::intersecting_facets<CGAL::Parallel_if_available_tag>(both, 50, 100000)
-          == BS::internal::intersecting_facets<CGAL::Sequential_tag>(both, 50, 100000));
+    CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 100000)
+          == found<CGAL::Sequential_tag>(both, 50, 100000));
   // nearly all of the mesh in one cell
   check(together(moved(both, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
   for(double size : { 5e-324, 1.7e308 }) {
     Mesh extreme = ball;
     for(auto v : extreme.vertices()) extreme.point(v) = Point_3(size * extreme.point(v).x(), size * extreme.point(v).y(), size * extreme.point(v).z());
     CHECK_FALSE(BS::internal::Facet_grid<Mesh>(extreme, 150).fill(3 * extreme.number_of_faces()));
-    CHECK(BS::internal::intersecting_facets<CGAL::Sequential_tag>(extreme, unlimited, 150) == without_grid(extreme));
+    CHECK(found<CGAL::Sequential_tag>(extreme, unlimited, 150) == of_all_pairs(extreme));
   }
 }

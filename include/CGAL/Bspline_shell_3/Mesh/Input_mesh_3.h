@@ -189,6 +189,7 @@ private:
   Shell_status m_status = Shell_status::NOT_BUILT;
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
+  std::vector<char> m_is_embedded;      // for each vertex, whether its fan certainly is; empty if that is not known
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
   std::shared_ptr<const Shell_closing_3> m_closing;

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Mesh/intersecting_facets.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
@@ -46,6 +47,7 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
     status = tolerated.self_intersections ? check_volume() : check_orientation();
   if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices<ConcurrencyTag>();
+  std::vector<char>().swap(m_is_embedded);
   return status;
 }
 
@@ -130,6 +132,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   m_mesh.remove_property_map(origin);
   m_mesh.remove_property_map(vertex_origin);
   m_truncation = std::move(truncation);
+  m_is_embedded.clear();      // of the mesh before
   return Shell_status::SUCCESS;
 }
 
@@ -173,9 +176,10 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_intersections()
 {
+  m_is_embedded = embedded_fans<ConcurrencyTag>(m_mesh);
   std::vector<std::size_t> facets;
   // overlapping meshes may have a quadratic number of pairs: enough of them is enough
-  for(const auto& pair : internal::intersecting_facets<ConcurrencyTag>(m_mesh, max_pairs)) {
+  for(const auto& pair : internal::intersecting_facets<ConcurrencyTag>(m_mesh, m_is_embedded, max_pairs)) {
     facets.push_back(m_origin[pair.first]);
     facets.push_back(m_origin[pair.second]);
   }
@@ -291,7 +295,8 @@ Shell_status Input_mesh_3::check_vertices()
     m_mesh.number_of_vertices(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         const Triangle_mesh::Vertex_index v(static_cast<unsigned int>(n));
-        if(!m_mesh.is_isolated(v) && !vertex_cone(m_mesh, v)) found.push_back(m_vertex_origin[n]);
+        const bool is_regular = (!m_is_embedded.empty() && m_is_embedded[n]) || m_mesh.is_isolated(v) || vertex_cone(m_mesh, v);
+        if(!is_regular) found.push_back(m_vertex_origin[n]);
       }
     });
   return singular.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::SINGULAR_VERTEX, singular);

@@ -6,12 +6,19 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_FAN_WINDING_H
 #define CGAL_BSPLINE_SHELL_3_MESH_FAN_WINDING_H
 
+#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +53,23 @@ std::size_t link_winding_number(const Point_3& p, const Point_3& on_axis, const 
   return turns;
 }
 
+namespace internal {
+
+// the other vertices of the facets at `v`, in the cyclic order of the facets
+template <typename TriangleMesh>
+auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+{
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  std::vector<typename boost::property_traits<std::decay_t<decltype(vpm)> >::value_type> link;
+  constexpr std::size_t usual = 8;
+  link.reserve(usual);
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(get(vpm, source(h, mesh)));
+  std::reverse(link.begin(), link.end());       // halfedges_around_target() walks against the facets' turn
+  return link;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
@@ -60,11 +84,61 @@ template <typename TriangleMesh, typename Point_3>
 std::size_t fan_winding_number(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                                const Point_3& on_axis)
 {
-  const auto vpm = get(CGAL::vertex_point, mesh);
-  std::vector<Point_3> link;
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(get(vpm, source(h, mesh)));
-  std::reverse(link.begin(), link.end());       // halfedges_around_target() walks against the facets' turn
-  return link_winding_number(get(vpm, v), on_axis, link);
+  return link_winding_number(get(get(CGAL::vertex_point, mesh), v), on_axis, internal::vertex_link(mesh, v));
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief whether all facets at a vertex face the mean of their normals and wind around it once. Then no two of them have more in common than the
+ * vertex or an edge: along the mean, the fan projects one-to-one.
+ *
+ * `true` is exact; `false` may only mean that the facets face another direction.
+ *
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact predicates and `double` coordinates
+ * \pre the facets at `v` are non-degenerate triangles, and form a single fan; `v` is not on a border
+ */
+template <typename TriangleMesh>
+bool is_fan_embedded(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+{
+  const auto link = internal::vertex_link(mesh, v);
+  const auto& p = get(get(CGAL::vertex_point, mesh), v);
+  std::array<double, 3> mean = {};
+  double reach = 0;
+  for(std::size_t n = 0; n < link.size(); ++n) {
+    const auto normal = facet_normal(p, link[n], link[n + 1 < link.size() ? n + 1 : 0]).direction;
+    const double length = internal::norm(normal);
+    for(std::size_t a = 0; a < 3; ++a) mean[a] += normal[a] / length;
+    reach = (std::max)(reach, (link[n] - p).squared_length());
+  }
+  const double scale = std::sqrt(reach) / internal::norm(mean);
+  typedef std::decay_t<decltype(p)> Point_3;
+  const Point_3 on_axis(p.x() + scale * mean[0], p.y() + scale * mean[1], p.z() + scale * mean[2]);
+  const bool is_finite = std::isfinite(on_axis.x() + on_axis.y() + on_axis.z());      // not if normals cancel, or squares overflow
+  return is_finite && link_winding_number(p, on_axis, link) == 1;
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief `is_fan_embedded()` for each vertex of a mesh, by index; 0 for those on borders, and those without facets.
+ *
+ * \tparam Mesh a `CGAL::Surface_mesh` of points of a kernel with exact predicates and `double` coordinates
+ * \pre all facets are non-degenerate triangles, and those at a vertex form a single fan
+ */
+template <typename ConcurrencyTag, typename Mesh>
+std::vector<char> embedded_fans(const Mesh& mesh)
+{
+  typedef typename Mesh::Vertex_index Vertex_index;
+  constexpr std::size_t chunk = 1024;
+  std::vector<char> is_embedded(mesh.num_vertices(), 0);
+  internal::for_each_chunk<ConcurrencyTag>(is_embedded.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) {
+      const Vertex_index v(static_cast<typename Vertex_index::size_type>(n));
+      is_embedded[n] = !mesh.is_removed(v) && !mesh.is_isolated(v) && !mesh.is_border(v) && is_fan_embedded(mesh, v);
+    }
+  });
+  return is_embedded;
 }
 
 } // namespace Bspline_shells

@@ -9,8 +9,12 @@
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +22,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -103,34 +108,108 @@ private:
   std::vector<Face_index> m_facets;
 };
 
-// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of threads:
-// `Polygon_mesh_processing::self_intersections()`, of large meshes in the cells of a grid, most of which fit the processor's cache.
+// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be embedded. Clear facets that have a
+// vertex in common have no more in common than they should, and need no test: that is most pairs, and the expensive ones, as neighbors are nearly
+// coplanar.
+template <typename TriangleMesh>
+class Facet_intersections
+{
+  typedef typename TriangleMesh::Face_index Face_index;
+  typedef typename TriangleMesh::Vertex_index Vertex_index;
+public:
+  typedef std::pair<Face_index, Face_index> Pair;
+
+  // \param is_embedded what `embedded_fans()` says of the mesh
+  Facet_intersections(const TriangleMesh& mesh, const std::vector<char>& is_embedded) : m_mesh(mesh), m_is_embedded(is_embedded) { }
+
+  bool is_unclear(Face_index f) const { return facet(f).is_unclear; }
+
+  // appends the pairs among some facets, or the first ones, until `most` are found
+  template <typename FaceRange>
+  void find(const FaceRange& facets, std::size_t most, std::vector<Pair>& found) const
+  {
+    std::vector<Box> boxes;
+    boxes.reserve(facets.size());
+    for(Face_index f : facets) {
+      const Facet facet = this->facet(f);
+      boxes.emplace_back(point(facet, 0).bbox() + point(facet, 1).bbox() + point(facet, 2).bbox(), facet);
+    }
+    struct Enough { };      // there is no other way to end a search for boxes
+    try {
+      CGAL::box_self_intersection_d<Sequential_tag>(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        const Facet f = a.info(), g = b.info();
+        if((f.is_unclear && g.is_unclear) || have_common_vertex(f, g) || !CGAL::do_intersect(triangle(f), triangle(g))) return;
+        found.emplace_back(f.face, g.face);
+        if(found.size() >= most) throw Enough();
+      }, cutoff);
+    } catch(const Enough&) { }
+  }
+
+private:
+  struct Facet
+  {
+    Face_index face;
+    std::array<Vertex_index, 3> vertices;
+    bool is_unclear;
+  };
+  typedef Box_intersection_d::Box_with_info_d<double, 3, Facet> Box;
+  static constexpr std::ptrdiff_t cutoff = 2000;      // fewer boxes are compared one by one, along an axis
+
+  Facet facet(Face_index f) const
+  {
+    const auto h = m_mesh.halfedge(f);
+    const std::array<Vertex_index, 3> v = { m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)) };
+    return { f, v, !(m_is_embedded[v[0]] && m_is_embedded[v[1]] && m_is_embedded[v[2]]) };
+  }
+  const typename TriangleMesh::Point& point(const Facet& f, std::size_t corner) const { return m_mesh.point(f.vertices[corner]); }
+  auto triangle(const Facet& f) const
+  {
+    typedef typename Kernel_traits<typename TriangleMesh::Point>::Kernel Kernel;
+    return typename Kernel::Triangle_3(point(f, 0), point(f, 1), point(f, 2));
+  }
+  static bool have_common_vertex(const Facet& f, const Facet& g)
+  {
+    const auto has_g = [&](Vertex_index v) { return v == g.vertices[0] || v == g.vertices[1] || v == g.vertices[2]; };
+    return has_g(f.vertices[0]) || has_g(f.vertices[1]) || has_g(f.vertices[2]);
+  }
+
+  const TriangleMesh& m_mesh;
+  const std::vector<char>& m_is_embedded;
+};
+
+// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of threads. Those of large meshes are
+// sought in the cells of a grid, most of which fit the processor's cache.
+// \param is_embedded what `embedded_fans()` says of the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> >
-intersecting_facets(const TriangleMesh& mesh, unsigned int most_pairs, std::size_t facets_of_cell = 1024)
+intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs, std::size_t facets_of_cell = 256)
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  // A surface fills a few times `most_squares` cells. More cells are no faster, and each is a call, which checks the whole mesh if preconditions are on.
-  constexpr std::size_t least_cells = 8, most_squares = 256, most_copies = 3;
-  const auto np = CGAL::parameters::maximum_number(most_pairs);
+  constexpr std::size_t least_cells = 8, most_copies = 3;
   std::vector<Pair> pairs;
-  bool is_known = false;
-  if(mesh.number_of_faces() >= least_cells * facets_of_cell) {
-    Facet_grid<TriangleMesh> grid(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_squares));
-    is_known = grid.fill(most_copies * mesh.number_of_faces());
-    if(is_known)
-      pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid.number_of_cells(), 1, [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
-        const auto facets = grid.facets(begin);
-        if(facets.size() > 1) Polygon_mesh_processing::self_intersections<Sequential_tag>(facets, mesh, std::back_inserter(found), np);
-      });
-  }
-  if(!is_known) {
-    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(mesh, std::back_inserter(pairs), np);
-    if(pairs.size() >= most_pairs) {      // which ones depends on threads
-      pairs.clear();
-      Polygon_mesh_processing::self_intersections<Sequential_tag>(mesh, std::back_inserter(pairs), np);
+  std::vector<Face_index> unclear;
+  std::optional<Facet_grid<TriangleMesh> > grid;
+  if(mesh.number_of_faces() >= least_cells * facets_of_cell) grid.emplace(mesh, facets_of_cell);
+  if(grid && grid->fill(most_copies * mesh.number_of_faces())) {
+    const Facet_intersections<TriangleMesh> intersections(mesh, is_embedded);
+    pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid->number_of_cells(), 1, [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
+      const auto facets = grid->facets(begin);
+      if(facets.size() > 1) intersections.find(facets, most_pairs, found);
+    });
+    for(Face_index f : mesh.faces())
+      if(intersections.is_unclear(f)) unclear.push_back(f);
+  } else unclear.assign(mesh.faces().begin(), mesh.faces().end());
+
+  if(unclear.size() > 1) {
+    const auto np = CGAL::parameters::maximum_number(most_pairs);
+    std::vector<Pair> found;
+    Polygon_mesh_processing::self_intersections<ConcurrencyTag>(unclear, mesh, std::back_inserter(found), np);
+    if(found.size() >= most_pairs) {      // which ones depends on threads
+      found.clear();
+      Polygon_mesh_processing::self_intersections<Sequential_tag>(unclear, mesh, std::back_inserter(found), np);
     }
+    pairs.insert(pairs.end(), found.begin(), found.end());
   }
   for(Pair& pair : pairs)
     if(pair.second < pair.first) std::swap(pair.first, pair.second);
