@@ -520,10 +520,14 @@ private:
       const std::vector<Index> cells = cells_of(m_obstacles);
       if(are_many(cells) || double(cells.size()) > progress * before) break;
       before = double(cells.size());
+      std::vector<Any_signed_distance_3::Point_3> points;
+      for(const Threshold_obstacle& o : m_obstacles) points.emplace_back(o.point[0], o.point[1], o.point[2]);
+      std::vector<double> distances(points.size());
+      m_oracle(points, distances.data());
       std::vector<Slope_condition> conditions;
-      for(const Threshold_obstacle& o : m_obstacles) {
-        const double distance = std::abs(m_oracle(Any_signed_distance_3::Point_3(o.point[0], o.point[1], o.point[2])));
-        const auto condition = common_slope(*m_field, *m_clipped, o.cell, o.point, distance, m_parameters.slope_fraction);
+      for(std::size_t n = 0; n < m_obstacles.size(); ++n) {
+        const Threshold_obstacle& o = m_obstacles[n];
+        const auto condition = common_slope(*m_field, *m_clipped, o.cell, o.point, std::abs(distances[n]), m_parameters.slope_fraction);
         if(condition) conditions.push_back(*condition);
       }
       if(conditions.empty()) break;
