@@ -211,7 +211,8 @@ Mesh with_needles(Mesh mesh, double width)
 }
 
 // The side of points at all distances from vertices, edges and facets, told by the closest point, and exactly.
-void check_sides(const Mesh& mesh)
+// \param coordinates their size, in that of the mesh
+void check_sides(const Mesh& mesh, double coordinates = 1)
 {
   for(bool inside_out : { false, true }) {
     const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(mesh) : mesh);
@@ -227,11 +228,11 @@ void check_sides(const Mesh& mesh)
         double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0., n % 4 > 1 ? random.get_double() : 0. };
         const double sum = b[0] + b[1] + b[2];
         Point_3 p = CGAL::barycenter(t[n % 3], b[0] / sum, t[(n + 1) % 3], b[1] / sum, t[(n + 2) % 3], b[2] / sum);
-        p = p + std::pow(10, random.get_double(-9, 0)) * direction();
+        p = p + coordinates * std::pow(10, random.get_double(-13, 0)) * direction();
         const double signed_distance = oracle.signed_distance(p, hint), distance = oracle.distance(p);
-        if(!(distance > 1e-12)) continue;       // rounding of a closest point decides
+        if(!(distance > 1e-12 * coordinates)) continue;       // rounding of a closest point decides
         wrong += (signed_distance > 0 ? 1 : -1) != oracle.sign(p);
-        wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding);
+        wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding * coordinates);
         ++(signed_distance > 0 ? positive : negative);
       }
     }
@@ -380,6 +381,12 @@ TEST_CASE("signed distance: the closest point tells the side, also at creases, s
   SECTION("thin needles at sharp creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8)); }
   SECTION("needles as thin as rounding, at creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14)); }
   SECTION("a cavity") { check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99)))); }
+  SECTION("far from the origin") {
+    for(Mesh mesh : { torus(1, 0.5, 8, 6), star(7, 0.2, 1, 0, 0.01), with_needles(sphere(1), 1e-4) }) {
+      for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(300, -1000, 70);
+      check_sides(mesh, 1000);
+    }
+  }
 }
 
 TEST_CASE("signed distance: where a mesh intersects itself, the side is that of the closest facet")

@@ -73,8 +73,10 @@ class Mesh_signed_distance_3::Trees
 
 public:
   explicit Trees(const Input_mesh_3& input)
-    : m_mesh(input.mesh()), m_size(input.unit()), m_flip(!input.faces_outwards())
+    : m_mesh(input.mesh()), m_flip(!input.faces_outwards())
   {
+    for(int a = 0; a < 3; ++a)
+      m_largest_coordinate = (std::max)({ m_largest_coordinate, std::abs((input.bbox().min)(a)), std::abs((input.bbox().max)(a)) });
     m_triangles.reserve(m_mesh.number_of_faces());
     for(auto f : m_mesh.faces()) {
       const auto t = input.triangle(f);
@@ -110,9 +112,10 @@ public:
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
-    // rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on
-    constexpr FT doubtful = 1e-5;
-    if(length < doubtful * m_size) return sign(p) * length;
+    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on: whether that is on an edge is known up to
+    // `rounding()`, which is far below `doubtful * nearest` of the coordinates, and turns the way from there by less than `doubtful`.
+    constexpr FT doubtful = 1e-5, nearest = 1e-8;
+    if(length < nearest * m_largest_coordinate) return sign(p) * length;
     const FT side = away * normal_at(hint.triangle, closest.first) / length;
     if(std::abs(side) < doubtful) return sign(p) * length;
     return side > 0 ? length : -length;
@@ -147,6 +150,9 @@ private:
     }
     return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
   }
+
+  // what rounding does to a closest point
+  FT rounding() const { return 32 * std::numeric_limits<FT>::epsilon() * m_largest_coordinate; }
 
   // a unit vector, or zero for a facet too flat for doubles
   static Vector unit(Vector v)
@@ -191,13 +197,10 @@ private:
     const Distance_kernel::Triangle_3& t = m_triangles[n];
     const Facet& facet = m_facets[n];
     if(facet.is_thin) return NULL_VECTOR;
-    // how far the point is from edge i, relative to the vertex opposite to it
-    constexpr FT at_edge = 1e-8;
     bool on_edge[3];
     for(int i = 0; i < 3; ++i) {
       const Vector e = t[(i + 1) % 3] - t[i], across = cross_product(facet.normal, e);
-      const FT height = across * (t[(i + 2) % 3] - t[i]);
-      on_edge[i] = !(across * (p - t[i]) > at_edge * height);
+      on_edge[i] = !(across * (p - t[i]) > rounding() * std::sqrt(across.squared_length()));
     }
     for(std::size_t i = 0; i < 3; ++i)
       if(on_edge[i] && on_edge[(i + 2) % 3]) return m_vertex_normals[facet.vertex[i]];
@@ -219,7 +222,7 @@ private:
   mutable std::once_flag m_side_is_built;
   mutable std::unique_ptr<Side_tree> m_side_tree;
   mutable std::unique_ptr<Side_of_mesh> m_side;
-  FT m_size;
+  FT m_largest_coordinate = 0;
   bool m_flip;
 };
 
