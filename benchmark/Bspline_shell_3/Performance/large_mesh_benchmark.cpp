@@ -2,10 +2,11 @@
 // those of all processors, the resident memory at its end, and the most that there was of it, in bytes a facet of the mesh. One JSON object a line;
 // every mesh has a process of its own.
 //
-//   large_mesh_benchmark [--thickness T] [--ratio R] MESH...
+//   large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] [--plain] MESH...
 //
 // MESH: a file, or a number of facets: a scan that is made, a sphere with bumps and grooves, whose shape does not depend on the number.
-// --thickness (default 0.01, of the longest box side) of the shell. --ratio (default 0.01): what simplification keeps of the facets.
+// --thickness (default 0.01, of the longest box side) of the shell. --ratio (default 0.01): what simplification keeps of the facets. --policy
+// (default plane): its costs and places. --plain: also CGAL's edge collapse without a shell, with the same policy.
 // "mesh" in bytes is the mesh itself; peaks of the other stages are what there is beyond it.
 #include "../json.h"
 
@@ -19,6 +20,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <malloc.h>
@@ -39,6 +42,7 @@
 #include <vector>
 
 namespace BS = CGAL::Bspline_shells;
+namespace SMS = CGAL::Surface_mesh_simplification;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
@@ -46,6 +50,7 @@ typedef CGAL::Surface_mesh<Point> Mesh;
 struct Options
 {
   double thickness = 0.01, ratio = 0.01;
+  bool is_probabilistic = false, is_plain_too = false;
 };
 
 double processor_seconds()
@@ -145,6 +150,13 @@ Mesh scan(std::size_t facets)
   return mesh;
 }
 
+template <typename Function>
+void with_policies(Mesh& mesh, const Options& options, const Function& f)
+{
+  if(options.is_probabilistic) f(SMS::GarlandHeckbert_probabilistic_plane_policies<Mesh, Kernel>(mesh));
+  else f(SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>(mesh));
+}
+
 void measure(const std::string& name, const Options& options)
 {
   const auto refuse = [&](const std::string& reason, const std::string& stages) {
@@ -187,13 +199,25 @@ void measure(const std::string& name, const Options& options)
     if(!is_certified) return refuse("the certificate is not the one of the shell", stages);
   }
 
+  const BS::Facet_count_stop_predicate stop(std::size_t(options.ratio * double(facets)));
+  if(options.is_plain_too) {
+    Mesh plain = mesh;
+    Stage stage;
+    with_policies(plain, options, [&](const auto& policies) {
+      SMS::edge_collapse(plain, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+    });
+    stages += stage.finish("plain_simplification", facets, mesh_bytes);
+  }
   Stage of_simplification;
   Mesh coarse = mesh;
-  const auto simplified = BS::simplify_in_shell(coarse, shell,
-    BS::parameters::stop(BS::Facet_count_stop_predicate(std::size_t(options.ratio * double(facets)))));
+  BS::Edit_status status = BS::Edit_status::SUCCESS;
+  with_policies(coarse, options, [&](const auto& policies) {
+    status = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop).get_cost(policies.get_cost())
+                                                                  .get_placement(policies.get_placement())).status;
+  });
   coarse.collect_garbage();
   stages += of_simplification.finish("simplification", facets, mesh_bytes);
-  if(!simplified) return refuse(message(simplified.status), stages);
+  if(status != BS::Edit_status::SUCCESS) return refuse(message(status), stages);
 
   // x, in units of the box
   auto fine_values = mesh.add_property_map<Mesh::Vertex_index, double>("v:x").first;
@@ -226,11 +250,17 @@ int main(int argc, char** argv)
       x = std::atof(argv[++i]);
       is_usable = is_usable && x > 0;
     }
+    else if(arg == "--policy" && i + 1 < argc) {
+      const std::string policy = argv[++i];
+      options.is_probabilistic = policy == "probabilistic-plane";
+      is_usable = is_usable && (options.is_probabilistic || policy == "plane");
+    }
+    else if(arg == "--plain") options.is_plain_too = true;
     else if(arg.compare(0, 2, "--") == 0) is_usable = false;
     else names.push_back(arg);
   }
   if(!is_usable || names.empty()) {
-    std::cerr << "Usage: large_mesh_benchmark [--thickness T] [--ratio R] MESH...\n";
+    std::cerr << "Usage: large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] [--plain] MESH...\n";
     return 2;
   }
   for(const std::string& name : names) {

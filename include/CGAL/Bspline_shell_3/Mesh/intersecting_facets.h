@@ -178,7 +178,7 @@ private:
 };
 
 // Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of threads. Those of large meshes are
-// sought in the cells of a grid, most of which fit the processor's cache.
+// sought in the cells of a grid, one of which fits the processor's cache.
 // \param is_embedded what `embedded_fans()` says of the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> >
@@ -186,11 +186,12 @@ intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedd
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  constexpr std::size_t least_cells = 8, most_copies = 3;
+  // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very large meshes have anyway.
+  constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
   std::optional<Facet_grid<TriangleMesh> > grid;
-  if(mesh.number_of_faces() >= least_cells * facets_of_cell) grid.emplace(mesh, facets_of_cell);
+  if(mesh.number_of_faces() >= least_cells * facets_of_cell) grid.emplace(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_squares));
   if(grid && grid->fill(most_copies * mesh.number_of_faces())) {
     const Facet_intersections<TriangleMesh> intersections(mesh, is_embedded);
     pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid->number_of_cells(), 1, [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
