@@ -112,8 +112,8 @@ public:
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
-    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on: whether that is on an edge is known up to
-    // `rounding()`, which is far below `doubtful * nearest` of the coordinates, and turns the way from there by less than `doubtful`.
+    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on. Whether the closest point is on an edge is
+    // known up to `rounding()`, below a tenth of `doubtful * nearest` of the coordinates: it turns `away` by less than `doubtful`.
     constexpr FT doubtful = 1e-5, nearest = 1e-8;
     if(length < nearest * m_largest_coordinate) return sign(p) * length;
     const FT side = away * normal_at(hint.triangle, closest.first) / length;

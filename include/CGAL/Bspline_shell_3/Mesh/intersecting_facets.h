@@ -108,9 +108,9 @@ private:
   std::vector<Face_index> m_facets;
 };
 
-// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be embedded. Clear facets that have a
-// vertex in common have no more in common than they should, and need no test: that is most pairs, and the expensive ones, as neighbors are nearly
-// coplanar.
+// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be embedded. At all vertices of a clear
+// facet it is: where another one shares a vertex with it, they have no more in common than they should, and need no test. That is most pairs, and
+// the expensive ones, as neighbors are nearly coplanar.
 template <typename TriangleMesh>
 class Facet_intersections
 {
