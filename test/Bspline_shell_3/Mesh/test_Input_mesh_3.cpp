@@ -481,12 +481,53 @@ TEST_CASE("Triangles of a polygon keep their facet of origin")
   }
 }
 
+TEST_CASE("Facets and vertices have the points of those that they come from, also after removals, beside isolated vertices, and in another order")
+{
+  const Mesh plain = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), sphere(1, 1, Point_3(5, 5, 5)));
+  Mesh isolated = box(Point_3(0, 0, 0), Point_3(1, 2, 3));
+  isolated.add_vertex(Point_3(50, 0, 0));
+  isolated = both(isolated, sphere(1, 1, Point_3(5, 5, 5)));
+  Mesh reordered;
+  reordered.add_vertex(Point_3(50, 0, 0));
+  CGAL::copy_face_graph(plain, reordered);
+  reordered.remove_vertex(Mesh::Vertex_index(0));
+  reordered.collect_garbage();
+  for(const Mesh& mesh : { plain, with_garbage(plain), isolated, reordered }) {
+    Input_mesh_3 input;
+    REQUIRE(check(input, mesh) == Status::SUCCESS);
+    REQUIRE(input.mesh().number_of_faces() == mesh.number_of_faces());
+    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    const std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    for(auto f : input.mesh().faces()) {
+      auto h = mesh.halfedge(faces[input.facet_of_origin(f)]);
+      const auto t = input.triangle(f);
+      for(int turns = 0; turns < 2 && mesh.point(mesh.source(h)) != t[0]; ++turns) h = mesh.next(h);        // the first corner may be another one
+      CHECK(t == std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) });
+    }
+    for(auto v : input.mesh().vertices())
+      if(!input.mesh().is_isolated(v)) CHECK(input.mesh().point(v) == mesh.point(vertices[input.vertex_of_origin(v)]));
+    CHECK(input.bbox() == CGAL::Bbox_3(0, 0, 0, 6, 6, 6));
+  }
+}
+
+TEST_CASE("Property maps of the user's mesh are left alone, whatever their names")
+{
+  Mesh mesh = both(sphere(1), sphere(1, 1, Point_3(5, 5, 5)));
+  auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 7).first;
+  Input_mesh_3 input;
+  REQUIRE(check(input, mesh) == Status::SUCCESS);
+  CHECK(input.number_of_components() == 2);
+  CHECK(std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](auto f) { return component[f] == 7; }));
+  CHECK_FALSE(input.mesh().property_map<Mesh::Face_index, std::size_t>("f:component").second);
+}
+
 TEST_CASE("Isolated vertices do not count")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   mesh.add_vertex(Point_3(100, 100, 100));
   Input_mesh_3 input;
   REQUIRE(check(input, mesh) == Status::SUCCESS);
+  CHECK(input.mesh().number_of_vertices() == 8);
   CHECK(input.bbox() == CGAL::Bbox_3(0, 0, 0, 1, 1, 1));
   CHECK(input.number_of_components() == 1);
 }

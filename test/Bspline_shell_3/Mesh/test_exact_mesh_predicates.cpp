@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -119,6 +120,27 @@ TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
   for(auto v : cube.vertices()) CHECK(BS::vertex_cone_margin(cube, v) == Approx(1 / std::sqrt(3.)));
 }
 
+TEST_CASE("Bounded cone margin: the margin, up to the bound, and none at a singular vertex")
+{
+  Mesh mesh = torus(3, 1, 9, 7);
+  CGAL::Random random(3);
+  const auto shifted = [&](double x) { return x + random.get_double(-0.6, 0.6); };
+  for(auto v : mesh.vertices()) mesh.point(v) = Point_3(shifted(mesh.point(v).x()), shifted(mesh.point(v).y()), shifted(mesh.point(v).z()));
+  std::size_t singular = 0, below = 0;
+  for(auto v : mesh.vertices())
+    for(double bound : { 0., 0.01, 0.5, 0.7, 0.9, 1. }) {
+      const std::optional<double> margin = BS::bounded_vertex_cone_margin(mesh, v, bound);
+      REQUIRE(bool(margin) == bool(BS::vertex_cone(mesh, v)));
+      singular += margin ? 0 : 1;
+      if(!margin) continue;
+      CHECK(*margin == Approx((std::min)(bound, BS::vertex_cone_margin(mesh, v))).margin(1e-12));
+      CHECK(*margin <= bound);
+      below += *margin < bound ? 1 : 0;
+    }
+  CHECK(below > 100);
+  CHECK(singular > 0);
+}
+
 TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge, a vertex or ends on a facet")
 {
   Mesh mesh = sphere(2);
@@ -152,8 +174,10 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
 
 TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a tree, cross the same facets")
 {
-  Mesh mesh = sphere(2);
+  Mesh mesh = sphere(5);      // of more facets than one thread compares at once
   CGAL::copy_face_graph(sphere(1, 0.5), mesh);
+  mesh.add_face(mesh.add_vertex(Point_3(-2, -2, 0.02)), mesh.add_vertex(Point_3(4, -2, 0.03)), mesh.add_vertex(Point_3(-2, 4, 0.04)));
+  mesh.remove_face(Mesh::Face_index(mesh.num_faces() - 1));
   const BS::Crossing_counter_3 many(mesh);
   for(int n = 0; n < 100; ++n) many.crossings(Point_3(0, 0, 0.01), Point_3(3, 1, 0.5));
   CGAL::Random random(7);
@@ -163,6 +187,7 @@ TEST_CASE("Crossings: the first segments, which are compared with all facets, an
     const BS::Crossing_counter_3 few(mesh);
     const auto crossings = few.crossings(p, q);
     CHECK(crossings == many.crossings(p, q));
+    CHECK(crossings == few.crossings<CGAL::Parallel_if_available_tag>(p, q));
     REQUIRE(crossings);
     CHECK(std::is_sorted(crossings->begin(), crossings->end()));
   }

@@ -268,19 +268,25 @@ private:
     const Triangle_mesh& mesh = input.mesh();
     constexpr std::size_t chunk = 256;
     const std::vector<Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
-    std::vector<double> margins(vertices.size(), 1);
-    std::vector<char> singular(vertices.size(), 0);
+    struct Result
+    {
+      double least_margin = 1;
+      std::vector<std::size_t> singular;
+    };
+    std::vector<Result> results((vertices.size() + chunk - 1) / chunk);
     internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n)
-        if(!mesh.is_isolated(vertices[n])) {
-          margins[n] = vertex_cone_margin(mesh, vertices[n]);
-          singular[n] = !vertex_cone(mesh, vertices[n]);      // exact, unlike the margin
-        }
+      Result& result = results[begin / chunk];
+      for(std::size_t n = begin; n < end; ++n) {
+        if(mesh.is_isolated(vertices[n])) continue;
+        const std::optional<double> margin = bounded_vertex_cone_margin(mesh, vertices[n], result.least_margin);
+        if(margin) result.least_margin = *margin;
+        else result.singular.push_back(input.vertex_of_origin(vertices[n]));
+      }
     });
     m_draft.least_cone_margin = 1;
-    for(std::size_t n = 0; n < vertices.size(); ++n) {
-      m_draft.least_cone_margin = (std::min)(m_draft.least_cone_margin, margins[n]);
-      if(singular[n]) m_draft.singular_vertices.push_back(input.vertex_of_origin(vertices[n]));
+    for(const Result& result : results) {
+      m_draft.least_cone_margin = (std::min)(m_draft.least_cone_margin, result.least_margin);
+      m_draft.singular_vertices.insert(m_draft.singular_vertices.end(), result.singular.begin(), result.singular.end());
     }
     std::sort(m_draft.singular_vertices.begin(), m_draft.singular_vertices.end());
     if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
@@ -550,6 +556,7 @@ private:
   }
 
   // P5
+  template <typename ConcurrencyTag>
   void examine_paths(const Input_mesh_3& input, const Crossing_counter_3& counter)
   {
     const Triangle_mesh& mesh = input.mesh();
@@ -570,7 +577,7 @@ private:
       Face_index facet = facets[c].front().second;
       std::size_t n = 0;
       for(; n < tries && verdict == Verdict::UNDECIDED; ++n) {
-        verdict = try_path(input, counter, facets[c][n].second, { 1, 1, 1 }, path, count);
+        verdict = try_path<ConcurrencyTag>(input, counter, facets[c][n].second, { 1, 1, 1 }, path, count);
         if(verdict == Verdict::REFUTED) facet = facets[c][n].second;
       }
       if(verdict == Verdict::PROVED) {
@@ -578,7 +585,7 @@ private:
         // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet them.
         const std::size_t end = (std::min)(n - 1 + max_spare_paths, facets[c].size());
         for(std::size_t m = n - 1; m < end; ++m)
-          if(try_path(input, counter, facets[c][m].second, { 0.871, 0.978, 1.151 }, path, count) == Verdict::PROVED)
+          if(try_path<ConcurrencyTag>(input, counter, facets[c][m].second, { 0.871, 0.978, 1.151 }, path, count) == Verdict::PROVED)
             m_draft.spare_paths.push_back(path);
         continue;
       }
@@ -636,6 +643,7 @@ private:
 
   // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or refuted by the
   // count; undecided if the segment does not qualify.
+  template <typename ConcurrencyTag>
   Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, const std::array<double, 3>& weights,
                    Crossing_path& path, int& count) const
   {
@@ -660,7 +668,7 @@ private:
         if(m_predicates->increases_above(segment, m_inner) != Verdict::PROVED ||
            m_predicates->increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
       }
-      const auto crossings = counter.crossings(p, q);
+      const auto crossings = counter.crossings<ConcurrencyTag>(p, q);
       if(!crossings) return Verdict::UNDECIDED;
       count = 0;
       for(const auto& crossing : *crossings) count += crossing.second;
@@ -728,7 +736,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
     const std::vector<Shared> shared = examine_cover<ConcurrencyTag>(*m_input);
     const Crossing_counter_3 counter(m_input->mesh());
-    examine_paths(*m_input, counter);
+    examine_paths<ConcurrencyTag>(*m_input, counter);
     examine_sheets(*m_input, shared);
     examine_components(*m_input);
   } else {

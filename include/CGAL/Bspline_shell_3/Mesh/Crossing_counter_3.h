@@ -10,6 +10,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <memory>
 #include <optional>
@@ -40,6 +41,8 @@ public:
 
   /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1 if it
   /// goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for a comparison with all facets; the result is the same
+  template <typename ConcurrencyTag = Sequential_tag>
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;
 
 private:

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_crossing.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
@@ -34,25 +35,31 @@ public:
   explicit Facets(const Triangle_mesh& mesh) : m_mesh(mesh) {}
 
   // those that a segment meets, in their order
+  template <typename ConcurrencyTag>
   std::vector<Face_index> met(const Point_3& p, const Point_3& q) const
   {
-    std::vector<Face_index> met;
     const Kernel::Segment_3 segment(p, q);
     if(m_queries++ < most_scans) {
       const Bbox_3 box = segment.bbox();
-      for(Face_index f : m_mesh.faces()) {
-        const std::array<Point_3, 3> t = corners(f);
-        if(do_overlap(box, t[0].bbox() + t[1].bbox() + t[2].bbox()) && do_intersect(segment, Kernel::Triangle_3(t[0], t[1], t[2])))
-          met.push_back(f);
-      }
-    } else {
-      std::call_once(m_is_built, [&] {
-        m_tree = std::make_unique<Tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
-        m_tree->build();
-      });
-      m_tree->all_intersected_primitives(segment, std::back_inserter(met));
-      std::sort(met.begin(), met.end());
+      constexpr std::size_t chunk = 4096;
+      return internal::collect_from_chunks<ConcurrencyTag, Face_index>(
+        m_mesh.num_faces(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Face_index>& met) {
+          for(std::size_t n = begin; n < end; ++n) {
+            const Face_index f(static_cast<Triangle_mesh::size_type>(n));
+            if(m_mesh.is_removed(f)) continue;
+            const std::array<Point_3, 3> t = corners(f);
+            if(do_overlap(box, t[0].bbox() + t[1].bbox() + t[2].bbox()) && do_intersect(segment, Kernel::Triangle_3(t[0], t[1], t[2])))
+              met.push_back(f);
+          }
+        });
     }
+    std::call_once(m_is_built, [&] {
+      m_tree = std::make_unique<Tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
+      m_tree->build();
+    });
+    std::vector<Face_index> met;
+    m_tree->all_intersected_primitives(segment, std::back_inserter(met));
+    std::sort(met.begin(), met.end());
     return met;
   }
 
@@ -72,12 +79,13 @@ private:
 
 CGAL_BSPLINE_SHELL_3_INLINE Crossing_counter_3::Crossing_counter_3(const Triangle_mesh& mesh) : m_facets(std::make_shared<const Facets>(mesh)) {}
 
-CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
+template <typename ConcurrencyTag>
+std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
 Crossing_counter_3::crossings(const Point_3& p, const Point_3& q) const
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   std::vector<std::pair<Face_index, int> > crossed;
-  for(Face_index f : m_facets->met(p, q)) {
+  for(Face_index f : m_facets->met<ConcurrencyTag>(p, q)) {
     const std::array<Point_3, 3> t = m_facets->corners(f);
     const std::optional<int> crossing = facet_crossing(p, q, t[0], t[1], t[2]);
     if(!crossing) return std::nullopt;

@@ -39,13 +39,13 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   const bool is_closed = CGAL::is_closed(m_mesh);
   Shell_status status = is_closed || closer ? Shell_status::SUCCESS : check_border();
   if(status == Shell_status::SUCCESS) status = check_fans();
-  if(status == Shell_status::SUCCESS) status = triangulate();
-  if(status == Shell_status::SUCCESS && !is_closed) status = close(closer);
+  if(status == Shell_status::SUCCESS) status = triangulate<ConcurrencyTag>();
+  if(status == Shell_status::SUCCESS && !is_closed) status = close<ConcurrencyTag>(closer);
   if(status == Shell_status::SUCCESS && !tolerated.self_intersections) status = check_intersections<ConcurrencyTag>();
   if(status == Shell_status::SUCCESS && truncator) status = truncate<ConcurrencyTag>(truncator, tolerated);
   if(status == Shell_status::SUCCESS) find_components();
   if(status == Shell_status::SUCCESS && !tolerated.orientation)
-    status = tolerated.self_intersections ? check_volume() : check_orientation();
+    status = tolerated.self_intersections ? check_volume() : check_orientation<ConcurrencyTag>();
   if(status == Shell_status::SUCCESS && !tolerated.singular_vertices) status = check_vertices<ConcurrencyTag>();
   std::vector<char>().swap(m_is_embedded);
   return status;
@@ -70,7 +70,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_fans()
 }
 
 // Pre: all facets are triangles, with an area, and each vertex has one fan.
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& closer)
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::close(const Closer& closer)
 {
   const Closed closed = closer(m_mesh);
   if(closed.status != Shell_status::SUCCESS) {
@@ -90,7 +91,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::close(const Closer& close
     m_bbox += m_mesh.point(v).bbox();
   }
   const Shell_status status = check_fans();
-  return status == Shell_status::SUCCESS ? triangulate() : status;      // degenerate triangles
+  return status == Shell_status::SUCCESS ? triangulate<ConcurrencyTag>() : status;      // degenerate triangles
 }
 
 // Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing about the tips: they are tested.
@@ -136,7 +137,8 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   return Shell_status::SUCCESS;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::triangulate()
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::triangulate()
 {
   std::vector<std::size_t> degenerate;
   if(!CGAL::is_triangle_mesh(m_mesh)) {
@@ -145,8 +147,12 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::triangulate()
       if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh) && !triangulate(f)) degenerate.push_back(m_origin[f]);
     if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
   }
-  for(auto f : m_mesh.faces())
-    if(Polygon_mesh_processing::is_degenerate_triangle_face(f, m_mesh)) degenerate.push_back(m_origin[f]);
+  constexpr std::size_t chunk = 4096;
+  degenerate = internal::collect_from_chunks<ConcurrencyTag, std::size_t>(
+    m_mesh.number_of_faces(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+      for(std::size_t n = begin; n < end; ++n)
+        if(Polygon_mesh_processing::is_degenerate_triangle_face(Face_index(static_cast<unsigned int>(n)), m_mesh)) found.push_back(m_origin[n]);
+    });
   if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
   return Shell_status::SUCCESS;
 }
@@ -188,7 +194,8 @@ Shell_status Input_mesh_3::check_intersections()
 
 // All components must be oriented as the boundary of one volume, or all the other way round. A short segment through one facet of each component ends
 // next to it in front; from there, the facets crossed on the way out tell which components the point is in. Pre: components do not intersect.
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_orientation()
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::check_orientation()
 {
   const Crossing_counter_3 counter(m_mesh);
   std::vector<char> is_known(m_components, 0), is_outward(m_components, 0), is_wrong(m_components, 0);
@@ -196,7 +203,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_orientation()
   for(Face_index f : m_mesh.faces()) {
     const std::size_t c = m_component[f];
     if(is_known[c]) continue;
-    const std::optional<std::vector<std::size_t> > around = components_around_front(f, counter);
+    const std::optional<std::vector<std::size_t> > around = components_around_front<ConcurrencyTag>(f, counter);
     if(!around) continue;
     is_known[c] = 1;
     is_outward[c] = std::find(around->begin(), around->end(), c) == around->end();
@@ -216,7 +223,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_orientation()
 
 // The components that have a point within them: one in front of a facet, with nothing between. Nothing if rounding leaves no such point near
 // the middle of the facet.
-CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::vector<std::size_t> >
+template <typename ConcurrencyTag>
+std::optional<std::vector<std::size_t> >
 Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& counter) const
 {
   const auto t = triangle(f);
@@ -228,13 +236,13 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
     const double step = std::ldexp(size, -halvings);
     const Kernel::Point_3 front = middle + step * normal;
     if(front == middle) return std::nullopt;
-    const auto through = counter.crossings(middle - step * normal, front);
+    const auto through = counter.crossings<ConcurrencyTag>(middle - step * normal, front);
     if(!through || through->size() != 1 || (*through)[0] != std::make_pair(f, 1)) continue;
     // Ways out, until one touches no edge; none is special to any mesh.
     const double reach = 8 * unit();
     for(const Kernel::Vector_3& way : { Kernel::Vector_3(0.531, 0.677, 0.509), Kernel::Vector_3(-0.732, 0.417, 0.539),
                                         Kernel::Vector_3(0.389, -0.811, 0.437), Kernel::Vector_3(0.467, 0.353, -0.811) }) {
-      const auto out = counter.crossings(front, front + reach * way);
+      const auto out = counter.crossings<ConcurrencyTag>(front, front + reach * way);
       if(!out) continue;
       std::vector<std::size_t> crossed, around;
       for(const auto& crossing : *out) crossed.push_back(m_component[crossing.first]);

@@ -95,6 +95,17 @@ CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan)
   return norm(axis);
 }
 
+CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound)
+{
+  const auto g = cone_direction(fan);
+  if(!g) return std::nullopt;
+  const bool is_enough = std::all_of(fan.wings.begin(), fan.wings.end(), [&](const auto& w) {
+    const auto n = facet_normal(fan.apex, w.first, w.second).direction;
+    return n[0] * g->x() + n[1] * g->y() + n[2] * g->z() >= bound * norm(n);
+  });
+  return is_enough ? bound : (std::min)(bound, cone_margin(fan));
+}
+
 } // namespace internal
 
 CGAL_BSPLINE_SHELL_3_INLINE

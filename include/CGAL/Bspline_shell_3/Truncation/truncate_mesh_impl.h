@@ -6,10 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_IMPL_H
 
-#include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
-#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Tip.h>
@@ -106,22 +104,6 @@ private:
     std::sort(m_report.vertices.begin(), m_report.vertices.end(), [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   }
 
-  // whether the mean of the normals alone shows that the margin is large enough
-  bool has_margin(Vertex_index v, double least_margin) const
-  {
-    std::array<double, 3> mean = {};
-    std::vector<std::array<double, 3> > normals;
-    for(auto h : CGAL::halfedges_around_target(v, m_mesh)) {
-      const auto t = m_input.triangle(m_mesh.face(h));
-      std::array<double, 3> n = facet_normal(t[0], t[1], t[2]).direction;
-      const double length = norm(n);
-      for(int a = 0; a < 3; ++a) mean[a] += n[a] /= length;
-      normals.push_back(n);
-    }
-    const double length = norm(mean);
-    return std::all_of(normals.begin(), normals.end(), [&](const auto& n) { return dot(n, mean) >= least_margin * length; }) && length > 0;
-  }
-
   // whether the vertex is on the border of an open mesh, or beyond
   bool closes(Vertex_index v) const
   {
@@ -138,9 +120,11 @@ private:
     std::vector<char> is_tip(vertices.size(), 0);
     constexpr std::size_t chunk = 256;
     internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n)
-        is_tip[n] = !m_mesh.is_isolated(vertices[n]) && !has_margin(vertices[n], least_margin)
-                 && (vertex_cone_margin(m_mesh, vertices[n]) < least_margin || !vertex_cone(m_mesh, vertices[n]));
+      for(std::size_t n = begin; n < end; ++n) {
+        if(m_mesh.is_isolated(vertices[n])) continue;
+        const std::optional<double> margin = bounded_vertex_cone_margin(m_mesh, vertices[n], least_margin);
+        is_tip[n] = !margin || *margin < least_margin;
+      }
     });
     for(std::size_t n = 0; n < vertices.size(); ++n) {
       if(!is_tip[n]) continue;
