@@ -19,6 +19,7 @@ namespace BS = CGAL::Bspline_shells;
 using BS::internal::Facet_estimate;
 using BS::Placement_verdict;
 typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
+typedef BS::internal::Facet_estimator<Bounds> Estimator;
 typedef BS::Shell_facet_oracle_3<Uniform_field> Oracle;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
 typedef std::array<Point_3, 3> Triangle;
@@ -31,8 +32,8 @@ CGAL::Bspline_shell_3<Uniform_field> ball_shell() { return shell_of(uniform_fiel
 Facet_estimate estimate(const Bounds& bounds, const Triangle& t)
 {
   const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-  return BS::internal::Facet_estimator<Bounds>(bounds, { normal.x(), normal.y(), normal.z() })(
-    { bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) });
+  const std::array<Bounds::Sample, 3> corners = {{ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }};
+  return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] });
 }
 
 // corners near a point, between two spheres
@@ -83,14 +84,14 @@ TEST_CASE("Estimates: middles of edges that are known are used, and change nothi
     const Triangle t = random_triangle(random, 0.1 * (1 + n % 8));
     const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
     const std::array<Bounds::Sample, 3> corners = {{ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }};
-    const auto with = [&](const BS::internal::Facet_estimator<Bounds>::Middles& middles) {
-      return BS::internal::Facet_estimator<Bounds>(bounds, { normal.x(), normal.y(), normal.z() })(corners, middles);
+    const auto with = [&](const Estimator::Samples& middles) {
+      return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] }, middles);
     };
     const Facet_estimate expected = with({});
     ++number[std::size_t(expected)];
     for(int v = 0; v < 3; ++v) {
       Bounds::Sample middle = bounds.sample_middle(corners[(v + 1) % 3], corners[(v + 2) % 3]);
-      BS::internal::Facet_estimator<Bounds>::Middles middles = {};
+      Estimator::Samples middles = {};
       middles[v] = &middle;
       CHECK(with(middles) == expected);
       middle.above = middle.below = -1;

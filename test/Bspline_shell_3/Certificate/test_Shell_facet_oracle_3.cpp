@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -129,6 +130,22 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
     CHECK(accepted > questions / 50);
     CHECK(accepted < questions / 2);
   }
+}
+
+TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient; not from or to outside the domain")
+{
+  const auto shell = ball_shell();
+  const Oracle oracle(shell);
+  const std::optional<double> level = oracle.level_between(Point_3(0.6, 0, 0), Point_3(0, 0, -0.8));
+  REQUIRE(level);
+  CHECK(*level == Approx((0.36 + 0.64) / 2));
+  const std::optional<Point_3> moved = oracle.moved_to_level(Point_3(0.3, 0.4, 0.5), *level);
+  REQUIRE(moved);
+  CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(*level).epsilon(1e-4));
+  CHECK(std::sqrt(CGAL::cross_product(*moved - CGAL::ORIGIN, Point_3(0.3, 0.4, 0.5) - CGAL::ORIGIN).squared_length()) < 1e-12);
+  CHECK_FALSE(oracle.level_between(Point_3(0.6, 0, 0), Point_3(0, 0, 50)));
+  CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 50), *level));
+  CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 0.8), 1e6));
 }
 
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")

@@ -299,7 +299,7 @@ private:
       m_shift = 4 * (max_depth + 1) * internal::rounding * reach;
       for(int a = 0; a < 3; ++a) m_absolute_normal[a] = std::abs(normal.direction[a]) + normal.radius;
       m_result.slope = std::numeric_limits<double>::infinity();
-      const Part part = { corners, 0, 0, false, false };
+      const Part part = { { &corners[0], &corners[1], &corners[2] }, 0, 0, false, false };
       const double length = std::sqrt(square(m_absolute_normal[0]) + square(m_absolute_normal[1]) + square(m_absolute_normal[2]));
       m_enough = wanted_slope * length * (1 + 32 * internal::rounding);
       m_result.is_contained = m_result.is_transversal = true;
@@ -314,7 +314,7 @@ private:
   private:
     struct Part
     {
-      std::array<Sample, 3> corner;
+      std::array<const Sample*, 3> corner;
       int depth, refinements;                   // bisections; those of them below the size of a cell
       bool is_contained, is_transversal;        // known of all of it
     };
@@ -372,7 +372,7 @@ private:
       Edges edges;
       double longest = -1;
       for(int v = 0; v < 3; ++v) {
-        const Coordinates &p = part.corner[(v + 1) % 3].point, &q = part.corner[(v + 2) % 3].point;
+        const Coordinates &p = part.corner[(v + 1) % 3]->point, &q = part.corner[(v + 2) % 3]->point;
         const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x*x + y*y + z*z;
         edges.products[v] = { x*x, y*y, z*z, 2*y*z, 2*x*z, 2*x*y };
         if(squared > longest) { longest = squared; edges.top = v; }
@@ -386,7 +386,7 @@ private:
     {
       Coordinates least, most;
       for(int a = 0; a < 3; ++a) {
-        const double x = part.corner[0].point[a], y = part.corner[1].point[a], z = part.corner[2].point[a];
+        const double x = part.corner[0]->point[a], y = part.corner[1]->point[a], z = part.corner[2]->point[a];
         least[a] = (std::min)((std::min)(x, y), z) - m_shift;
         most[a] = (std::max)((std::max)(x, y), z) + m_shift;
       }
@@ -411,7 +411,7 @@ private:
     {
       double distance = 0, extent = 0, reach = 0;
       for(int a = 0; a < 3; ++a) {
-        const double d = cell.corner[a] + cell.width / 2 - part.corner[0].point[a];
+        const double d = cell.corner[a] + cell.width / 2 - part.corner[0]->point[a];
         distance += m_normal.direction[a] * d;
         extent += m_absolute_normal[a] * (cell.width / 2 + m_shift);
         reach = (std::max)(reach, std::abs(d));
@@ -437,12 +437,12 @@ private:
     void find_cells(const Part& part)
     {
       double width = 0;
-      for(const Sample& s : part.corner) width = (std::max)(width, m_all.width(s.cell));
+      for(const Sample* s : part.corner) width = (std::max)(width, m_all.width(s->cell));
       const Edges e = edges(part);
       if(e.longest < large_extent * width) {
         const Bbox_3 box = bbox(part);
-        const Cell_index first = part.corner[0].cell;
-        bool is_covered = part.corner[1].cell == first && part.corner[2].cell == first && is_in(box, m_all.place(first));
+        const Cell_index first = part.corner[0]->cell;
+        bool is_covered = part.corner[1]->cell == first && part.corner[2]->cell == first && is_in(box, m_all.place(first));
         if(is_covered) meet(first);
         else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
           if(plane_meets(m_all.place(c), part)) meet(c);
@@ -465,15 +465,14 @@ private:
         return;
       }
       --m_bisections_left;
-      const Sample &p = part.corner[(e.top + 1) % 3], &q = part.corner[(e.top + 2) % 3];
-      const Coordinates x = middle(p, q);
+      const Coordinates x = middle(*part.corner[(e.top + 1) % 3], *part.corner[(e.top + 2) % 3]);
       const Sample between = m_all.sample(x, locate(x), !part.is_contained, !part.is_transversal);
       if(fails(between, part)) return;
       Part half = part;
       ++half.depth;
       for(int end : { 1, 2 }) {
         half.corner = part.corner;
-        half.corner[(e.top + end) % 3] = between;
+        half.corner[(e.top + end) % 3] = &between;
         half.is_contained = part.is_contained || !m_result.is_contained;        // what is lost need not be proved
         half.is_transversal = part.is_transversal || !m_result.is_transversal;
         if(!(half.is_contained && half.is_transversal)) next(half);
@@ -542,8 +541,8 @@ private:
                          + region.curvature * internal::underflow;
       std::array<double, 3> above, below;
       for(std::size_t v = 0; v < 3; ++v) {
-        above[v] = part.corner[v].above - error * up;
-        below[v] = part.corner[v].below - error * up;
+        above[v] = part.corner[v]->above - error * up;
+        below[v] = part.corner[v]->below - error * up;
       }
       return is_positive_on_triangle(above, on_edges(region.above, e)) && is_positive_on_triangle(below, on_edges(region.below, e));
     }
@@ -567,7 +566,7 @@ private:
                              + (box.ymax() - box.ymin()) * (r[5]*n[0] + r[1]*n[1] + r[3]*n[2])
                              + (box.zmax() - box.zmin()) * (r[4]*n[0] + r[3]*n[1] + r[2]*n[2]);
       double least = std::numeric_limits<double>::infinity();
-      for(const Sample& s : part.corner) least = (std::min)(least, slope(s, m_normal.direction) - slope_error(s));
+      for(const Sample* s : part.corner) least = (std::min)(least, slope(*s, m_normal.direction) - slope_error(*s));
       least -= (deviation / 2 + 4 * region.curvature * m_shift) * up;
       if(!(least > 0 && least >= m_enough)) return false;
       m_result.slope = (std::min)(m_result.slope, least);

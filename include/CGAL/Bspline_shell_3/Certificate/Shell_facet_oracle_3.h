@@ -96,7 +96,8 @@ public:
     {
       std::size_t operator()(const Place& place) const { return boost::hash_range(place.begin(), place.end()); }
     };
-    const std::vector<Facet>* facets_at(const Place& place) const
+    typedef boost::container::small_vector<Facet, 1> Facets;
+    const Facets* facets_at(const Place& place) const
     {
       const auto found = m_facets.find(place);
       return found == m_facets.end() ? nullptr : &found->second;
@@ -105,7 +106,7 @@ public:
     {
       constexpr std::size_t most_facets = 32;       // at one place: each facet of a link is compared with all of them
       if(m_facets.size() == m_most_places && m_facets.count(place) == 0) m_facets.clear();
-      std::vector<Facet>& facets = m_facets[place];
+      Facets& facets = m_facets[place];
       if(facets.size() < most_facets) facets.push_back(facet);
     }
     void set_link(const std::vector<Point_3>& link)
@@ -113,14 +114,14 @@ public:
       if(m_link == link) return;
       m_link = link;
       m_samples.assign(link.size(), std::nullopt);
-      m_first = 0;
+      m_rejecting.reset();
     }
 
     std::size_t m_most_places;
-    std::unordered_map<Place, std::vector<Facet>, Hash> m_facets;         // at each place
-    std::vector<Point_3> m_link;                                          // the last one
-    std::vector<std::optional<Sample> > m_samples;                        // of its vertices, as far as they were needed
-    std::size_t m_first = 0;      // the vertex whose edge rejected the last place: it most likely rejects the next one, too
+    std::unordered_map<Place, Facets, Hash> m_facets;         // at each place
+    std::vector<Point_3> m_link;                              // the last one
+    std::vector<std::optional<Sample> > m_samples;            // of its vertices, as far as they were needed
+    std::optional<std::size_t> m_rejecting;       // the vertex whose edge rejected the last place: it most likely rejects the next one, too
   };
 
   /// \pre there is a shell, it outlives this object, and its field does not change
@@ -146,9 +147,11 @@ public:
     return winding_number(p, m_bounds->sample(p), link);
   }
 
-  /// `p` moved along the gradient to where the field has the mean of its values at `a` and `b`, rounded; nothing if that leaves
-  /// the domain
-  std::optional<Point_3> moved_to_level(const Point_3& p, const Point_3& a, const Point_3& b) const;
+  /// the mean of the field's values at two points, rounded; nothing outside the domain
+  std::optional<double> level_between(const Point_3& a, const Point_3& b) const;
+
+  /// `p` moved along the gradient to where the field has a value, rounded; nothing if that leaves the domain
+  std::optional<Point_3> moved_to_level(const Point_3& p, double level) const;
 
 private:
   typedef typename Field::Cell_index Cell_index;
@@ -176,16 +179,15 @@ private:
 
   typedef internal::Facet_estimate Estimate;
   typedef internal::Facet_estimator<Bounds> Estimator;
-  Estimate estimate(const std::array<Sample, 3>& corners, const typename Estimator::Middles& middles,
-                    const Point_3& p, const Point_3& q, const Point_3& r) const
+  typedef typename Estimator::Samples Samples;
+  Estimate estimate(const Samples& corners, const Samples& middles, const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     if(m_proofs == Facet_proofs::ALL) return Estimate::DOUBTFUL;
     return Estimator(*m_bounds, rounded_normal(p, q, r))(corners, middles);
   }
 
   // a facet whose corners are in the shell
-  Placement_verdict judge(const std::array<Sample, 3>& corners, const typename Estimator::Middles& middles,
-                          const Point_3& p, const Point_3& q, const Point_3& r) const
+  Placement_verdict judge(const Samples& corners, const Samples& middles, const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     switch(estimate(corners, middles, p, q, r)) {
       case Estimate::CLEAR:        return Placement_verdict::ACCEPTED;
@@ -193,7 +195,7 @@ private:
       case Estimate::FACES_AWAY:   return Placement_verdict::FACES_AWAY;
       case Estimate::DOUBTFUL:     break;
     }
-    const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
+    const Facet_bounds found = m_bounds->examine({ *corners[0], *corners[1], *corners[2] }, facet_normal(p, q, r), most_bisections);
     if(!found.is_contained) return Placement_verdict::LEAVES_SHELL;
     return found.is_transversal ? Placement_verdict::ACCEPTED : Placement_verdict::FACES_AWAY;
   }
@@ -228,17 +230,13 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::size_t size = link.size();
   boost::container::small_vector<char, 16> is_known(size, 0);
   const typename Memory::Place place = { p[0], p[1], p[2] };
-  if(const std::vector<typename Memory::Facet>* known = memory.facets_at(place))
+  if(const typename Memory::Facets* known = memory.facets_at(place))
     for(std::size_t n = 0; n < size; ++n)
       for(const typename Memory::Facet& facet : *known) {
         if(facet.q != link[n] || facet.r != link[(n + 1) % size]) continue;
         if(facet.verdict != Placement_verdict::ACCEPTED) return facet.verdict;
         is_known[n] = 1;
       }
-  const Sample at_p = m_bounds->sample(p);
-  if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
-  for(std::size_t n = 0; n < size; ++n)
-    if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
   // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says of its facets:
   struct Rejected { std::size_t facet; Placement_verdict verdict; };
   const auto rejected_at = [&](std::size_t n, const Sample& s) -> std::optional<Rejected> {
@@ -248,20 +246,32 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
     return std::nullopt;
   };
   memory.set_link(link);
-  boost::container::small_vector<Sample, 16> middles(size);
-  const std::size_t first = memory.m_first;
-  for(std::size_t n = first, left = size; left > 0; --left, n = (n + 1) % size) {
-    memory.m_first = n;
+  boost::container::small_vector<Sample, 16> middles(size, boost::container::default_init);
+  Sample at_p = { place, Bounds::no_cell, -1, -1, {} };         // needed later
+  const auto rejected_by_edge = [&](std::size_t n) {
     if(!memory.m_samples[n]) memory.m_samples[n] = m_bounds->sample(link[n]);
     std::optional<Rejected> rejected = rejected_at(n, *memory.m_samples[n]);
-    if(!rejected) {
-      middles[n] = m_bounds->sample_middle(at_p, *memory.m_samples[n]);
-      rejected = rejected_at(n, middles[n]);
+    if(rejected) return rejected;
+    middles[n] = m_bounds->sample_middle(at_p, *memory.m_samples[n]);
+    return rejected_at(n, middles[n]);
+  };
+  const std::optional<std::size_t> first = memory.m_rejecting;
+  std::optional<Rejected> rejected;
+  if(first) rejected = rejected_by_edge(*first);
+  if(!rejected) {
+    at_p = m_bounds->sample(p);
+    if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
+    for(std::size_t n = 0; n < size; ++n)
+      if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
+    for(std::size_t n = 0; n < size && !rejected; ++n) {
+      if(n == first) continue;
+      rejected = rejected_by_edge(n);
+      if(rejected) memory.m_rejecting = n;
     }
-    if(rejected) {
-      memory.add(place, { link[rejected->facet], link[(rejected->facet + 1) % size], rejected->verdict });
-      return rejected->verdict;
-    }
+  }
+  if(rejected) {
+    memory.add(place, { link[rejected->facet], link[(rejected->facet + 1) % size], rejected->verdict });
+    return rejected->verdict;
   }
   const std::size_t turns = winding_number(p, at_p, link);
   if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
@@ -271,7 +281,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    verdicts[n] = judge({ at_p, *memory.m_samples[n], *memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
+    verdicts[n] = judge({ &at_p, &*memory.m_samples[n], &*memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
     if(verdicts[n] == Placement_verdict::ACCEPTED) return;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
@@ -298,7 +308,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
   for(const Sample& s : corners)
     if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
-  if(estimate(corners, {}, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
+  if(estimate({ &corners[0], &corners[1], &corners[2] }, {}, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
   const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
   if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
   if(found.faces_away) return Placement_verdict::FACES_AWAY;
@@ -311,14 +321,20 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, const Point_3& a, const Point_3& b) const
-  -> std::optional<Point_3>
+std::optional<double>
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::level_between(const Point_3& a, const Point_3& b) const
 {
-  constexpr int steps = 3;      // of Newton's method; the field is nearly linear across the shell
   const Field& field = m_shell->field();
   const auto fa = field.value(a), fb = field.value(b);
   if(!fa || !fb) return std::nullopt;
-  const double level = (*fa + *fb) / 2;
+  return (*fa + *fb) / 2;
+}
+
+template <typename Field, typename Threshold, typename ConcurrencyTag>
+auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, double level) const -> std::optional<Point_3>
+{
+  constexpr int steps = 3;      // of Newton's method; the field is nearly linear across the shell
+  const Field& field = m_shell->field();
   Point_3 x = p;
   for(int n = 0; n < steps; ++n) {
     const Cell_index c = field.locate(x);

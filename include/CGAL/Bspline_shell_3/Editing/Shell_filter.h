@@ -81,6 +81,7 @@ private:
     const auto& vpm = profile.vertex_point_map();
     const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());
     std::vector<Point> link;
+    link.reserve(triangles.size() - first);
     for(std::size_t n = first; n < triangles.size(); ++n) link.push_back(get(vpm, triangles[n].v2));
     return (*m_oracle)(p, link, m_state->memory);
   }

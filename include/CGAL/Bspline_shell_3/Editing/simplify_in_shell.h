@@ -22,6 +22,8 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -200,7 +202,7 @@ public:
     m_state->is_accepted = is_allowed && bool(placement) && bool((*m_filter)(profile, placement));
     if(m_state->is_accepted || !is_allowed) return placement;
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
-    std::vector<std::pair<double, Point> > others;
+    boost::container::static_vector<std::pair<double, Point>, 5> others;
     const auto add = [&](const Point& p) {
       const auto cost = (*m_cost)(profile, Place(p));
       if(!cost) return;
@@ -210,9 +212,10 @@ public:
     if(allowed.are_all) {
       const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
       for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
-      for(const Place& from : { placement, Place(middle) })
-        if(from)
-          if(const auto moved = m_oracle->moved_to_level(*from, profile.p0(), profile.p1())) add(*moved);
+      if(const auto level = m_oracle->level_between(profile.p0(), profile.p1()))
+        for(const Place& from : { placement, Place(middle) })
+          if(from)
+            if(const auto moved = m_oracle->moved_to_level(*from, *level)) add(*moved);
     } else {
       for(const Point& p : allowed.places)
         if(p != *placement) add(p);

@@ -37,14 +37,14 @@ public:
   // \param normal of any length
   Facet_estimator(const Bounds& bounds, const Coordinates& normal) : m_bounds(bounds), m_normal(normal) {}
 
-  // samples of the middles of edges, each with the number of the opposite corner; null where they are not known
-  typedef std::array<const Sample*, 3> Middles;
+  typedef std::array<const Sample*, 3> Samples;
 
-  // \param corners samples of the corners, in cells
-  Facet_estimate operator()(const std::array<Sample, 3>& corners, const Middles& middles = {})
+  // \param corners in cells
+  // \param middles of edges, each with the number of the opposite corner; null where they are not known
+  Facet_estimate operator()(const Samples& corners, const Samples& middles = {})
   {
-    for(const Sample& s : corners) {
-      const Facet_estimate there = at(s);
+    for(const Sample* s : corners) {
+      const Facet_estimate there = at(*s);
       if(there != Facet_estimate::CLEAR) return there;
     }
     m_bisections_left = most_bisections;
@@ -58,7 +58,7 @@ private:
   static constexpr double slope_safety = 0.5;       // slopes, relative to how much they bend
 
   struct Edge { const Sample &p, &q; };
-  static Edge edge(const std::array<Sample, 3>& corners, std::size_t v) { return { corners[(v + 1) % 3], corners[(v + 2) % 3] }; }
+  static Edge edge(const Samples& corners, std::size_t v) { return { *corners[(v + 1) % 3], *corners[(v + 2) % 3] }; }
 
   // what a point says
   Facet_estimate at(const Sample& s) const
@@ -67,13 +67,13 @@ private:
     return Bounds::slope(s, m_normal) > 0 ? Facet_estimate::CLEAR : Facet_estimate::FACES_AWAY;
   }
 
-  Facet_estimate estimate(const std::array<Sample, 3>& corners, const Middles& known)
+  Facet_estimate estimate(const Samples& corners, const Samples& known)
   {
     double width = 0, longest = -1;
     std::size_t top = 0;
     std::array<Coordinates, 3> along;
     for(std::size_t v = 0; v < 3; ++v) {
-      width = (std::max)(width, m_bounds.width(corners[v].cell));
+      width = (std::max)(width, m_bounds.width(corners[v]->cell));
       const Edge e = edge(corners, v);
       double squared = 0;
       for(std::size_t a = 0; a < 3; ++a) {
@@ -93,25 +93,30 @@ private:
       return there == Facet_estimate::CLEAR ? bisect(corners, top, middle, known) : there;
     }
 
-    std::array<Sample, 3> middles;
+    Samples middles = known;
+    std::array<Sample, 3> sampled;        // those that were not known
     Coordinates slopes;
-    for(std::size_t v = 0; v < 3; ++v) slopes[v] = Bounds::slope(corners[v], m_normal);
+    for(std::size_t v = 0; v < 3; ++v) slopes[v] = Bounds::slope(*corners[v], m_normal);
     double least = std::numeric_limits<double>::infinity(), off = 0;
     double least_slope = least, bend = 0;
     // sums of the coefficients at corners, and of those on edges
     double above_at_corners = 0, below_at_corners = 0, above_on_edges = 0, below_on_edges = 0;
     for(std::size_t v = 0; v < 3; ++v) {
       const Edge e = edge(corners, v);
-      const Sample& middle = middles[v] = known[v] ? *known[v] : m_bounds.sample_middle(e.p, e.q);
+      if(!known[v]) {
+        sampled[v] = m_bounds.sample_middle(e.p, e.q);
+        middles[v] = &sampled[v];
+      }
+      const Sample& middle = *middles[v];
       const Facet_estimate there = at(middle);
       if(there != Facet_estimate::CLEAR) return there;
       // thresholds hardly vary: the margins rise and fall as the field does
       const double rise_p = Bounds::slope(e.p, along[v]), rise_q = Bounds::slope(e.q, along[v]);
       const double above_p = e.p.above + rise_p / 3, above_q = e.q.above - rise_q / 3;
       const double below_p = e.p.below - rise_p / 3, below_q = e.q.below + rise_q / 3;
-      least = (std::min)({ least, corners[v].above, corners[v].below, above_p, above_q, below_p, below_q });
-      above_at_corners += corners[v].above;
-      below_at_corners += corners[v].below;
+      least = (std::min)({ least, corners[v]->above, corners[v]->below, above_p, above_q, below_p, below_q });
+      above_at_corners += corners[v]->above;
+      below_at_corners += corners[v]->below;
       above_on_edges += above_p + above_q;
       below_on_edges += below_p + below_q;
       const double bulge = (rise_p - rise_q) / 8;
@@ -126,20 +131,19 @@ private:
     // the fewer points for a cell, the more they must agree
     const double sparsity = (std::max)(1., extent / (small_extent * small_extent));
     if(least > sparsity * safety * off && least_slope > sparsity * slope_safety * bend) return Facet_estimate::CLEAR;
-    return bisect(corners, top, middles[top], {{ &middles[0], &middles[1], &middles[2] }});
+    return bisect(corners, top, *middles[top], middles);
   }
 
   // by the middle of the edge opposite to a corner
-  Facet_estimate bisect(const std::array<Sample, 3>& corners, std::size_t top, const Sample& middle, const Middles& known)
+  Facet_estimate bisect(const Samples& corners, std::size_t top, const Sample& middle, const Samples& known)
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
-    const Sample between = m_bounds.sample_middle(corners[top], middle);        // of the edge of both halves
+    const Sample between = m_bounds.sample_middle(*corners[top], middle);        // of the edge of both halves
     for(std::size_t end : { 1, 2 }) {
       const std::size_t replaced = (top + end) % 3, kept = (top + 3 - end) % 3;
-      std::array<Sample, 3> half = corners;
-      half[replaced] = middle;
-      Middles known_of_half = {};
+      Samples half = corners, known_of_half = {};
+      half[replaced] = &middle;
       known_of_half[replaced] = known[replaced];
       known_of_half[kept] = &between;
       const Facet_estimate found = estimate(half, known_of_half);

@@ -345,7 +345,8 @@ private:
     if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b))) return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
     if(!may_split_at(p)) {
-      const auto moved = m_oracle.moved_to_level(p, point(q.a), point(q.b));
+      const auto level = m_oracle.level_between(point(q.a), point(q.b));
+      const auto moved = level ? m_oracle.moved_to_level(p, *level) : std::nullopt;
       if(is_constrained || !moved || !may_split_at(*moved)) return Graph_traits::null_vertex();
       p = *moved;
     }
