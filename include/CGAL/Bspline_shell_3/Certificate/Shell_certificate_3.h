@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 #include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
+#include <CGAL/Bspline_shell_3/Certificate/internal/Recent_samples.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
@@ -311,6 +312,7 @@ private:
     if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer);
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       Result& result = results[begin / chunk];
+      internal::Recent_samples<Bounds> samples(*m_bounds);
       for(std::size_t n = begin; n < end; ++n) {
         const auto t = input.triangle(triangles[n]);
         const std::array<Point_3, 3> triangle = { to_field(t[0]), to_field(t[1]), to_field(t[2]) };
@@ -322,7 +324,9 @@ private:
           w.value = place.value;
           result.witnesses.push_back(w);
         };
-        const auto found = m_bounds->examine({ m_bounds->sample(triangle[0]), m_bounds->sample(triangle[1]), m_bounds->sample(triangle[2]) },
+        const auto h = mesh.halfedge(triangles[n]);       // to the second corner
+        const auto found = m_bounds->examine({ samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
+                                               samples(mesh.target(mesh.next(h)), triangle[2]) },
                                              facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
                                              result.least_slope);      // what is above need not be known well
         Witness w;
