@@ -8,14 +8,23 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -31,11 +40,31 @@ inline Exact_coordinates exact_difference(const std::array<double, 3>& p, const 
 
 } // namespace internal
 
+// A tree of the boxes of groups: facets that follow each other in Morton's order, which is found sooner than CGAL builds a tree of all.
 class Projection_facets_3::Tree
 {
   typedef Simple_cartesian<double> Kernel;
-  typedef std::vector<Kernel::Triangle_3> Triangles;
-  typedef internal::AABB_traits_3<Kernel, internal::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> > Traits;
+  typedef std::vector<Kernel::Iso_cuboid_3> Boxes;
+
+  // the box of a group
+  class Primitive
+  {
+  public:
+    typedef Boxes::const_iterator Id;
+    typedef Kernel::Point_3 Point;
+    typedef Kernel::Iso_cuboid_3 Datum;
+    typedef const Datum& Datum_reference;
+
+    Primitive() = default;
+    explicit Primitive(Id id) : m_id(id) {}
+    Id id() const { return m_id; }
+    Datum_reference datum() const { return *m_id; }
+    Point reference_point() const { return (m_id->min)(); }
+
+  private:
+    Id m_id;
+  };
+  typedef internal::AABB_traits_3<Kernel, Primitive> Traits;
 
 public:
   // with a margin around it
@@ -65,43 +94,108 @@ public:
     Coordinates m_point, m_inverse;
   };
 
+  // the points that are nearer to a point than some distance, which gets less
+  struct Ball
+  {
+    Coordinates center;
+    double squared_radius;
+
+    bool may_meet(const Bbox_3& box) const
+    {
+      double squared = 0;
+      for(int a = 0; a < 3; ++a) {
+        const double off = (std::max)({ (box.min)(a) - center[a], center[a] - (box.max)(a), 0. });
+        squared += off * off;
+      }
+      return squared < squared_radius;
+    }
+  };
+
   explicit Tree(const std::vector<Facet>& facets)
   {
-    const auto point = [](const Coordinates& p) { return Kernel::Point_3(p[0], p[1], p[2]); };
-    for(const Facet& f : facets) m_triangles.emplace_back(point(f.vertex[0]), point(f.vertex[1]), point(f.vertex[2]));
-    m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
+    std::vector<Coordinates> middles;
+    middles.reserve(facets.size());
+    for(const Facet& f : facets) {
+      const Bbox_3 box = bbox(f);
+      Coordinates middle;
+      for(int a = 0; a < 3; ++a) middle[a] = (box.min)(a) / 2 + (box.max)(a) / 2;
+      middles.push_back(middle);
+    }
+    const internal::Morton_order order = internal::morton_order<Sequential_tag>(middles);
+    m_facets.reserve(facets.size());
+    for(std::size_t n = 0; n < facets.size(); ++n) m_facets.push_back(Index(order[n]));
+    m_boxes.reserve(facets.size() / group_size + 1);
+    for(std::size_t begin = 0; begin < facets.size(); begin += group_size) {
+      Bbox_3 box;
+      for(std::size_t n = begin; n < (std::min)(begin + group_size, facets.size()); ++n) box += bbox(facets[m_facets[n]]);
+      m_boxes.emplace_back(box);
+    }
+    m_tree.insert(m_boxes.cbegin(), m_boxes.cend());
     m_tree.build();
   }
 
+  // calls visit(facet) for the facets whose boxes the query meets
+  // \param facets those that the tree was made for
   template <typename Query, typename Visitor>
-  void visit(const Query& query, const Visitor& visit) const
+  void visit(const std::vector<Facet>& facets, const Query& query, const Visitor& visit) const
   {
-    Visiting_traits<Visitor> traits{ visit, m_triangles.cbegin() };
+    Visiting_traits<Visitor> traits{ *this, facets, visit };
     m_tree.traversal(query, traits);
   }
 
-  Index closest(const Coordinates& p) const
+  // A facet near a point, if not the nearest one: of some, the nearest, and then of some that are next to it in Morton's order, until these are all.
+  Index facet_near(const std::vector<Facet>& facets, const Coordinates& p) const
   {
-    return Index(m_tree.closest_point_and_primitive(Kernel::Point_3(p[0], p[1], p[2])).second - m_triangles.cbegin());
+    constexpr std::size_t some = 64;
+    std::size_t nearest = 0;
+    for(std::size_t begin = 0, end = m_facets.size(), step = 0; step != 1; ) {
+      step = (end - begin + some - 1) / some;
+      double least = std::numeric_limits<double>::infinity();
+      for(std::size_t n = begin; n < end; n += step) {
+        const Coordinates off = difference(facets[m_facets[n]].vertex[0], p);
+        const double squared = internal::dot(off, off);
+        if(squared < least) { least = squared; nearest = n; }
+      }
+      begin = nearest - (std::min)(nearest, step);
+      end = (std::min)(nearest + step, m_facets.size());
+    }
+    return m_facets[nearest];
   }
 
 private:
+  static constexpr std::size_t group_size = 8;
+
+  static Bbox_3 bbox(const Facet& f)
+  {
+    Bbox_3 box;
+    for(const Coordinates& p : f.vertex) box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+    return box;
+  }
+  static bool do_meet(const Bbox_3& query, const Bbox_3& box) { return do_overlap(query, box); }
+  static bool do_meet(const Segment& query, const Bbox_3& box) { return query.may_meet(box); }
+  static bool do_meet(const Ball& query, const Bbox_3& box) { return query.may_meet(box); }
+
   template <typename Visitor>
   struct Visiting_traits
   {
+    const Tree& tree;
+    const std::vector<Facet>& facets;
     const Visitor& visit;
-    Triangles::const_iterator first;
 
     bool go_further() const { return true; }
     template <typename Query>
-    void intersection(const Query&, const typename Traits::Primitive& primitive) { visit(Index(primitive.id() - first)); }
-    template <typename Node>
-    bool do_intersect(const Bbox_3& box, const Node& node) const { return do_overlap(box, node.bbox()); }
-    template <typename Node>
-    bool do_intersect(const Segment& segment, const Node& node) const { return segment.may_meet(node.bbox()); }
+    void intersection(const Query& query, const Primitive& group)
+    {
+      const std::size_t begin = std::size_t(group.id() - tree.m_boxes.cbegin()) * group_size;
+      for(std::size_t n = begin; n < (std::min)(begin + group_size, facets.size()); ++n)
+        if(do_meet(query, bbox(facets[tree.m_facets[n]]))) visit(tree.m_facets[n]);
+    }
+    template <typename Query, typename Node>
+    bool do_intersect(const Query& query, const Node& node) const { return do_meet(query, node.bbox()); }
   };
 
-  Triangles m_triangles;
+  std::vector<Index> m_facets;        // in the order of groups
+  Boxes m_boxes;
   AABB_tree<Traits> m_tree;
 };
 
@@ -198,17 +292,27 @@ CGAL_BSPLINE_SHELL_3_INLINE std::pair<Projection_facets_3::Index, Projection_fac
 Projection_facets_3::closest(const Coordinates& p) const
 {
   CGAL_precondition(m_tree != nullptr);
-  const Index facet = m_tree->closest(p);
-  if(has_area(facet)) return { facet, position(facet, p).nearest };
-  Coordinates barycentric;
-  nearest_on_edges(m_facets[facet], p, barycentric);
-  return { facet, barycentric };
+  std::pair<Index, Coordinates> result(0, { 1, 0, 0 });       // for what is no point
+  Tree::Ball ball = { p, std::numeric_limits<double>::infinity() };
+  const auto compare = [&](Index facet) {
+    Coordinates barycentric;
+    if(has_area(facet)) barycentric = position(facet, p).nearest;
+    else nearest_on_edges(m_facets[facet], p, barycentric);
+    const Coordinates off = difference(point(facet, barycentric), p);
+    const double squared = internal::dot(off, off);
+    if(!(squared < ball.squared_radius || (squared == ball.squared_radius && facet < result.first))) return;
+    ball.squared_radius = squared;
+    result = { facet, barycentric };
+  };
+  compare(m_tree->facet_near(m_facets, p));       // so that few others have to be looked at
+  m_tree->visit(m_facets, ball, compare);
+  return result;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE void
 Projection_facets_3::visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const
 {
-  if(m_tree) m_tree->visit(box, [&](Index facet) { visit(visitor, facet); });
+  if(m_tree) m_tree->visit(m_facets, box, [&](Index facet) { visit(visitor, facet); });
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
@@ -226,13 +330,13 @@ Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& dire
     double least = 0;
     for(int i = 0; i < 3; ++i) least = (std::min)(least, dot(direction, cross(v[i], v[(i + 1) % 3])) / volume);
     const double distance = std::abs(dot(f.normal, v[0]) / volume);
-    if(least > largest_least || (least == largest_least && distance < nearest)) {
+    if(least > largest_least || (least == largest_least && (distance < nearest || (distance == nearest && n < best)))) {
       best = n;
       largest_least = least;
       nearest = distance;
     }
   };
-  if(m_tree) m_tree->visit(Tree::Segment(p, direction, first, last, margin), visit);
+  if(m_tree) m_tree->visit(m_facets, Tree::Segment(p, direction, first, last, margin), visit);
   return best;
 }
 
