@@ -25,7 +25,6 @@
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -170,10 +169,6 @@ private:
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename FaceGraph, typename VertexPointMap>
   void copy_elements(const FaceGraph& mesh, VertexPointMap vpm);
-  template <typename VertexPointMap>
-  void copy_elements(const Triangle_mesh& mesh, VertexPointMap vpm);
-  template <typename FaceGraph, typename VertexPointMap>
-  void copy_and_renumber(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
   Shell_status check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator);
   Shell_status check_border();
@@ -244,30 +239,10 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
   return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
 }
 
+// Faces are copied in the order of their range, vertices in the order in which edges lead to them: shells are then the same for meshes of other types
+// that were copied in this way, too.
 template <typename FaceGraph, typename VertexPointMap>
 void Input_mesh_3::copy_elements(const FaceGraph& mesh, VertexPointMap vpm)
-{
-  copy_and_renumber(mesh, vpm);
-}
-
-// A mesh of the same type that has no gaps, and no vertices without facets, is copied as it is: several times as fast.
-template <typename VertexPointMap>
-void Input_mesh_3::copy_elements(const Triangle_mesh& mesh, VertexPointMap vpm)
-{
-  const auto vertices = mesh.vertices();
-  if(mesh.has_garbage() || std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return mesh.is_isolated(v); }))
-    return copy_and_renumber(mesh, vpm);
-  m_mesh.join(mesh);        // it is empty: nothing gets another number, and property maps of the caller's are left out
-  for(auto v : vertices) m_mesh.point(v) = rounded_point(get(vpm, v));
-  m_origin.resize(mesh.number_of_faces());
-  std::iota(m_origin.begin(), m_origin.end(), std::size_t(0));
-  m_vertex_origin.resize(mesh.number_of_vertices());
-  std::iota(m_vertex_origin.begin(), m_vertex_origin.end(), std::size_t(0));
-}
-
-// Faces are copied in the order of their range, vertices in the order in which edges lead to them.
-template <typename FaceGraph, typename VertexPointMap>
-void Input_mesh_3::copy_and_renumber(const FaceGraph& mesh, VertexPointMap vpm)
 {
   typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
   typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
