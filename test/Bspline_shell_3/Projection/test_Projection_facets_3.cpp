@@ -36,7 +36,7 @@ CGAL::Bbox_3 bbox(const Facets& facets, Index f)
 
 double distance(const Coordinates& p, const Coordinates& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
-// of a facet, by a grid of barycentric coordinates around what was found
+// of a facet, by a grid of its points: no less than the distance
 double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
 {
   constexpr int steps = 40;

@@ -314,7 +314,7 @@ private:
   private:
     struct Part
     {
-      std::array<const Sample*, 3> corner;
+      std::array<const Sample*, 3> corner;      // of who examines the triangle, and of the bisections that led here
       int depth, refinements;                   // bisections; those of them below the size of a cell
       bool is_contained, is_transversal;        // known of all of it
     };

@@ -280,7 +280,7 @@ private:
       for(std::size_t n = begin; n < end; ++n) {
         if(mesh.is_isolated(vertices[n])) continue;
         const std::optional<double> margin = bounded_vertex_cone_margin(mesh, vertices[n], result.least_margin);
-        if(margin) result.least_margin = *margin;
+        if(margin) result.least_margin = *margin;         // whether there is one is exact, unlike its value
         else result.singular.push_back(input.vertex_of_origin(vertices[n]));
       }
     });
