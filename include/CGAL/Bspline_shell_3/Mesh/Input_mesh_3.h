@@ -162,13 +162,8 @@ private:
   template <typename ET>
   static double rounded(const Lazy_exact_nt<ET>& x) { return CGAL::to_double(x.exact()); }
 
-  template <typename Point>
-  static Kernel::Point_3 rounded_point(const Point& p) { return Kernel::Point_3(rounded(p[0]), rounded(p[1]), rounded(p[2])); }
-
   template <typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
-  template <typename FaceGraph, typename VertexPointMap>
-  void copy_elements(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
   Shell_status check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator);
   Shell_status check_border();
@@ -224,12 +219,33 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
   }
   if(!m_offenders.vertices.empty()) return Shell_status::NOT_FINITE;
 
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
+  std::vector<std::pair<face_descriptor, Face_index> > face_pairs;
+  std::vector<std::pair<vertex_descriptor, Triangle_mesh::Vertex_index> > vertex_pairs;
+  face_pairs.reserve(num_faces(mesh));
+  CGAL::copy_face_graph(mesh, m_mesh,
+                        CGAL::parameters::vertex_point_map(vpm)
+                                        .face_to_face_output_iterator(std::back_inserter(face_pairs))
+                                        .vertex_to_vertex_output_iterator(std::back_inserter(vertex_pairs)));
+  for(const auto& pair : vertex_pairs) {
+    const auto& p = get(vpm, pair.first);
+    m_mesh.point(pair.second) = Kernel::Point_3(rounded(p[0]), rounded(p[1]), rounded(p[2]));
+  }
+  // Faces are copied in the order of their range, vertices in the order in which edges lead to them. Shells depend on these in their last digits: so
+  // they are the same for meshes of other types that were copied in this way.
+  m_number_of_facets = face_pairs.size();
+  m_origin.assign(m_number_of_facets, 0);
+  for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
+  const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  position = 0;
+  for(auto v : vertices(mesh)) put(vertex_position, v, position++);
   m_number_of_vertices = position;
-  m_number_of_facets = faces(mesh).size();
-  copy_elements(mesh, vpm);
+  m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
+  for(const auto& pair : vertex_pairs) m_vertex_origin[pair.second] = get(vertex_position, pair.first);
   m_bbox = Bbox_3();
-  for(auto h : m_mesh.halfedges())
-    if(!m_mesh.is_border(h)) m_bbox += m_mesh.point(m_mesh.target(h)).bbox();
+  for(auto f : m_mesh.faces())
+    for(auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) m_bbox += m_mesh.point(v).bbox();
   // squares of cross products, and determinants, must be far from what a double can hold
   constexpr double largest = 1e60, smallest = 1e-60;
   for(int a = 0; a < 3; ++a)
@@ -237,32 +253,6 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
       return Shell_status::COORDINATES_OUT_OF_RANGE;
   // a box that is a point has nothing but degenerate facets, which say more
   return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
-}
-
-// Faces are copied in the order of their range, vertices in the order in which edges lead to them: shells are then the same for meshes of other types
-// that were copied in this way, too.
-template <typename FaceGraph, typename VertexPointMap>
-void Input_mesh_3::copy_elements(const FaceGraph& mesh, VertexPointMap vpm)
-{
-  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
-  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
-  std::vector<std::pair<face_descriptor, Face_index> > face_pairs;
-  std::vector<std::pair<vertex_descriptor, Triangle_mesh::Vertex_index> > vertex_pairs;
-  face_pairs.reserve(m_number_of_facets);
-  CGAL::copy_face_graph(mesh, m_mesh,
-                        CGAL::parameters::vertex_point_map(vpm)
-                                        .face_to_face_output_iterator(std::back_inserter(face_pairs))
-                                        .vertex_to_vertex_output_iterator(std::back_inserter(vertex_pairs)));
-  m_origin.assign(face_pairs.size(), 0);
-  for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
-  const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  std::size_t position = 0;
-  for(auto v : vertices(mesh)) put(vertex_position, v, position++);
-  m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
-  for(const auto& pair : vertex_pairs) {
-    m_mesh.point(pair.second) = rounded_point(get(vpm, pair.first));
-    m_vertex_origin[pair.second] = get(vertex_position, pair.first);
-  }
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
