@@ -543,15 +543,19 @@ for step in (1, 3, 5):
 add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
 add("excluded box without a claim",
     lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
-def remove_leaf_beside_cover(f):
-    """one without a box of the cover: the domain ends there"""
-    number = int(f.certificate[f.excluded_next_to_cover()].split()[0])
-    remove_leaf(f, f.section(f.shell, "leaves")[0] + 1 + number)
+def leaf_at_end_of_path(f):
+    """number of the leaf in which the first path leaves the cover"""
+    return int(f.certificate[f.ends_of_cover()[1][1]].split()[0])
 
 
-def has_excluded_leaf_beside_cover(f):
-    number = f.certificate[f.excluded_next_to_cover()].split()[0]
-    return all(f.kind(i) == "x" for i in f.boxes() if f.certificate[i].split()[0] == number)
+def has_no_facet_at_end_of_path(f):
+    first = f.section(f.shell, "leaves")[0] + 1
+    level, *place = (int(x) for x in f.shell[first + leaf_at_end_of_path(f)].split()[:4])
+    words = f.shell[4].split()
+    h = float(words[5]) / 2**level
+    low = [float(words[2 + a]) + h * place[a] for a in range(3)]
+    return not any(all(min(f.points[v][a] for v in t) <= low[a] + h and max(f.points[v][a] for v in t) >= low[a] for a in range(3))
+                   for t in f.facets)
 
 
 def no_cover(f):
@@ -561,8 +565,8 @@ def no_cover(f):
     f.certificate[f.section(f.certificate, "covers")[0]] = "covers 0"
 
 
-add("leaf beside the cover removed, and its boxes", remove_leaf_beside_cover, 1, "a cell that it touches has no boxes", "sc",
-    has_excluded_leaf_beside_cover)
+add("leaf of the cover removed, and its boxes", lambda f: remove_leaf(f, f.section(f.shell, "leaves")[0] + 1 + leaf_at_end_of_path(f)), 1,
+    "where the leaves end", "sc", has_no_facet_at_end_of_path)
 add("no cover", no_cover, 1, "its seed is in no cover box")
 add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
                                                   for i in f.boxes() if f.kind(i) in "gba"], 1, "P3, box")
@@ -1164,12 +1168,12 @@ add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum 
 # A shell made here: f = |x|^2, which the coefficients |p|^2 - h^2 at lattice points of any spacing h give, on large leaves at the
 # left and small ones at the right, around an octahedron. The thresholds are 0.3 and 2, and waves along some axes, the more steep the
 # higher they are.
-def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98"):
-    inner, outer, roots = 0.3, 2, range(-5, 5)
-    leaves = [(0, i, j, k) for k in roots for j in roots for i in roots if i < 0]
-    leaves += [(1, i, j, k) for k in range(-10, 10) for j in range(-10, 10) for i in range(10)]
+def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98", outer=2, roots=5):
+    inner, middle = 0.3, range(-roots, roots)
+    leaves = [(0, i, j, k) for k in middle for j in middle for i in middle if i < 0]
+    leaves += [(1, i, j, k) for k in range(-2 * roots, 2 * roots) for j in range(-2 * roots, 2 * roots) for i in range(2 * roots)]
     functions = []
-    for level, size in ((1, 10), (0, 5)):
+    for level, size in ((1, 2 * roots), (0, roots)):
         h = 0.5 / 2**level
         # on small leaves only; on large leaves
         along_x = range(2, size + 2) if level == 1 else range(-size - 1, 2)
@@ -1204,22 +1208,25 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
     shell = ["cubic_bspline_shell 2 ascii", "unit 2.4", "thickness 3", "triangles 8 components 1", "field hierarchical 0 0 0 0.5",
              "functions %d" % len(functions)] + functions + ["leaves %d" % len(leaves)]
     shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0"]
-    certificate = ["cubic_bspline_shell_certificate 2", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
+    certificate = ["cubic_bspline_shell_certificate 3", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
     certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 " + path]
     return Files.of(shell, certificate, points, facets)
 
 
-ACCEPTED, STEEP = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply")
+ACCEPTED, STEEP, AT_END = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply"), (1, "where the leaves end")
 WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
+# Leaves that end at 1.5 along each axis: outside of the shell, or in it
+ENDS = [({"roots": 3}, ACCEPTED), ({"roots": 3, "outer": 2.2}, ACCEPTED), ({"roots": 3, "outer": 2.3}, AT_END),
+        ({"roots": 3, "outer": 2.2, "outer_wave": 0.2}, AT_END)]
 THROUGH_EDGE, FROM_BEHIND_THE_CENTER = "0.375 0.375 0 1.125 1.125 0", "-0.125 -0.125 0.0625 1 0.875 0.9375"
 
 
 def main():
     checker = sys.argv[1]
     files = Files(sys.argv[2]) if len(sys.argv) > 2 else None
-    cases = [] if files else [("ball, waves: %s" % wave, ball(**wave), code, sentence) for wave, (code, sentence) in WAVES] + [
+    cases = [] if files else [("ball: %s" % ball_is, ball(**ball_is), code, sentence) for ball_is, (code, sentence) in WAVES + ENDS] + [
         ("ball, path through an edge", ball(path=THROUGH_EDGE), 1, "does not pass through the interior"),
         ("ball, path that begins downwards", ball(path=FROM_BEHIND_THE_CENTER), 1, "does not rise on all of it")]
     for function, code, sentence, update, applies in TESTS:

@@ -20,7 +20,7 @@ void check_text(const Any_shell& shell, const Certificate& certificate)
   const std::string text = out.str();
   const Lines lines = lines_of(text);
   CHECK(text_of(lines) == text);
-  CHECK(lines[0] == "cubic_bspline_shell_certificate 2");
+  CHECK(lines[0] == "cubic_bspline_shell_certificate 3");
   // the shell is named by its text file, the mesh by what is in it
   const std::string shell_text = written(shell, Format::ASCII);
   CHECK(lines[1] == "shell " + shell_text.substr(shell_text.size() - 17, 16));

@@ -314,6 +314,50 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
   SECTION("through lattice corners") { check_clip(octahedron(1), 0.25); }
 }
 
+TEST_CASE("cells near a mesh: all cells that samples of it are near, and none without a part of the mesh in its box, enlarged")
+{
+  for(int subdivisions : { 0, 3 }) {       // of an icosahedron
+    const BS::Input_mesh_3 input = input_of(sphere(subdivisions));
+    const BS::Lattice_3 lattice = lattice_around(input, 0.21, Point_3(0.01, 0.02, -0.03));
+    const Root_cells entered = cells_of(input, lattice);
+    const std::vector<std::uint64_t> entered_keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
+    const Clipped pieces = BS::clip_mesh_to_cells<Tag>(input, entered);
+    for(double part : { 0.25, 0.8, 1.6 }) {
+      CAPTURE(part);
+      const double distance = part * lattice.spacing();
+      const std::vector<std::uint64_t> keys = BS::cells_near_mesh<Tag>(input, lattice, distance);
+      CHECK(BS::cells_near_mesh<CGAL::Parallel_if_available_tag>(input, lattice, distance) == keys);
+      CHECK(std::includes(keys.begin(), keys.end(), entered_keys.begin(), entered_keys.end()));
+      // by the boxes of all pieces
+      std::set<std::uint64_t> near(entered_keys.begin(), entered_keys.end());
+      std::size_t missing = 0;
+      for(const Clipped::Piece& piece : pieces.pieces()) {
+        CGAL::Bbox_3 box;
+        for(std::uint32_t v = 0; v < piece.size; ++v) {
+          const auto& p = pieces.point(piece.first + v);
+          box += Point_3(p[0], p[1], p[2]).bbox();
+          // what is just near enough to a corner
+          for(int corner = 0; corner < 8; ++corner) {
+            int q[3];
+            for(int a = 0; a < 3; ++a) q[a] = lattice.interval(a, p[std::size_t(a)] + (corner >> a & 1 ? 0.999 : -0.999) * distance);
+            missing += !std::binary_search(keys.begin(), keys.end(), BS::Lattice_key::encode(q[0], q[1], q[2]));
+          }
+        }
+        int first[3], last[3];
+        for(int a = 0; a < 3; ++a) {
+          first[a] = lattice.interval(a, (box.min)(a) - distance);
+          last[a] = lattice.interval(a, (box.max)(a) + distance);
+        }
+        for(int k = first[2]; k <= last[2]; ++k)
+          for(int j = first[1]; j <= last[1]; ++j)
+            for(int i = first[0]; i <= last[0]; ++i) near.insert(BS::Lattice_key::encode(i, j, k));
+      }
+      CHECK(missing == 0);
+      CHECK(std::vector<std::uint64_t>(near.begin(), near.end()) == keys);
+    }
+  }
+}
+
 TEST_CASE("clipped mesh: needles a few bits wide are not lost")
 {
   const Point_3 a(-.9, -.8, -.7), b(.8, .9, .6);

@@ -118,6 +118,25 @@ TEST_CASE("Bounds: the range of the coefficients encloses the functions at both 
   CHECK(f.range().max >= 1.25);
 }
 
+TEST_CASE("Bounds: the range towards a face, an edge or a vertex is that of the coefficients there")
+{
+  CGAL::Random random(12);
+  const Enclosed_tricubic f = random_function(random, 4, 0.125);
+  for(int direction = 0; direction < 27; ++direction) {
+    const std::array<int, 3> towards = { direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1 };
+    Level_range there;
+    for(int n = 0; n < 64; ++n) {
+      bool is_there = true;
+      for(int a = 0; a < 3; ++a) is_there = is_there && (towards[a] == 0 || along(n, a) == (towards[a] < 0 ? 0 : 3));
+      if(is_there) there.include(f.coefficients[n]);
+    }
+    const Level_range r = f.range_towards(towards);
+    CHECK(r.min == there.min - 0.125);
+    CHECK(r.max == there.max + 0.125);
+  }
+  CHECK(f.range_towards({ 0, 0, 0 }).min == f.range().min);
+}
+
 TEST_CASE("Bounds: values at points, on segments and triangles in the cell are enclosed, with all roundings of mixed sizes")
 {
   CGAL::Random random(1);

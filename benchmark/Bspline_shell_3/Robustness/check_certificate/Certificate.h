@@ -46,7 +46,7 @@ struct Certificate
   {
     const std::string text = read_file(name);
     Reader in(name, text, true);
-    in.expect("cubic_bspline_shell_certificate").expect("2").end_line();
+    in.expect("cubic_bspline_shell_certificate").expect("3").end_line();
     if(in.expect("shell").word() != shell.checksum) in.fail("the certificate is for another shell");
     in.end_line();
     const Integer vertices = in.expect("mesh").integer(0, 1 << 30), facets = in.integer(0, 1 << 30);

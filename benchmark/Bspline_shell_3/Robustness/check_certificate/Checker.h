@@ -211,13 +211,30 @@ private:
     }
     return true;
   }
-  template <class Holds>
-  bool holds_on_box(const Box& box, const Holds& holds) const
+  Splines splines_on_box(const Box& box) const
   {
     Splines s = splines(shell.leaf[box.leaf]);
     for(Coefficients& c : s)
       for(int d = box.depth - 1; d >= 0; --d)
         for(int axis = 0; axis < 3; ++axis) halve(c, axis, box.place[axis] >> d & 1);
+    return s;
+  }
+  template <class Holds>
+  bool holds_on_box(const Box& box, const Holds& holds) const
+  {
+    return holds_on_part(splines_on_box(box), Part(), holds, box_levels);
+  }
+  // the same on the face, edge or vertex that a box has in common with a cell: there, splines do not vary towards the cell
+  template <class Holds>
+  bool holds_towards_cell(const Box& box, const Extent& cell, const Holds& holds) const
+  {
+    const Extent extent = box.extent(shell);
+    Splines s = splines_on_box(box);
+    for(int axis = 0; axis < 3; ++axis)
+      for(Coefficients& c : s) {
+        if(cell.high[axis] == extent.low[axis]) make_constant(c, axis, false);
+        if(cell.low[axis] == extent.high[axis]) make_constant(c, axis, true);
+      }
     return holds_on_part(s, Part(), holds, box_levels);
   }
 
@@ -299,7 +316,7 @@ private:
   }
 
   // P3 and P4. Omega* is in the cover: each component of A begins in a cover box (at its seed), and {EPS1 <= f <= EPS2} is
-  // connected to it through cover boxes only, because around these are other cover boxes and excluded ones.
+  // connected to it through cover boxes only, because around these are other cover boxes, excluded ones, and ends of the leaves outside of it.
   void check_boxes()
   {
     const std::vector<Box>& box = certificate.box;
@@ -353,13 +370,18 @@ private:
       throw Unconfirmed(name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
   }
 
-  // Cover boxes and excluded ones have to surround a cover box; it is joined with the former.
+  // Cover boxes and excluded ones have to surround a cover box, which must be excluded where leaves end; it is joined with the former.
   void check_surroundings(std::size_t n, const std::vector<std::size_t>& begin)
   {
     const std::string name = name_of(n);
     const Extent extent = certificate.box[n].extent(shell);
-    shell.visit_leaves(extent, [&](const Cell&, const Leaf* leaf) {
-      if(!leaf || begin[leaf->number] == begin[leaf->number + 1]) throw Unconfirmed(name + "a cell that it touches has no boxes");
+    shell.visit_leaves(extent, [&](const Cell& cell, const Leaf* leaf) {
+      if(!leaf) {
+        if(!holds_towards_cell(certificate.box[n], cell.extent(), [](const Splines& s, const Part&) { return is_excluded(s); }))
+          throw Unconfirmed(name + "where the leaves end, f is not less than the inner threshold, nor greater than the outer one");
+        return;
+      }
+      if(begin[leaf->number] == begin[leaf->number + 1]) throw Unconfirmed(name + "a cell that it touches has no boxes");
       for(std::size_t m = begin[leaf->number]; m < begin[leaf->number + 1]; ++m) {
         const Box& other = certificate.box[m];
         if(other.kind == 'x' || !extent.touches(other.extent(shell))) continue;

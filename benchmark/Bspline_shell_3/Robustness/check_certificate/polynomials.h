@@ -96,6 +96,15 @@ inline Interval range_on_triangle(const Coefficients& b, const Triangle& corner)
   return hull(f);
 }
 
+// The polynomial whose values are those at one end of the unit cube, along an axis
+inline void make_constant(Coefficients& b, int axis, bool upper)
+{
+  const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;
+  for(int n = 0; n < 64; ++n)
+    if(n / stride % 4 == 0)
+      for(int i = 0; i < 4; ++i) b[std::size_t(n + i * stride)] = b[std::size_t(n + (upper ? 3 : 0) * stride)];
+}
+
 // Half of the unit cube's polynomial along an axis, by de Casteljau
 inline void halve(Coefficients& b, int axis, bool upper)
 {

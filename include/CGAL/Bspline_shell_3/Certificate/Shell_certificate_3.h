@@ -470,7 +470,7 @@ private:
       w.point = center;
       conclude(w);
     }
-    for(typename Cover::Box_index b : cover.border()) {
+    for(typename Cover::Box_index b : cover.at_end()) {
       Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
       w.cell = cover.boxes()[b].cell;
       const Bbox_3 box = cover.bbox(cover.boxes()[b]);

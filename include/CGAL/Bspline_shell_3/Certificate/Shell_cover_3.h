@@ -40,9 +40,10 @@ namespace Bspline_shells {
  * Leaf cells are subdivided until the kind of each box is known, or there is no use in it. From each point, the boxes that
  * touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so that the
  * component of the point cannot leave its boxes: where none of them is undecided, the component has no critical point,
- * and where none touches the end of the domain, it lies in the interior.
+ * and where it is excluded wherever they touch the end of the domain, it lies in the interior.
  *
- * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings
+ * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings. Its domain consists of equal cells of a
+ * lattice, of which its cells are dyadic parts.
  * \tparam Threshold a model of `ShellThreshold`
  */
 template <typename Field_, typename Threshold = Constant_threshold>
@@ -70,7 +71,7 @@ public:
   /// takes over what another cover found out about cells
   /// \param now a function of the other cover's cells: the cell of this cover that has the same place, if the field and the thresholds are the same
   /// there, and `npos` otherwise
-  /// \pre no cell of this cover has been subdivided
+  /// \pre the other cover's field has the same domain, and no cell of this cover has been subdivided
   template <typename Now>
   void reuse(const Shell_cover_3& other, const Now& now)
   {
@@ -108,7 +109,7 @@ public:
 
   /// the same, with those components alone that hold given points; the number of each becomes that of the first of its points
   /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and this cover is of no use
-  /// \pre no box of the other cover's components is undecided, and none touches the boundary of the field's domain
+  /// \pre no box of the other cover's components is undecided, and none is at the end of the field's domain
   std::optional<std::vector<Shared> > adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
   {
     adopt(std::move(boxes));
@@ -193,7 +194,7 @@ public:
             case Flood_step::BOX: if(m_boxes[step.number].component == Cover_box::no_component) include(step.number); break;
             case Flood_step::UNSEEN_CELL: wanted.push_back(step.number); break;
             case Flood_step::WAITING_BOX: waiting.push_back(step.number); break;
-            case Flood_step::BORDER_BOX: m_border.push_back(step.number); break;
+            case Flood_step::BOX_AT_END: m_at_end.push_back(step.number); break;
           }
       }
       prepare<ConcurrencyTag>(wanted);
@@ -218,8 +219,8 @@ public:
 
   /// all boxes: those of one leaf cell are consecutive
   const std::vector<Cover_box>& boxes() const { return m_boxes; }
-  /// boxes of the cover that touch the boundary of the field's domain
-  const std::vector<Box_index>& border() const { return m_border; }
+  /// boxes of the cover that may be in the shell where they touch the end of the field's domain
+  const std::vector<Box_index>& at_end() const { return m_at_end; }
   /// number of boxes of the cover that are undecided
   std::size_t number_of_undecided_boxes() const { return m_undecided; }
   /// number of leaf cells that were looked at
@@ -237,6 +238,16 @@ public:
 
   /// the field on a box, as an enclosed polynomial over the box
   Enclosed_tricubic function(const Cover_box& box) const { return functions_on(box)[0]; }
+
+  /// encloses the values of the field where a box may be in the shell at the end of the domain
+  Level_range range_at_end(const Cover_box& box) const
+  {
+    const Part part = { box, functions_on(box) };
+    Level_range range;
+    for(const Direction& direction : ends_in_shell(part, ends_of_domain(m_field->cell(box.cell).bbox())))
+      range.include(part.functions[0].range_towards(direction));
+    return range;
+  }
 
   /// encloses the values that the field takes at critical points in a box
   Level_range critical_values(const Cover_box& box) const { return Bspline_shells::critical_values(function(box)); }
@@ -318,18 +329,19 @@ public:
 
 private:
   static constexpr std::size_t unseen = std::size_t(-1);
-  static constexpr int max_border_depth = 4;
+  static constexpr int max_depth_at_end = 4;
 
   typedef internal::Box_examination<Threshold> Examination;
   typedef typename Examination::Functions Functions;
 
   struct Part { Cover_box box; Functions functions; };
+  typedef std::array<int, 3> Direction;     // to a face, an edge or a vertex of a cell or a box: of minus one, zero and one
   struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
 
   // what a box of the front leads to: boxes that touch it and do not belong to the cover yet; or cells that must be subdivided first, and itself once more
   struct Flood_step
   {
-    enum Kind : std::uint8_t { BOX, UNSEEN_CELL, WAITING_BOX, BORDER_BOX };
+    enum Kind : std::uint8_t { BOX, UNSEEN_CELL, WAITING_BOX, BOX_AT_END };
     Kind kind;
     std::uint32_t number;
   };
@@ -348,7 +360,7 @@ private:
     }
     const std::size_t before = steps.size();
     bool complete = true;
-    const bool inside = m_field->visit_cells(box, [&](typename Field::Cell_index c) {
+    m_field->visit_cells(box, [&](typename Field::Cell_index c) {
       if(m_first[c] == unseen) {
         if(complete) steps.resize(before);
         complete = false;
@@ -357,7 +369,7 @@ private:
         find_touching(c);
     });
     if(!complete) steps.push_back({ Flood_step::WAITING_BOX, b });
-    else if(!inside) steps.push_back({ Flood_step::BORDER_BOX, b });
+    else if(m_boxes[b].is_at_end) steps.push_back({ Flood_step::BOX_AT_END, b });
   }
 
   static int octant(const Cover_box& box, int bit)
@@ -394,14 +406,15 @@ private:
     for(int a = 0; a < 3; ++a) queue[0].box.position[a] = 0;
     queue[0].functions = m_examination.functions(m_field->cell(c), c);
     const std::size_t begin = boxes.size();
-    const bool at_border = touches_border(m_field->cell(c).bbox());
+    const std::vector<Direction> ends = ends_of_domain(m_field->cell(c).bbox());
     for(std::size_t n = 0; n < queue.size(); ++n) {
       examine_part(queue[n]);
-      const Cover_box& box = queue[n].box;
+      Cover_box& box = queue[n].box;
+      box.is_at_end = box.kind != Box_kind::EXCLUDED && !ends_in_shell(queue[n], ends).empty();
       const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && m_examination.seems_critical(queue[n].functions))
                         : (is_critical(box.kind) && box.depth < m_separating_depth)
                         // what is inside must be told from what is not
-                        || (box.kind != Box_kind::EXCLUDED && at_border && box.depth < max_border_depth && touches_border(bbox(box)));
+                        || (box.is_at_end && box.depth < max_depth_at_end);
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
@@ -416,9 +429,37 @@ private:
     return key << (3 * (max_depth - int(box.depth)));
   }
 
-  bool touches_border(const Bbox_3& box) const
+  // the directions from a cell in which the domain ends
+  std::vector<Direction> ends_of_domain(const Bbox_3& cell) const
   {
-    return !m_field->visit_cells(grown(box), [](typename Field::Cell_index) {});
+    std::vector<Direction> ends;
+    const auto ignore = [](typename Field::Cell_index) {};
+    const Bbox_3 around = grown(cell);
+    if(m_field->visit_cells(around, ignore)) return ends;
+    for(int k = -1; k <= 1; ++k)
+      for(int j = -1; j <= 1; ++j)
+        for(int i = -1; i <= 1; ++i) {
+          const Direction direction = { i, j, k };
+          std::array<double, 3> p;      // next to the middle of a face, an edge or a vertex
+          for(int a = 0; a < 3; ++a)
+            p[a] = direction[a] < 0 ? (around.min)(a) : direction[a] > 0 ? (around.max)(a) : ((cell.min)(a) + (cell.max)(a)) / 2;
+          if(!m_field->visit_cells(Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]), ignore)) ends.push_back(direction);
+        }
+    return ends;
+  }
+
+  // of these, those in which a part of the cell may be in the shell where the domain ends
+  std::vector<Direction> ends_in_shell(const Part& part, const std::vector<Direction>& ends) const
+  {
+    const int last = (1 << part.box.depth) - 1;
+    std::vector<Direction> in_shell;
+    for(const Direction& direction : ends) {
+      bool touches = true;
+      for(int a = 0; a < 3; ++a)
+        touches = touches && (direction[a] == 0 || part.box.position[a] == (direction[a] < 0 ? 0 : last));
+      if(touches && !m_examination.is_excluded_towards(direction, part.functions)) in_shell.push_back(direction);
+    }
+    return in_shell;
   }
 
   Functions functions_on(const Cover_box& box) const
@@ -526,7 +567,7 @@ private:
   std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
-  std::vector<Box_index> m_border;
+  std::vector<Box_index> m_at_end;
   std::size_t m_undecided = 0;            // boxes of the cover
 };
 

@@ -35,7 +35,7 @@ struct Refinement_parameters
     weights.mu = 0;
     weights.normal = 10;
     weights.surface = 100;
-    weights.coefficients = 0.002;
+    weights.coefficients = 0.012;
   }
 };
 

@@ -114,14 +114,13 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     is_thickness_valid = false;       // and nothing is done with what is returned
     return largest_thickness;
   };
-  const std::vector<std::uint64_t> surface_keys = cells_entered_by_mesh<ConcurrencyTag>(*input, *lattice);
-  report.surface_cells = surface_keys.size();
-  // room for the shell beyond the cells at the mesh
-  constexpr double most_rings = 20;
-  const double rings = 1 + std::floor(parameters.sizing ? 0 : largest_thickness / lattice->spacing());
-  if(!(rings <= most_rings)) return stop(Status::INVALID_PARAMETER);
-  if(double(surface_keys.size()) * 1e4 > parameters.refinement.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, dilate(surface_keys, -int(rings), int(rings))));
+  // Room for the shell, and a little more, as it is thicker at edges. A sizing field asks for thicknesses that are not known yet.
+  constexpr double thickest = 20, more = 0.3;       // cells
+  const double spacing = lattice->spacing(), room = parameters.sizing ? spacing : largest_thickness / 2 + more * spacing;
+  if(!parameters.sizing && !(largest_thickness < thickest * spacing)) return stop(Status::INVALID_PARAMETER);
+  report.surface_cells = cells_entered_by_mesh<ConcurrencyTag>(*input, *lattice).size();
+  if(double(report.surface_cells) * 1e4 > parameters.refinement.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
+  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, cells_near_mesh<ConcurrencyTag>(*input, *lattice, room)));
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);

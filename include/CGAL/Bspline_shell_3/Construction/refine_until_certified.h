@@ -138,11 +138,11 @@ private:
   static constexpr std::size_t thick_cells_to_refine = 8;       // one of so many; fewer may be mended by small changes,
   static constexpr std::size_t most_thick_cells = 1000;         // which take milliseconds each
   static constexpr std::size_t least_many_obstacles = 100, obstacles_to_refine = 128;       // cells; one of so many
-  static constexpr std::size_t cells_of_thin = 20, cells_of_nearly_thin = 50;     // one of so many has an obstacle
+  static constexpr std::size_t cells_of_thin = 5, cells_of_nearly_thin = 12;      // one of so many at the mesh has an obstacle
   static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
   static constexpr double considerable = 1e-3;                  // part of half the thickness: in the middle of walls, the field is smaller on the mesh
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
-  static constexpr std::size_t cells_to_split_alone = 150;      // if one of so many has obstacles; fewer are split with their neighbors
+  static constexpr std::size_t cells_to_split_alone = 38;       // if one of so many at the mesh has obstacles; fewer are split with their neighbors
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
   void lap(Step step)
@@ -547,7 +547,7 @@ private:
       make_room(cells);
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
-      const bool alone = cells.size() > m_field->number_of_cells() / cells_to_split_alone;
+      const bool alone = cells.size() > m_clipped->cells().size() / cells_to_split_alone;
       for(Index c : cells)
         if(alone) mark(c);
         else mark_widely(c);
@@ -561,7 +561,7 @@ private:
   // finds out, by the cells with obstacles: there are very many, or many again after others were refined
   bool becomes_thin(const std::vector<Index>& cells)
   {
-    const std::size_t all = m_field->number_of_cells();
+    const std::size_t all = m_clipped->cells().size();
     const bool are_again = m_was_nearly_thin && cells.size() > all / cells_of_nearly_thin;
     m_was_nearly_thin = cells.size() > all / cells_of_nearly_thin;
     return are_again || cells.size() > all / cells_of_thin;

@@ -65,7 +65,7 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     output.decimal(x);
   };
   const auto& mesh = certificate.examined_mesh();
-  output.text("cubic_bspline_shell_certificate 2\nshell " + Checksum::text(shell_checksum(shell)) + "\nmesh");
+  output.text("cubic_bspline_shell_certificate 3\nshell " + Checksum::text(shell_checksum(shell)) + "\nmesh");
   word(std::size_t(mesh.number_of_vertices()));
   word(std::size_t(mesh.number_of_faces()));
   output.text(" " + Checksum::text(mesh_checksum(mesh)) + "\nverdicts");

@@ -300,6 +300,30 @@ private:
   std::vector<Point> m_normals;
 };
 
+namespace internal {
+
+// the lattice keys that visit(cell, the part of a triangle in it, keys) adds to `keys`, ascending, each once
+template <typename ConcurrencyTag, typename InputMesh, typename Visitor>
+std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3& lattice, const Visitor& visit)
+{
+  const std::size_t size = input.mesh().number_of_faces(), chunk = chunk_size(size, 512);
+  typedef std::vector<std::uint64_t> Keys;
+  const auto find = [&](std::size_t begin, std::size_t end, Keys& found) {
+    Polygon_cutter cutter(lattice);
+    for(std::size_t n = begin; n < end; ++n) {
+      const auto triangle = triangle_to_clip(input, n);
+      cutter.cut(triangle, unit_normal(triangle),
+                 [&](const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon) { visit(p, polygon, found); });
+    }
+    sort_unique(found);
+  };
+  Keys keys = collect_from_chunks<ConcurrencyTag, std::uint64_t>(size, chunk, find);
+  sort_unique(keys);
+  return keys;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
@@ -310,21 +334,37 @@ private:
 template <typename ConcurrencyTag, typename InputMesh>
 std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const Lattice_3& lattice)
 {
-  const std::size_t size = input.mesh().number_of_faces(), chunk = internal::chunk_size(size, 512);
-  typedef std::vector<std::uint64_t> Keys;
-  const auto find = [&](std::size_t begin, std::size_t end, Keys& found) {
-    internal::Polygon_cutter cutter(lattice);
-    for(std::size_t n = begin; n < end; ++n) {
-      const auto triangle = internal::triangle_to_clip(input, n);
-      cutter.cut(triangle, internal::unit_normal(triangle), [&](const Lattice_3::Point& p, const auto&) {
-        found.push_back(Lattice_key::encode(p[0], p[1], p[2]));
-      });
+  return internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [](const Lattice_3::Point& p, const auto&, std::vector<std::uint64_t>& keys) {
+    keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
+  });
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief the lattice keys of the cells near the mesh, ascending: all that have a point no farther than `distance` along each axis from a point of the
+ * mesh, and a few others.
+ *
+ * \pre the coordinates of `input` divided by the lattice's spacing, and the distance more, are at most `Lattice_key::max_coordinate`
+ */
+template <typename ConcurrencyTag, typename InputMesh>
+std::vector<std::uint64_t> cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
+{
+  return internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
+    Lattice_3::Point first = p, last = p;
+    for(int a = 0; a < 3; ++a) {
+      double lowest = polygon[0][a], highest = lowest;
+      for(const auto& q : polygon) {
+        lowest = (std::min)(lowest, q[a]);
+        highest = (std::max)(highest, q[a]);
+      }
+      first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
+      last[a] = (std::max)(p[a], lattice.interval(a, highest + distance));
     }
-    sort_unique(found);
-  };
-  Keys keys = internal::collect_from_chunks<ConcurrencyTag, std::uint64_t>(size, chunk, find);
-  sort_unique(keys);
-  return keys;
+    for(int k = first[2]; k <= last[2]; ++k)
+      for(int j = first[1]; j <= last[1]; ++j)
+        for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
+  });
 }
 
 /*!

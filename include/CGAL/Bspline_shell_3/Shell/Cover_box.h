@@ -43,6 +43,7 @@ struct Cover_box
   /// what proves the kind: of a monotone box, the direction, whose largest component is one in size; where critical points are beyond a threshold,
   /// the center for `values_at_critical_points()`, in units of the box
   std::array<double, 3> proof = {};
+  bool is_at_end = false;                 ///< whether it has a point at the end of the field's domain that may be in the shell
 };
 
 } // namespace Bspline_shells

@@ -42,6 +42,19 @@ struct Enclosed_tricubic
     const auto mm = std::minmax_element(coefficients.begin(), coefficients.end());
     return { *mm.first - radius, *mm.second + radius };
   }
+
+  /// the same on a face, an edge or a vertex of the cell
+  /// \param direction from the cell's center to it: of minus one, zero and one
+  Level_range range_towards(const std::array<int, 3>& direction) const
+  {
+    const auto first = [&](std::size_t a) { return direction[a] > 0 ? 3 : 0; };
+    const auto last = [&](std::size_t a) { return direction[a] < 0 ? 0 : 3; };
+    Level_range range;
+    for(int k = first(2); k <= last(2); ++k)
+      for(int j = first(1); j <= last(1); ++j)
+        for(int i = first(0); i <= last(0); ++i) range.include(coefficients[std::size_t(16*k + 4*j + i)]);
+    return { range.min - radius, range.max + radius };
+  }
 };
 
 namespace internal {

@@ -58,6 +58,16 @@ public:
       return functions[1].range().min >= 0 && functions[2].range().max <= 0;
   }
 
+  // whether all of a face, an edge or a vertex of a box is certainly outside of the shell
+  bool is_excluded_towards(const std::array<int, 3>& direction, const Functions& functions) const
+  {
+    if constexpr(Threshold::is_constant) {
+      const Level_range r = functions[0].range_towards(direction);
+      return r.max < m_inner.level() || r.min > m_outer.level();
+    } else
+      return functions[1].range_towards(direction).max < 0 || functions[2].range_towards(direction).min > 0;
+  }
+
   // finds the kind of a box and what proves it
   void examine(const Functions& functions, Cover_box& box) const
   {
