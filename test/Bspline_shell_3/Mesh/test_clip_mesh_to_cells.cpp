@@ -325,9 +325,10 @@ TEST_CASE("cells near a mesh: all cells that samples of it are near, and none wi
     for(double part : { 0.25, 0.8, 1.6 }) {
       CAPTURE(part);
       const double distance = part * lattice.spacing();
-      const std::vector<std::uint64_t> keys = BS::cells_near_mesh<Tag>(input, lattice, distance);
-      CHECK(BS::cells_near_mesh<CGAL::Parallel_if_available_tag>(input, lattice, distance) == keys);
-      CHECK(std::includes(keys.begin(), keys.end(), entered_keys.begin(), entered_keys.end()));
+      const BS::Cells_near_mesh cells = BS::cells_near_mesh<Tag>(input, lattice, distance);
+      const std::vector<std::uint64_t>& keys = cells.near;
+      CHECK(cells.entered == entered_keys);
+      CHECK(BS::cells_near_mesh<CGAL::Parallel_if_available_tag>(input, lattice, distance).near == keys);
       // by the boxes of all pieces
       std::set<std::uint64_t> near(entered_keys.begin(), entered_keys.end());
       std::size_t missing = 0;
@@ -356,6 +357,19 @@ TEST_CASE("cells near a mesh: all cells that samples of it are near, and none wi
       CHECK(std::vector<std::uint64_t>(near.begin(), near.end()) == keys);
     }
   }
+}
+
+TEST_CASE("cells near a mesh: on both sides alike, also where they are just not near")
+{
+  // a cube between planes of the lattice, whose cells are one wide
+  const BS::Input_mesh_3 input = input_of(box(Point_3(0.25, 0.25, 0.25), Point_3(1.75, 1.75, 1.75)));
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-4, -4, -4, 6, 6, 6), 1);
+  REQUIRE(lattice.spacing() == 1);
+  REQUIRE(lattice.coordinate(0, lattice.interval(0, 0.5)) == 0);
+  CHECK(BS::cells_near_mesh<Tag>(input, lattice, 0.25).near.size() == 8);
+  CHECK(BS::cells_near_mesh<Tag>(input, lattice, 0.375).near.size() == 64);
+  CHECK(BS::cells_near_mesh<Tag>(input, lattice, 1.25).near.size() == 64);
+  CHECK(BS::cells_near_mesh<Tag>(input, lattice, 1.375).near.size() == 216);
 }
 
 TEST_CASE("clipped mesh: needles a few bits wide are not lost")

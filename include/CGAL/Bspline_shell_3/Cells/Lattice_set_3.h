@@ -32,7 +32,9 @@ struct Lattice_box { Lattice_point first, last; };
 /// a lattice point as a 64-bit key with 21 bits for each axis. Keys sort like \f$(k, j, i)\f$.
 class Lattice_key
 {
-  static constexpr int bits = 21;
+public:
+  static constexpr int bits = 21;       ///< of a coordinate; keys have three times as many
+private:
   static constexpr std::int64_t offset = std::int64_t(1) << (bits - 1);
   static constexpr std::uint64_t mask = (std::uint64_t(1) << bits) - 1;
 public:

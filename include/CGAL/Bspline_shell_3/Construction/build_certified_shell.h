@@ -118,9 +118,10 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   constexpr double thickest = 20, more = 0.3;       // cells
   const double spacing = lattice->spacing(), room = parameters.sizing ? spacing : largest_thickness / 2 + more * spacing;
   if(!parameters.sizing && !(largest_thickness < thickest * spacing)) return stop(Status::INVALID_PARAMETER);
-  report.surface_cells = cells_entered_by_mesh<ConcurrencyTag>(*input, *lattice).size();
+  Cells_near_mesh at_mesh = cells_near_mesh<ConcurrencyTag>(*input, *lattice, room);
+  report.surface_cells = at_mesh.entered.size();
   if(double(report.surface_cells) * 1e4 > parameters.refinement.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, cells_near_mesh<ConcurrencyTag>(*input, *lattice, room)));
+  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, std::move(at_mesh.near)));
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);

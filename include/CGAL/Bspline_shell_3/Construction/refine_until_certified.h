@@ -337,7 +337,7 @@ private:
   bool enforce_conditions()
   {
     constexpr int max_exchanges = 6;
-    constexpr double progress = 0.5;        // largest share of thick cells that an exchange may leave, after the first two
+    constexpr double progress = 0.5;        // largest share of thick cells that an exchange may leave, after the first two; the second must not add any
     Refinement_round& log = m_rounds.back();
     const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
     const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
@@ -371,7 +371,7 @@ private:
       lap(SLOPES);
       find_thick_cells();
       if((thick.empty() && failures.empty()) || are_many_thick() || exchange + 1 == max_exchanges || is_late()) break;
-      if(exchange > 1 && double(thick.size()) > progress * double(thick_before)) break;
+      if(exchange > 0 && double(thick.size()) > (exchange > 1 ? progress : 1) * double(thick_before)) break;
       std::vector<Slope_condition> conditions;
       for(const Facet_failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.facet] > 0)

@@ -342,29 +342,53 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the lattice keys of the cells near the mesh, ascending: all that have a point no farther than `distance` along each axis from a point of the
- * mesh, and a few others.
+ * \brief the lattice keys of cells at a mesh, ascending.
+ */
+struct Cells_near_mesh
+{
+  std::vector<std::uint64_t> entered;       ///< by the mesh
+  std::vector<std::uint64_t> near;          ///< these, and what is near it
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Mesh
+ *
+ * \brief the cells that the mesh enters, and all whose interior has a point nearer than `distance` along each axis to a point of the mesh; and a few
+ * others, as the parts of facets in a cell are as large as their boxes here.
  *
  * \pre the coordinates of `input` divided by the lattice's spacing, and the distance more, are at most `Lattice_key::max_coordinate`
  */
 template <typename ConcurrencyTag, typename InputMesh>
-std::vector<std::uint64_t> cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
+Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
 {
-  return internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
-    Lattice_3::Point first = p, last = p;
+  constexpr std::uint64_t entered = std::uint64_t(1) << 63;       // above all keys
+  static_assert(Lattice_key::bits * 3 < 64);
+  const double rings = std::floor(distance / lattice.spacing());
+  const double rest = distance - rings * lattice.spacing();
+  Cells_near_mesh cells;
+  cells.near = internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
+    Lattice_3::Point first, last;
     for(int a = 0; a < 3; ++a) {
       double lowest = polygon[0][a], highest = lowest;
       for(const auto& q : polygon) {
         lowest = (std::min)(lowest, q[a]);
         highest = (std::max)(highest, q[a]);
       }
-      first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
-      last[a] = (std::max)(p[a], lattice.interval(a, highest + distance));
+      first[a] = (std::min)(p[a], lattice.interval(a, lowest - rest));
+      last[a] = lattice.interval(a, highest + rest);
+      if(lattice.coordinate(a, last[a]) == highest + rest) --last[a];     // mirrored meshes get mirrored cells
+      last[a] = (std::max)(p[a], last[a]);
     }
+    keys.push_back(entered | Lattice_key::encode(p[0], p[1], p[2]));
     for(int k = first[2]; k <= last[2]; ++k)
       for(int j = first[1]; j <= last[1]; ++j)
         for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
   });
+  const auto first_entered = std::lower_bound(cells.near.begin(), cells.near.end(), entered);
+  for(auto key = first_entered; key != cells.near.end(); ++key) cells.entered.push_back(*key - entered);
+  cells.near.erase(first_entered, cells.near.end());
+  cells.near = dilate(std::move(cells.near), -int(rings), int(rings));
+  return cells;
 }
 
 /*!
