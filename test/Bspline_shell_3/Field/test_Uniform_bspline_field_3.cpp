@@ -262,6 +262,30 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
   }
 }
 
+TEST_CASE("fields: nothing is claimed of coefficients so large that sums of multiples of them are not finite")
+{
+  CGAL::Random random(7);
+  Field field(sparse_cells(random, -1, 1, 0.7));
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(Eigen::Index(field.number_of_coefficients()));
+  for(double large : { 1e305, 1e306, -1e306, 1.7e308 }) {
+    CAPTURE(large);
+    x[0] = large;
+    field.set_coefficients(x);
+    std::size_t affected = 0, claimed = 0;
+    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+      const std::array<double, 64> local = field.local_coefficients(c);
+      const bool is_known = std::isfinite(field.cell(c).error_radius());
+      if(std::find(local.begin(), local.end(), large) == local.end()) CHECK(is_known);
+      else {
+        ++affected;
+        claimed += is_known;
+      }
+    }
+    CHECK(affected > 0);
+    CHECK(claimed == (large == 1e305 ? affected : 0));
+  }
+}
+
 TEST_CASE("fields: a cell's polynomial is within the error radius of Eq. 3.3, evaluated exactly")
 {
   CGAL::Random random(7);

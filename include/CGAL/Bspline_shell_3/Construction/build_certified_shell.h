@@ -114,14 +114,17 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     is_thickness_valid = false;       // and nothing is done with what is returned
     return largest_thickness;
   };
-  // Room for the shell, and a little more, as it is thicker at edges. A sizing field asks for thicknesses that are not known yet.
+  // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be anything between the thresholds
+  // on the mesh, and a sizing field asks for thicknesses that are not known yet.
   constexpr double thickest = 20, more = 0.3;       // cells
-  const double spacing = lattice->spacing(), room = parameters.sizing ? spacing : largest_thickness / 2 + more * spacing;
+  const double spacing = lattice->spacing();
   if(!parameters.sizing && !(largest_thickness < thickest * spacing)) return stop(Status::INVALID_PARAMETER);
-  Cells_near_mesh at_mesh = cells_near_mesh<ConcurrencyTag>(*input, *lattice, room);
+  const double room = parameters.sizing ? spacing : (oracle ? largest_thickness : largest_thickness / 2) + more * spacing;
+  const double rings = std::floor(room / spacing);
+  Cells_near_mesh at_mesh = cells_near_mesh<ConcurrencyTag>(*input, *lattice, room - rings * spacing);
   report.surface_cells = at_mesh.entered.size();
   if(double(report.surface_cells) * 1e4 > parameters.refinement.max_bytes) return stop(Status::MEMORY_LIMIT_EXCEEDED);
-  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, std::move(at_mesh.near)));
+  Cell_hierarchy_3 cells(Cell_complex_3(*lattice, dilate(std::move(at_mesh.near), -int(rings), int(rings))));
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);

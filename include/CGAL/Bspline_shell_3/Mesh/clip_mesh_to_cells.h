@@ -356,15 +356,15 @@ struct Cells_near_mesh
  * \brief the cells that the mesh enters, and all whose interior has a point nearer than `distance` along each axis to a point of the mesh; and a few
  * others, as the parts of facets in a cell are as large as their boxes here.
  *
- * \pre the coordinates of `input` divided by the lattice's spacing, and the distance more, are at most `Lattice_key::max_coordinate`
+ * \pre the distance is less than the lattice's spacing (what is farther is found by `dilate()`), and the coordinates of `input` divided by the spacing
+ * are at most `Lattice_key::max_coordinate`
  */
 template <typename ConcurrencyTag, typename InputMesh>
 Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
 {
   constexpr std::uint64_t entered = std::uint64_t(1) << 63;       // above all keys
   static_assert(Lattice_key::bits * 3 < 64);
-  const double rings = std::floor(distance / lattice.spacing());
-  const double rest = distance - rings * lattice.spacing();
+  CGAL_precondition(distance < lattice.spacing());
   Cells_near_mesh cells;
   cells.near = internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
     Lattice_3::Point first, last;
@@ -374,9 +374,9 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
         lowest = (std::min)(lowest, q[a]);
         highest = (std::max)(highest, q[a]);
       }
-      first[a] = (std::min)(p[a], lattice.interval(a, lowest - rest));
-      last[a] = lattice.interval(a, highest + rest);
-      if(lattice.coordinate(a, last[a]) == highest + rest) --last[a];     // mirrored meshes get mirrored cells
+      first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
+      last[a] = lattice.interval(a, highest + distance);
+      if(lattice.coordinate(a, last[a]) == highest + distance) --last[a];     // mirrored meshes get mirrored cells
       last[a] = (std::max)(p[a], last[a]);
     }
     keys.push_back(entered | Lattice_key::encode(p[0], p[1], p[2]));
@@ -387,7 +387,6 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
   const auto first_entered = std::lower_bound(cells.near.begin(), cells.near.end(), entered);
   for(auto key = first_entered; key != cells.near.end(); ++key) cells.entered.push_back(*key - entered);
   cells.near.erase(first_entered, cells.near.end());
-  cells.near = dilate(std::move(cells.near), -int(rings), int(rings));
   return cells;
 }
 

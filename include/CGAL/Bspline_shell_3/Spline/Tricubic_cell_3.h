@@ -55,7 +55,7 @@ public:
   /// the 64 Bernstein coefficients
   const double* coefficients() const { return m_coefficients; }
   /// how far each of the coefficients can be from the exact one, and so the polynomial from the spline on the cell. Infinite if
-  /// the spline has coefficients that are no finite numbers.
+  /// the spline has coefficients that are no finite numbers, or near the largest.
   double error_radius() const { return m_error_radius; }
 
   /// the range of the Bernstein coefficients, which encloses the polynomial on the cell

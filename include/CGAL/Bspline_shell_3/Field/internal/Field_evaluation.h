@@ -34,9 +34,12 @@ inline void to_bernstein(NT* b)
 // How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps times its result, or by
 // the least number there is. Each of the three passes takes averages, with weights that sum to one, in three operations; magnitudes never
 // grow. Coefficients that depend on others are averages of up to 27 before: their products err by eps together, and there are 26 sums. Of the
-// least numbers, 27 are for the products, 3 for divisions, and one for the radius itself.
+// least numbers, 27 are for the products, 3 for divisions, and one for the radius itself. Of coefficients so large that what is made of them, sums of
+// multiples, may not be finite, nothing is known.
 inline double conversion_radius(double largest_coefficient, bool has_dependent)
 {
+  constexpr double too_large = (std::numeric_limits<double>::max)() / 1024;
+  if(!(largest_coefficient < too_large)) return std::numeric_limits<double>::infinity();
   constexpr double eps = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::denorm_min();
   return (has_dependent ? 37 : 10) * eps * largest_coefficient + (has_dependent ? 32 : 4) * least;
 }
