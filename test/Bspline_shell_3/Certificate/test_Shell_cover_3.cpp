@@ -90,7 +90,7 @@ public:
     const Lattice_point least = m_smallest.begin(*m_cells, b.cell);
     const std::int64_t width = (std::int64_t(m_smallest.size(m_cells->level(b.cell))) << bits) >> b.depth;
     for(int a = 0; a < 3; ++a) {
-      result.low[a] = (std::int64_t(least[a]) << bits) + b.position[a] * width;
+      result.low[a] = least[a] * (std::int64_t(1) << bits) + b.position[a] * width;
       result.high[a] = result.low[a] + width;
     }
     return result;
