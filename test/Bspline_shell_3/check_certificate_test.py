@@ -543,12 +543,15 @@ for step in (1, 3, 5):
 add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
 add("excluded box without a claim",
     lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
+
+
 def leaf_at_end_of_path(f):
     """number of the leaf in which the first path leaves the cover"""
     return int(f.certificate[f.ends_of_cover()[1][1]].split()[0])
 
 
 def has_no_facet_at_end_of_path(f):
+    """whether the mesh does not need that leaf for P1, as far as boxes of facets tell"""
     first = f.section(f.shell, "leaves")[0] + 1
     level, *place = (int(x) for x in f.shell[first + leaf_at_end_of_path(f)].split()[:4])
     words = f.shell[4].split()
