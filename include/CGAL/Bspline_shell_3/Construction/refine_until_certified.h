@@ -142,7 +142,8 @@ private:
   static constexpr double most_at_obstacles = 0.7;              // of the room for thresholds, that the field may take on the mesh
   static constexpr double considerable = 1e-3;                  // part of half the thickness: in the middle of walls, the field is smaller on the mesh
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
-  static constexpr std::size_t cells_to_split_alone = 38;       // if one of so many at the mesh has obstacles; fewer are split with their neighbors
+  static constexpr std::size_t cells_to_split_alone = 38;       // if one of so many at the mesh has obstacles; fewer are split with their neighbors,
+  static constexpr std::size_t fewest_obstacles = 8;            // so few cells with those across faces only
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
   void lap(Step step)
@@ -156,14 +157,18 @@ private:
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
-  // and its neighbors of the same size: where slopes fail, what is split must leave the field more freedom
-  void mark_widely(Index c)
+  // and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
+  void mark_widely(Index c, int axes = 3)
   {
     const Cell_hierarchy_3& cells = m_field->cells();
     const Bbox_3 b = m_field->cell(c).bbox();
     const double near = cells.width(c) / 2;
-    cells.visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near),
-                      [&](Index n) { if(cells.level(n) == cells.level(c)) mark(n); });
+    const Lattice_point p = cells.lattice_point(c);
+    cells.visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near), [&](Index n) {
+      if(cells.level(n) != cells.level(c)) return;
+      const Lattice_point q = cells.lattice_point(n);
+      if(int(p[0] != q[0]) + int(p[1] != q[1]) + int(p[2] != q[2]) <= axes) mark(n);
+    });
   }
 
   // cells with obstacles: more than that are not a local affair
@@ -318,6 +323,18 @@ private:
     m_enforcement->insert(slope_conditions<ConcurrencyTag>(
       *m_field, *m_clipped, [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
       [&](Index c) { return !m_part || m_part->cells[c]; }, [&](Index c) { return largest_on_mesh(c); }));
+    std::vector<Slope_condition> conditions;
+    add_conditions_of_thick_cells(conditions);
+    m_enforcement->insert(std::move(conditions));
+  }
+
+  // where the field is largest in them
+  void add_conditions_of_thick_cells(std::vector<Slope_condition>& conditions) const
+  {
+    for(const Thick_cell& t : m_ranges.thick_cells())
+      if(m_wanted[t.facet] > 0)
+        conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet),
+                               wanted_slope(t.cell, t.facet), largest_on_mesh(t.cell) });
   }
 
   // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is less than before anywhere.
@@ -337,13 +354,15 @@ private:
   bool enforce_conditions()
   {
     constexpr int max_exchanges = 6;
-    constexpr double progress = 0.5;        // largest share of thick cells that an exchange may leave, after the first two; the second must not add any
+    constexpr double progress = 0.5;              // largest share of thick cells that an exchange may leave, after the first,
+    constexpr std::size_t cheap = 2;              // unless they are so few
+    constexpr std::size_t cells_to_change = 6;    // one of so many may be
     Refinement_round& log = m_rounds.back();
-    const std::size_t few = (std::max)(least_violated_cells, m_clipped->cells().size() / 8);
+    const std::size_t most_violated = (std::max)(least_violated_cells, m_clipped->cells().size() / cells_to_change);
     const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
     std::vector<Facet_failure> failures;
     for(int exchange = 0; ; ++exchange) {
-      const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, few);
+      const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_x, most_violated);
       if(exchange == 0) log.sloping_cells = slopes.violated_before;
       log.sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced && slopes.patches == 0 && limit_slopes(slopes.violated_cells)) {
@@ -371,17 +390,14 @@ private:
       lap(SLOPES);
       find_thick_cells();
       if((thick.empty() && failures.empty()) || are_many_thick() || exchange + 1 == max_exchanges || is_late()) break;
-      if(exchange > 0 && double(thick.size()) > (exchange > 1 ? progress : 1) * double(thick_before)) break;
+      if(exchange > 0 && thick.size() > cheap && double(thick.size()) > progress * double(thick_before)) break;
       std::vector<Slope_condition> conditions;
       for(const Facet_failure& f : failures) {
         if(f.cell != Field::npos && m_wanted[f.facet] > 0)
           conditions.push_back({ f.cell, f.facet, m_field->cell(f.cell).local_coordinates(f.point), m_clipped->normal(f.facet),
                                  wanted_slope(f.cell, f.facet) });
       }
-      for(const Thick_cell& t : thick)
-        if(m_wanted[t.facet] > 0)
-          conditions.push_back({ t.cell, t.facet, m_field->cell(t.cell).local_coordinates(t.point), m_clipped->normal(t.facet),
-                                 wanted_slope(t.cell, t.facet), largest_on_mesh(t.cell) });
+      add_conditions_of_thick_cells(conditions);
       if(conditions.empty()) break;
       m_enforcement->insert(std::move(conditions));
     }
@@ -548,9 +564,8 @@ private:
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
       const bool alone = cells.size() > m_clipped->cells().size() / cells_to_split_alone;
-      for(Index c : cells)
-        if(alone) mark(c);
-        else mark_widely(c);
+      const int axes = alone ? 0 : cells.size() <= fewest_obstacles ? 1 : 3;
+      for(Index c : cells) mark_widely(c, axes);
     }
     lap(CERTIFICATE);
   }

@@ -10,7 +10,7 @@
 #include <CGAL/Bspline_shell_3/Fit/internal/Cell_colors.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
-#include <CGAL/Bspline_shell_3/Fit/internal/triangle_quadrature.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/polygon_quadrature.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
@@ -359,26 +359,15 @@ private:
   {
     const double width = m_field.cells().width(c);
     const std::array<double, 3> corner = m_field.cells().corner(c);
+    std::vector<std::array<double, 3> > polygon;
     for(std::size_t n = m_first_piece[c]; n < m_first_piece[c+1]; ++n) {
       const Clipped_mesh_3::Piece& piece = m_clipped.pieces()[n];
-      const auto local = [&](std::uint32_t v) {
-        const Clipped_mesh_3::Point& p = m_clipped.point(piece.first + v);
-        return std::array<double, 3>{ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width };
-      };
-      const auto visit_triangle = [&](const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) {
-        internal::for_each_quadrature_point(p, q, r, [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
-      };
-      if(piece.size == 3) {
-        visit_triangle(local(0), local(1), local(2));
-        continue;
+      polygon.clear();
+      for(std::size_t v = piece.first; v < piece.first + piece.size; ++v) {
+        const Clipped_mesh_3::Point& p = m_clipped.point(v);
+        polygon.push_back({ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width });
       }
-      // from the middle: a mirrored or turned mesh gets the mirrored or turned points
-      std::array<double, 3> middle = {};
-      for(std::uint32_t v = 0; v < piece.size; ++v) {
-        const std::array<double, 3> p = local(v);
-        for(int a = 0; a < 3; ++a) middle[a] += p[a] / piece.size;
-      }
-      for(std::uint32_t v = 0; v < piece.size; ++v) visit_triangle(middle, local(v), local((v + 1) % piece.size));
+      internal::for_each_quadrature_point(polygon, [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
     }
   }
 
