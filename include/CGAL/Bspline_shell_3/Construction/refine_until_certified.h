@@ -143,7 +143,7 @@ private:
   static constexpr double considerable = 1e-3;                  // part of half the thickness: in the middle of walls, the field is smaller on the mesh
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 38;       // if one of so many at the mesh has obstacles; fewer are split with their neighbors,
-  static constexpr std::size_t fewest_obstacles = 8;            // so few cells with those across faces only
+  static constexpr std::size_t few_obstacles = 8;               // so few cells with those across faces only
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
 
   void lap(Step step)
@@ -356,7 +356,7 @@ private:
     constexpr int max_exchanges = 6;
     constexpr double progress = 0.5;              // largest share of thick cells that an exchange may leave, after the first,
     constexpr std::size_t cheap = 2;              // unless they are so few
-    constexpr std::size_t cells_to_change = 6;    // one of so many may be
+    constexpr std::size_t cells_to_change = 6;    // at most one of so many at the mesh
     Refinement_round& log = m_rounds.back();
     const std::size_t most_violated = (std::max)(least_violated_cells, m_clipped->cells().size() / cells_to_change);
     const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
@@ -564,7 +564,7 @@ private:
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
       const bool alone = cells.size() > m_clipped->cells().size() / cells_to_split_alone;
-      const int axes = alone ? 0 : cells.size() <= fewest_obstacles ? 1 : 3;
+      const int axes = alone ? 0 : cells.size() <= few_obstacles ? 1 : 3;
       for(Index c : cells) mark_widely(c, axes);
     }
     lap(CERTIFICATE);
