@@ -70,7 +70,7 @@ namespace Bspline_shells {
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
  * A round fits the energy on the present cells. Where the field is too large on the mesh for the thickness asked for (`Mesh_ranges`), or facets have
- * too small a slope (`slope_conditions()`), small changes mend it (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
+ * too small a slope (`slope_conditions()`), small changes mend both (`Slope_enforcement`), unless that is in too many cells. Then thresholds are chosen
  * (`Narrowed_thresholds`); where the mesh needs them wider than they should be, the field is asked to increase. Cells where none of this helps are
  * refined, few of them with their neighbors; if they are many, at gaps of the mesh more than once (`refine_at_gaps()`), or, where the field was too
  * large in many cells before small changes, these are instead. When nothing is found wanting, the certificate is asked.
