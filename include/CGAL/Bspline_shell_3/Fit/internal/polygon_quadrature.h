@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Calls f(point, weight) for the points of a quadrature rule on a convex planar polygon in cell units; the weights sum to its area. A mirrored or turned polygon gets the mirrored or turned points, wherever its corners begin.
+// Calls f(point, weight) for the points of a quadrature rule on a convex planar polygon in cell units; the weights sum to its area. A mirrored or turned
+// polygon gets the mirrored or turned points, wherever its corners begin.
 //
 // The integrands vary on the scale of a cell. A small polygon, of which a cell holds many, gets its centroid c (exact to degree one). A triangle as large
 // as a cell gets three points (exact to degree two). Other polygons get a point for each side: the centroids of the triangles between c and the sides,
