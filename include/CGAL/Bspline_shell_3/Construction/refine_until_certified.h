@@ -349,13 +349,13 @@ private:
     return true;
   }
 
-  // Changes the field where facets have too small a slope, or where it is too large on the mesh between the points with conditions, until neither is left,
-  // or nothing helps; marks cells where it does not. Returns false, and only marks cells, if facets have too small a slope in too many.
+  // Changes the field where facets have too small a slope, or where it is too large on the mesh, until neither is left, or nothing helps; marks cells where
+  // it does not. Returns false, and only marks cells, if there is too much to change.
   bool enforce_conditions()
   {
     constexpr int max_exchanges = 6;
     constexpr double progress = 0.5;              // largest share of thick cells that an exchange may leave, after the first,
-    constexpr std::size_t cheap = 2;              // unless they are so few
+    constexpr std::size_t cheap = 2;              // unless it leaves no more than that: a round would take longer
     constexpr std::size_t cells_to_change = 6;    // at most one of so many at the mesh
     Refinement_round& log = m_rounds.back();
     const std::size_t most_violated = (std::max)(least_violated_cells, m_clipped->cells().size() / cells_to_change);

@@ -54,8 +54,8 @@ struct Refinement_round
   int levels = 0;
   double thickness = 0;                 ///< largest minus least value on the mesh, bounded coarsely
   std::size_t thick_cells = 0;          ///< where the field exceeds half of the thickness on the mesh
-  std::size_t sloping_cells = 0;        ///< with a slope that is too small, before and
-  std::size_t sloping_cells_left = 0;   ///< after it was enforced
+  std::size_t sloping_cells = 0;        ///< where points of facets have too small a slope or too large a value, before and
+  std::size_t sloping_cells_left = 0;   ///< after small changes of the field
   std::size_t failing_facets = 0;       ///< that did not certainly cross the field upwards afterwards
   std::size_t undecided_cells = 0;      ///< that keep the gradient claim from being proved, and no threshold can avoid
   std::size_t marked_cells = 0;
