@@ -18,7 +18,7 @@ constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE,
 constexpr double everywhere = 1e9;
 
 // A cube of five cells on the lattice of integers, its sides in the middle of cells: user units are cell units, and
-// every piece of the mesh is large enough for quadrature that is exact to degree two.
+// every piece of the mesh is a triangle or a rectangle that is large enough for quadrature to be exact to degree two.
 constexpr double half = 2.5;
 const Fit_problem& cube_problem()
 {

@@ -91,8 +91,8 @@ const Problem& sphere_problem()
   return problem;
 }
 
-// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are large enough for
-// quadrature that is exact to degree two.
+// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are triangles or rectangles that are large enough for
+// quadrature to be exact to degree two.
 const Problem& cube_problem()
 {
   static const Problem problem(box(Point_3(-2.5, -2.5, -2.5), Point_3(2.5, 2.5, 2.5)), 5, 2, Point_3(2.4, -2.4, 0.1), 3);
