@@ -125,9 +125,13 @@ public:
     m_facets.reserve(facets.size());
     for(std::size_t n = 0; n < facets.size(); ++n) m_facets.push_back(Index(order[n]));
     m_boxes.reserve(facets.size() / group_size + 1);
+    m_boxes_of_facets.reserve(facets.size());
     for(std::size_t begin = 0; begin < facets.size(); begin += group_size) {
       Bbox_3 box;
-      for(std::size_t n = begin; n < (std::min)(begin + group_size, facets.size()); ++n) box += bbox(facets[m_facets[n]]);
+      for(std::size_t n = begin; n < (std::min)(begin + group_size, facets.size()); ++n) {
+        m_boxes_of_facets.push_back(bbox(facets[m_facets[n]]));
+        box += m_boxes_of_facets.back();
+      }
       m_boxes.emplace_back(box);
     }
     m_tree.insert(m_boxes.cbegin(), m_boxes.cend());
@@ -135,11 +139,10 @@ public:
   }
 
   // calls visit(facet) for the facets whose boxes the query meets
-  // \param facets those that the tree was made for
   template <typename Query, typename Visitor>
-  void visit(const std::vector<Facet>& facets, const Query& query, const Visitor& visit) const
+  void visit(const Query& query, const Visitor& visit) const
   {
-    Visiting_traits<Visitor> traits{ *this, facets, visit };
+    Visiting_traits<Visitor> traits{ *this, visit };
     m_tree.traversal(query, traits);
   }
 
@@ -179,7 +182,6 @@ private:
   struct Visiting_traits
   {
     const Tree& tree;
-    const std::vector<Facet>& facets;
     const Visitor& visit;
 
     bool go_further() const { return true; }
@@ -187,8 +189,8 @@ private:
     void intersection(const Query& query, const Primitive& group)
     {
       const std::size_t begin = std::size_t(group.id() - tree.m_boxes.cbegin()) * group_size;
-      for(std::size_t n = begin; n < (std::min)(begin + group_size, facets.size()); ++n)
-        if(do_meet(query, bbox(facets[tree.m_facets[n]]))) visit(tree.m_facets[n]);
+      for(std::size_t n = begin; n < (std::min)(begin + group_size, tree.m_facets.size()); ++n)
+        if(do_meet(query, tree.m_boxes_of_facets[n])) visit(tree.m_facets[n]);
     }
     template <typename Query, typename Node>
     bool do_intersect(const Query& query, const Node& node) const { return do_meet(query, node.bbox()); }
@@ -196,6 +198,7 @@ private:
 
   std::vector<Index> m_facets;        // in the order of groups
   Boxes m_boxes;
+  std::vector<Bbox_3> m_boxes_of_facets;        // in the same order: facets of a group may be far from each other in memory
   AABB_tree<Traits> m_tree;
 };
 
@@ -305,14 +308,14 @@ Projection_facets_3::closest(const Coordinates& p) const
     result = { facet, barycentric };
   };
   compare(m_tree->facet_near(m_facets, p));       // so that few others have to be looked at
-  m_tree->visit(m_facets, ball, compare);
+  m_tree->visit(ball, compare);
   return result;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE void
 Projection_facets_3::visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const
 {
-  if(m_tree) m_tree->visit(m_facets, box, [&](Index facet) { visit(visitor, facet); });
+  if(m_tree) m_tree->visit(box, [&](Index facet) { visit(visitor, facet); });
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
@@ -336,7 +339,7 @@ Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& dire
       nearest = distance;
     }
   };
-  if(m_tree) m_tree->visit(m_facets, Tree::Segment(p, direction, first, last, margin), visit);
+  if(m_tree) m_tree->visit(Tree::Segment(p, direction, first, last, margin), visit);
   return best;
 }
 
