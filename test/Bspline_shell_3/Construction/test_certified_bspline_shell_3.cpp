@@ -170,6 +170,16 @@ TEST_CASE("certified shells: limits end refinement with what there is")
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
 }
 
+TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as they should be")
+{
+  // at the tip of a wing, facets at an angle of 16 degrees are some hundredths of a cell apart
+  const Mesh mesh = demo_mesh("mech-holes-shark.off");
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(60));
+  CHECK(shell.is_certified());
+  // more rounds would only make cells smaller than the fin
+  CHECK(shell.report().rounds.size() <= 2);
+}
+
 TEST_CASE("certified shells: limits have sentences")
 {
   BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 61.5, 4.2e9 };

@@ -157,14 +157,21 @@ private:
     if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
   }
 
+  // calls visit(n) for a cell and its neighbors
+  template <typename Visitor>
+  void visit_around(Index c, const Visitor& visit) const
+  {
+    const Bbox_3 b = m_field->cell(c).bbox();
+    const double near = m_field->cells().width(c) / 2;
+    m_field->cells().visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near), visit);
+  }
+
   // and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
   void mark_widely(Index c, int axes = 3)
   {
     const Cell_hierarchy_3& cells = m_field->cells();
-    const Bbox_3 b = m_field->cell(c).bbox();
-    const double near = cells.width(c) / 2;
     const Lattice_point p = cells.lattice_point(c);
-    cells.visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near), [&](Index n) {
+    visit_around(c, [&](Index n) {
       if(cells.level(n) != cells.level(c)) return;
       const Lattice_point q = cells.lattice_point(n);
       if(int(p[0] != q[0]) + int(p[1] != q[1]) + int(p[2] != q[2]) <= axes) mark(n);
@@ -349,6 +356,22 @@ private:
     return true;
   }
 
+  // Where small changes meet some conditions at the cost of others, all facets are asked for half of what the least steep one was: along a sharp fin,
+  // no field of a cell may be steep on one facet and increase through the next one. Returns whether that is less than before anywhere.
+  bool relax_slopes(const std::vector<Index>& cells)
+  {
+    if(!m_slope_limits.empty() || cells.empty()) return false;
+    constexpr double part = 0.5;
+    const double none = std::numeric_limits<double>::infinity();
+    std::vector<double> least(m_field->number_of_cells(), none);
+    for(const Clipped_mesh_3::Piece& piece : m_clipped->pieces())
+      if(m_wanted[piece.facet] > 0) least[piece.cell] = (std::min)(least[piece.cell], m_wanted[piece.facet]);
+    m_slope_limits.assign(m_field->number_of_cells(), none);
+    for(Index c : cells)
+      visit_around(c, [&](Index n) { m_slope_limits[n] = (std::min)(m_slope_limits[n], part * least[c]); });
+    return true;
+  }
+
   // Changes the field where facets have too small a slope, or where it is too large on the mesh, until neither is left, or nothing helps; marks cells where
   // it does not. Returns false, and only marks cells, if there is too much to change.
   bool enforce_conditions()
@@ -389,7 +412,12 @@ private:
       failures = failing_facets();
       lap(SLOPES);
       find_thick_cells();
-      if((thick.empty() && failures.empty()) || are_many_thick() || exchange + 1 == max_exchanges || is_late()) break;
+      if((thick.empty() && failures.empty()) || are_many_thick() || is_late()) break;
+      if(exchange + 1 == max_exchanges) {
+        if(failures.empty() || !relax_slopes(slopes.violated_cells)) break;
+        begin_enforcement();
+        return enforce_conditions();
+      }
       if(exchange > 0 && thick.size() > cheap && double(thick.size()) > progress * double(thick_before)) break;
       std::vector<Slope_condition> conditions;
       for(const Facet_failure& f : failures) {
