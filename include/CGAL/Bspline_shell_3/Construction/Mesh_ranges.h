@@ -42,7 +42,8 @@ struct Thick_cell
  * \brief encloses a field on the part of the mesh in each cell, and is kept up to date where the field changes.
  *
  * Most cells need no more than to be told that the field is as small there as it should be, which its values at corners and its second derivatives do.
- * Elsewhere the field is bounded by Bernstein coefficients of degree nine, on parts of triangles where that decides.
+ * Elsewhere values on grids of points say more, and where these do not do, the field is bounded by Bernstein coefficients of degree nine, on parts of
+ * triangles where that decides.
  */
 class Mesh_ranges
 {
@@ -137,6 +138,7 @@ public:
   }
 
 private:
+  static constexpr int max_grid_halvings = 2;       // of edges: a Bernstein form takes as long as some thirty values
   static constexpr int max_depth = 5;               // each takes three quarters of the excess of a bound
   static constexpr double nearly_largest = 0.95;    // a point whose value is that part of the largest will do
   // excess of a bound that is not to be improved, beyond values at corners in the cell, relative to the size asked for
@@ -152,7 +154,7 @@ private:
   struct Scratch
   {
     std::vector<internal::Subtriangle> stack;
-    std::vector<std::array<double, 3> > corners;
+    std::vector<std::array<double, 3> > corners, part;
     std::vector<Bounds_by_corners> by_corners;
   };
 
@@ -180,8 +182,58 @@ private:
           result.corner = v;
         }
       }
-      result.range = { range.min - excess.first - in.error, range.max + excess.second + in.error };
+      result.range = widened(range, excess);
       return result;
+    }
+
+    Level_range widened(const Level_range& values, const std::pair<double, double>& excess) const
+    {
+      return { values.min - excess.first - in.error, values.max + excess.second + in.error };
+    }
+
+    // How far the field may be beyond its values on the grid below: one of the triangles that it makes of a triangle has the edges of all of them.
+    std::pair<double, double> excess_on_grid(const std::vector<std::array<double, 3> >& corners, int halvings,
+                                             std::vector<std::array<double, 3> >& part) const
+    {
+      std::pair<double, double> most(0, 0);
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v) {
+        const Grid_on_triangle grid = { corners[0], corners[v], corners[v+1], halvings };
+        part = { grid(0, 0), grid(1, 0), grid(0, 1) };
+        const std::pair<double, double> excess = corner_bounds.excess(part, in.shift);
+        most = { (std::max)(most.first, excess.first), (std::max)(most.second, excess.second) };
+      }
+      return most;
+    }
+
+    // visit(point, value) for what that many halvings of edges add to the corners, or to the grid before
+    template <typename Visitor>
+    void visit_grid(const std::vector<std::array<double, 3> >& corners, int halvings, const Visitor& visit) const
+    {
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v) {
+        const Grid_on_triangle grid = { corners[0], corners[v], corners[v+1], halvings };
+        const int first = v == 1 ? 0 : 1;       // the triangle before has the edge between them
+        for(int j = first; j <= 1 << halvings; ++j)
+          for(int i = 0; i + j <= 1 << halvings; ++i) {
+            if(i % 2 == 0 && j % 2 == 0) continue;
+            const std::array<double, 3> x = grid(i, j);
+            visit(x, in.cell.local_value(x));
+          }
+      }
+    }
+  };
+
+  // the points that halvings of the edges of a triangle in a cell lead to
+  struct Grid_on_triangle
+  {
+    std::array<double, 3> p, q, r;
+    int halvings;
+
+    std::array<double, 3> operator()(int i, int j) const
+    {
+      const double step = 1. / (1 << halvings);
+      std::array<double, 3> x;
+      for(int a = 0; a < 3; ++a) x[a] = p[a] + (i * step) * (q[a] - p[a]) + (j * step) * (r[a] - p[a]);
+      return x;
     }
   };
 
@@ -211,34 +263,54 @@ private:
         place.point = clipped.point(by_corners.back().corner);
       }
     }
-    // a cell is thick whatever else is found, if it is at a point; that should be about the worst one
+    const auto see = [&](double value, std::uint32_t facet, const std::array<double, 3>& x) {
+      attained.include(value);
+      if(!(std::abs(value) > most)) return;
+      most = std::abs(value);
+      place.facet = facet;
+      for(int a = 0; a < 3; ++a) place.point[a] = in.cell.corner()[a] + in.cell.width() * x[a];
+    };
+    // A cell is thick whatever else is found, if it is at a point; that should be about the worst one. Pieces on which the field is nearly between
+    // values that it has elsewhere need not be known better.
     const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
-    // pieces on which the field is nearly between values that it has elsewhere need not be known better
     const double excess = sharp * size;
+    const auto is_enough = [&](const Level_range& r) {
+      return is_within(r, open_from()) && (precision == SUFFICIENT || (r.min >= attained.min - excess && r.max <= attained.max + excess));
+    };
     Level_range range;
     for(std::size_t n = first; n < last; ++n) {
-      const Level_range& coarse = by_corners[n - first].range;
-      const bool is_close = coarse.min >= attained.min - excess && coarse.max <= attained.max + excess;
-      if(is_within(coarse, open_from()) && (precision == SUFFICIENT || is_close)) {
-        range.include(coarse);
+      if(is_enough(by_corners[n - first].range)) {
+        range.include(by_corners[n - first].range);
         continue;
       }
       const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
       in.get_corners(clipped, piece, scratch.corners);
       const auto& corners = scratch.corners;
+      // then, what a grid says that may be fine enough
+      Level_range values = by_corners[n - first].at_corners;
+      bool is_known = false;
+      for(int halvings = 1, seen = 0; halvings <= max_grid_halvings && !is_known; ++halvings) {
+        const std::pair<double, double> beyond = bounds.excess_on_grid(corners, halvings, scratch.part);
+        if(!is_enough(bounds.widened(values, beyond))) continue;
+        while(seen < halvings)
+          bounds.visit_grid(corners, ++seen, [&](const std::array<double, 3>& x, double value) {
+            values.include(value);
+            see(value, piece.facet, x);
+          });
+        const Level_range enclosure = bounds.widened(values, beyond);
+        is_known = is_enough(enclosure);
+        if(is_known) range.include(enclosure);
+      }
+      if(is_known) continue;
       auto& stack = scratch.stack;
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
       while(!stack.empty()) {
         const internal::Subtriangle t = stack.back();
         stack.pop_back();
         const std::array<double, 55> b = triangle_bernstein_form<double>(in.cell.coefficients(), t.p, t.q, t.r);
-        const std::pair<int, const std::array<double, 3>*> at[] = { { 0, &t.p }, { 45, &t.q }, { 54, &t.r } };
-        for(const auto& corner : at)
-          if(std::abs(b[corner.first]) > most) {
-            most = std::abs(b[corner.first]);
-            place.facet = piece.facet;
-            for(int a = 0; a < 3; ++a) place.point[a] = in.cell.corner()[a] + in.cell.width() * (*corner.second)[a];
-          }
+        see(b[0], piece.facet, t.p);
+        see(b[45], piece.facet, t.q);
+        see(b[54], piece.facet, t.r);
         const auto hull = std::minmax_element(b.begin(), b.end());
         const Level_range part = { *hull.first - in.error, *hull.second + in.error };
         // so written that bounds that are not numbers end the search

@@ -76,9 +76,10 @@ public:
   /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]` in user units; derivatives are per user unit.
   /// @{
   template <typename Point>
-  double value(const Point& p) const
+  double value(const Point& p) const { return local_value(local_coordinates(p)); }
+  /// the same at local coordinates
+  double local_value(const std::array<double, 3>& t) const
   {
-    const std::array<double, 3> t = local_coordinates(p);
     return internal::contract(m_coefficients, bernstein(t[0]), bernstein(t[1]), bernstein(t[2]));
   }
 
