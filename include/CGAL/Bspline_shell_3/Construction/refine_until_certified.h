@@ -356,8 +356,8 @@ private:
     return true;
   }
 
-  // Where small changes meet some conditions at the cost of others, all facets are asked for half of what the least steep one was: along a sharp fin,
-  // no field of a cell may be steep on one facet and increase through the next one. Returns whether that is less than before anywhere.
+  // Where small changes meet some conditions only at the cost of others, asks all facets for half of the least slope that one of them was asked for:
+  // along a sharp fin, a field that is steep on one facet may not increase through the next one. Returns false if that was done in this round.
   bool relax_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty() || cells.empty()) return false;
