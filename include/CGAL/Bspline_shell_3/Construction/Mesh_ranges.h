@@ -138,7 +138,7 @@ public:
   }
 
 private:
-  static constexpr int max_grid_halvings = 2;       // of edges: a Bernstein form takes as long as some thirty values
+  static constexpr int max_grid_halvings = 2;       // of edges: 3 values for a triangle, then 12; a third would take 30
   static constexpr int max_depth = 5;               // each takes three quarters of the excess of a bound
   static constexpr double nearly_largest = 0.95;    // a point whose value is that part of the largest will do
   // excess of a bound that is not to be improved, beyond values at corners in the cell, relative to the size asked for
