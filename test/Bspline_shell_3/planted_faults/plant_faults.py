@@ -127,6 +127,8 @@ def render(text, begin, end, places):
         inner = render(text, place.begin, place.end, place.inner)
         statement = inner.rstrip().endswith(";") or not inner.strip()
         if statement:
+            if re.match(r"(?!return\b)[\w:]+(<.*>)?[\s&*]+\w+\s*[({=;]", inner.strip()):
+                fail(f"{place.faults[0].name}: what is declared would end with the braces; mark a part of the declaration")
             result += "{ " + "".join(f"if(planted({fault.number})) {{ {fault.replacement} }} else " for fault in place.faults) + f"{{ {inner} }} }}"
         else:
             result += "(" + "".join(f"planted({fault.number}) ? ({fault.replacement}) : " for fault in place.faults) + f"({inner}))"

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/copy_in_morton_order.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
@@ -15,14 +16,12 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -40,7 +39,8 @@ class Crossing_counter_3;
  * \brief a user's mesh as the package works on it: triangles with `double` coordinates, each with its facet of origin,
  * checked for all that a shell needs.
  *
- * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one.
+ * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one. Its elements are numbered along the way through
+ * space, so that what passes over them stays in the processor's cache.
  */
 class Input_mesh_3
 {
@@ -107,7 +107,7 @@ public:
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
     m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
-    Shell_status status = copy(mesh, vpm);
+    Shell_status status = copy<ConcurrencyTag>(mesh, vpm);
     m_closing.reset();
     m_truncation.reset();
     if(status == Shell_status::SUCCESS) status = check<ConcurrencyTag>(tolerated, closer, truncator);
@@ -162,7 +162,7 @@ private:
   template <typename ET>
   static double rounded(const Lazy_exact_nt<ET>& x) { return CGAL::to_double(x.exact()); }
 
-  template <typename FaceGraph, typename VertexPointMap>
+  template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
   Shell_status check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator);
@@ -202,50 +202,31 @@ private:
   Offending_simplices m_offenders;
 };
 
-template <typename FaceGraph, typename VertexPointMap>
+template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
 Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
 {
   m_mesh.clear();
   if(CGAL::is_empty(mesh) || faces(mesh).begin() == faces(mesh).end()) return Shell_status::EMPTY_MESH;
-  std::size_t position = 0;
+  std::vector<std::array<double, 3> > points;
+  points.reserve(vertices(mesh).size());
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
-    for(int a = 0; a < 3; ++a)
-      if(!std::isfinite(CGAL::to_double(p[a]))) {
-        m_offenders.vertices.push_back(position);
-        break;
-      }
-    ++position;
+    std::array<double, 3> point = {};
+    const bool is_finite = std::isfinite(CGAL::to_double(p[0])) && std::isfinite(CGAL::to_double(p[1])) && std::isfinite(CGAL::to_double(p[2]));
+    if(is_finite) point = { rounded(p[0]), rounded(p[1]), rounded(p[2]) };
+    else m_offenders.vertices.push_back(points.size());
+    points.push_back(point);
   }
   if(!m_offenders.vertices.empty()) return Shell_status::NOT_FINITE;
 
-  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
-  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
-  std::vector<std::pair<face_descriptor, Face_index> > face_pairs;
-  std::vector<std::pair<vertex_descriptor, Triangle_mesh::Vertex_index> > vertex_pairs;
-  face_pairs.reserve(num_faces(mesh));
-  CGAL::copy_face_graph(mesh, m_mesh,
-                        CGAL::parameters::vertex_point_map(vpm)
-                                        .face_to_face_output_iterator(std::back_inserter(face_pairs))
-                                        .vertex_to_vertex_output_iterator(std::back_inserter(vertex_pairs)));
-  for(const auto& pair : vertex_pairs) {
-    const auto& p = get(vpm, pair.first);
-    m_mesh.point(pair.second) = Kernel::Point_3(rounded(p[0]), rounded(p[1]), rounded(p[2]));
-  }
-  // Faces are copied in the order of their range, vertices in the order in which edges lead to them. Shells depend on these in their last digits: so
-  // they are the same for meshes of other types that were copied in this way.
-  m_number_of_facets = face_pairs.size();
-  m_origin.assign(m_number_of_facets, 0);
-  for(std::size_t n = 0; n < face_pairs.size(); ++n) m_origin[face_pairs[n].second] = n;
-  const auto vertex_position = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  position = 0;
-  for(auto v : vertices(mesh)) put(vertex_position, v, position++);
-  m_number_of_vertices = position;
-  m_vertex_origin.assign(m_mesh.number_of_vertices(), 0);
-  for(const auto& pair : vertex_pairs) m_vertex_origin[pair.second] = get(vertex_position, pair.first);
+  internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, points, m_mesh);
+  m_origin = std::move(origin.faces);
+  m_vertex_origin = std::move(origin.vertices);
+  m_number_of_facets = m_origin.size();
+  m_number_of_vertices = m_vertex_origin.size();
   m_bbox = Bbox_3();
-  for(auto f : m_mesh.faces())
-    for(auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) m_bbox += m_mesh.point(v).bbox();
+  for(auto v : m_mesh.vertices())
+    if(!m_mesh.is_isolated(v)) m_bbox += m_mesh.point(v).bbox();
   // squares of cross products, and determinants, must be far from what a double can hold
   constexpr double largest = 1e60, smallest = 1e-60;
   for(int a = 0; a < 3; ++a)
@@ -256,7 +237,7 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
-extern template Shell_status Input_mesh_3::copy(const Input_mesh_3::Triangle_mesh&,
+extern template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(const Input_mesh_3::Triangle_mesh&,
                                                 boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
 #endif
 

@@ -15,7 +15,6 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -256,20 +255,31 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
   }
 }
 
+// Numbers are those of the user's mesh: components are visited in the order of their first facets there.
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
 {
-  Triangle_mesh::Property_map<Face_index, std::size_t> component =
-    m_mesh.add_property_map<Face_index, std::size_t>("f:component", 0).first;
-  m_components = Polygon_mesh_processing::connected_components(m_mesh, component);
+  std::vector<Face_index> first_triangle(m_number_of_facets);       // of a facet
+  for(Face_index f : m_mesh.faces()) first_triangle[m_origin[f]] = f;
   constexpr std::size_t unknown = std::size_t(-1);
-  std::vector<std::size_t> number(m_components, unknown);
-  std::size_t next = 0;
-  m_component.resize(m_mesh.number_of_faces());
-  for(Face_index f : m_mesh.faces()) {
-    if(number[component[f]] == unknown) number[component[f]] = next++;
-    m_component[f] = number[component[f]];
+  m_component.assign(m_mesh.number_of_faces(), unknown);
+  m_components = 0;
+  std::vector<Face_index> stack;
+  for(Face_index first : first_triangle) {
+    if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;
+    m_component[first] = m_components;
+    stack.push_back(first);
+    while(!stack.empty()) {
+      const Face_index f = stack.back();
+      stack.pop_back();
+      for(auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
+        const Face_index g = m_mesh.face(m_mesh.opposite(h));
+        if(g == Triangle_mesh::null_face() || m_component[g] != unknown) continue;
+        m_component[g] = m_components;
+        stack.push_back(g);
+      }
+    }
+    ++m_components;
   }
-  m_mesh.remove_property_map(component);
 }
 
 // Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.

@@ -182,12 +182,12 @@ private:
 // \param is_embedded what `embedded_fans()` says of the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> >
-intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs, std::size_t facets_of_cell = 256)
+intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs, std::size_t facets_of_cell = 64)
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
   // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very large meshes have anyway.
-  constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
+  constexpr std::size_t least_cells = 8, most_squares = 16384, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
   std::optional<Facet_grid<TriangleMesh> > grid;

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_MESH_COPY_IN_MORTON_ORDER_H
+#define CGAL_BSPLINE_SHELL_3_MESH_COPY_IN_MORTON_ORDER_H
+
+#include <CGAL/Bspline_shell_3/Support/morton_order.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// where the elements of a copy come from: positions in the ranges of vertices and faces
+struct Positions_of_origin
+{
+  std::vector<std::size_t> vertices, faces;
+};
+
+// Copies a mesh with its vertices in Morton's order, each facet after the lowest of its vertices, at which it begins, and each edge with the first of its
+// facets. All that passes over the copy then finds in the processor's cache what is near in space: shells of scans take up to a third less time. And
+// they do not depend on how the user's mesh is numbered, unless vertices share a cell of the order's grid.
+//
+// Edges without facets are left out. Copies isolated vertices.
+//
+// \tparam FaceGraph a model of `FaceListGraph`
+// \tparam SurfaceMesh a `CGAL::Surface_mesh`
+// \param mesh the mesh; vertices may have several fans
+// \param points coordinates, in the order of its vertices; finite
+// \param copy must be empty
+template <typename ConcurrencyTag, typename FaceGraph, typename SurfaceMesh>
+Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, const std::vector<std::array<double, 3> >& points, SurfaceMesh& copy)
+{
+  typedef typename boost::graph_traits<FaceGraph>::halfedge_descriptor halfedge_descriptor;
+  typedef typename SurfaceMesh::Vertex_index Vertex_index;
+  typedef typename SurfaceMesh::Halfedge_index Halfedge_index;
+  typedef typename SurfaceMesh::Face_index Face_index;
+  Positions_of_origin origin;
+  const std::size_t number_of_facets = faces(mesh).size();      // with removed ones of some meshes
+  copy.reserve(static_cast<typename SurfaceMesh::size_type>(points.size()), static_cast<typename SurfaceMesh::size_type>(edges(mesh).size()),
+               static_cast<typename SurfaceMesh::size_type>(number_of_facets));
+
+  const Morton_order order = morton_order<ConcurrencyTag>(points);
+  const auto number = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), mesh);
+  {
+    std::vector<std::uint32_t> numbers(points.size());
+    origin.vertices.resize(points.size());
+    for(std::size_t n = 0; n < points.size(); ++n) {
+      origin.vertices[n] = order[n];
+      numbers[order[n]] = std::uint32_t(n);
+      const std::array<double, 3>& p = points[order[n]];
+      copy.add_vertex(typename SurfaceMesh::Point(p[0], p[1], p[2]));
+    }
+    std::size_t position = 0;
+    for(auto v : vertices(mesh)) put(number, v, numbers[position++]);
+  }
+
+  // Two facets do not begin with the same halfedge; those with the same lowest vertex are few.
+  struct Facet
+  {
+    halfedge_descriptor first;
+    std::uint32_t lowest, next, position;
+  };
+  std::vector<Facet> facets;
+  facets.reserve(number_of_facets);
+  std::vector<std::uint32_t> begin(points.size() + 1, 0);
+  for(auto f : faces(mesh)) {
+    Facet facet = { halfedge(f, mesh), (std::numeric_limits<std::uint32_t>::max)(), 0, std::uint32_t(facets.size()) };
+    for(auto h : CGAL::halfedges_around_face(facet.first, mesh)) {
+      const std::uint32_t v = get(number, source(h, mesh));
+      if(v < facet.lowest) {
+        facet.lowest = v;
+        facet.first = h;
+      }
+    }
+    facet.next = get(number, target(facet.first, mesh));
+    ++begin[facet.lowest + 1];
+    facets.push_back(facet);
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Facet> sorted(facets.size());
+  for(const Facet& facet : facets) sorted[begin[facet.lowest]++] = facet;
+  std::vector<Facet>().swap(facets);
+  for(std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+    while(last < sorted.size() && sorted[last].lowest == sorted[first].lowest) ++last;
+    std::sort(sorted.begin() + std::ptrdiff_t(first), sorted.begin() + std::ptrdiff_t(last), [](const Facet& f, const Facet& g) {
+      return std::tie(f.next, f.position) < std::tie(g.next, g.position);
+    });
+  }
+
+  const auto copied = get(CGAL::dynamic_halfedge_property_t<Halfedge_index>(), mesh);
+  std::vector<halfedge_descriptor> border;
+  // a vertex on the border points to a halfedge of it, as in any surface mesh
+  const auto lead_to = [&](Vertex_index v, Halfedge_index h) {
+    copy.set_target(h, v);
+    if(copy.halfedge(v) == SurfaceMesh::null_halfedge()) copy.set_halfedge(v, h);
+  };
+  origin.faces.reserve(sorted.size());
+  for(const Facet& facet : sorted) {
+    const Face_index f = copy.add_face();
+    origin.faces.push_back(facet.position);
+    Halfedge_index first = SurfaceMesh::null_halfedge(), last = first;
+    for(auto h : CGAL::halfedges_around_face(facet.first, mesh)) {
+      Halfedge_index c = get(copied, h);
+      if(c == SurfaceMesh::null_halfedge()) {
+        c = copy.add_edge();
+        const auto across = opposite(h, mesh);
+        put(copied, h, c);
+        put(copied, across, copy.opposite(c));
+        lead_to(Vertex_index(get(number, target(h, mesh))), c);
+        lead_to(Vertex_index(get(number, source(h, mesh))), copy.opposite(c));
+        if(CGAL::is_border(across, mesh)) border.push_back(across);
+      }
+      copy.set_face(c, f);
+      if(last == SurfaceMesh::null_halfedge()) first = c;
+      else copy.set_next(last, c);
+      last = c;
+    }
+    copy.set_next(last, first);
+    copy.set_halfedge(f, first);
+  }
+  for(halfedge_descriptor h : border) {
+    halfedge_descriptor n = next(h, mesh);
+    while(get(copied, n) == SurfaceMesh::null_halfedge()) n = next(n, mesh);      // along edges without facets
+    copy.set_next(get(copied, h), get(copied, n));
+    copy.set_halfedge(Vertex_index(get(number, target(h, mesh))), get(copied, h));
+  }
+  return origin;
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_MESH_COPY_IN_MORTON_ORDER_H
