@@ -187,7 +187,7 @@ intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedd
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
   // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very large meshes have anyway.
-  constexpr std::size_t least_cells = 8, most_squares = 16384, most_copies = 3;
+  constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
   std::optional<Facet_grid<TriangleMesh> > grid;
