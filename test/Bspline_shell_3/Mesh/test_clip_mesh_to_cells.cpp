@@ -436,7 +436,7 @@ TEST_CASE("clipped mesh: faults that are planted are found")
   // pieces of root cells are no pieces of their leaves
   const Hierarchy finer = refined_at_mesh(input, cells, 8, 2);
   CHECK(faults_of(clipped, triangles, finer).outside_cell > 0);
-  triangles[3][1][0] += 1e-13;
+  for(double& x : triangles[3][1]) x *= 1 + 1e-13;      // away from the middle of the sphere
   CHECK(faults_of(clipped, triangles, cells).off_plane > 0);
   triangles = triangles_of(input);
   std::swap(triangles[3], triangles[4]);

@@ -219,11 +219,11 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
   }
   if(!m_offenders.vertices.empty()) return Shell_status::NOT_FINITE;
 
-  internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, points, m_mesh);
+  m_number_of_vertices = points.size();
+  internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, std::move(points), m_mesh);
   m_origin = std::move(origin.faces);
   m_vertex_origin = std::move(origin.vertices);
   m_number_of_facets = m_origin.size();
-  m_number_of_vertices = m_vertex_origin.size();
   m_bbox = Bbox_3();
   for(auto v : m_mesh.vertices())
     if(!m_mesh.is_isolated(v)) m_bbox += m_mesh.point(v).bbox();

@@ -255,17 +255,14 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
   }
 }
 
-// Numbers are those of the user's mesh: components are visited in the order of their first facets there.
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
 {
-  std::vector<Face_index> first_triangle(m_number_of_facets);       // of a facet
-  for(Face_index f : m_mesh.faces()) first_triangle[m_origin[f]] = f;
   constexpr std::size_t unknown = std::size_t(-1);
   m_component.assign(m_mesh.number_of_faces(), unknown);
   m_components = 0;
   std::vector<Face_index> stack;
-  for(Face_index first : first_triangle) {
-    if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;
+  for(Face_index first : m_mesh.faces()) {
+    if(m_component[first] != unknown) continue;
     m_component[first] = m_components;
     stack.push_back(first);
     while(!stack.empty()) {
@@ -298,7 +295,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_volume()
   // three roundings of differences and three of products in each term, and one for each sum
   const double error = std::numeric_limits<double>::epsilon() * (8. + double(m_mesh.number_of_faces())) * products;
   if(!(std::abs(volume) > error)) {
-    std::vector<std::size_t> first = { m_origin[*m_mesh.faces().begin()] };
+    std::vector<std::size_t> first = { 0 };
     return refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, first);
   }
   m_outwards = volume > 0;

@@ -35,7 +35,7 @@ struct Positions_of_origin
 // facets. All that passes over the copy then finds in the processor's cache what is near in space: shells of scans take up to a third less time. And
 // they do not depend on how the user's mesh is numbered, unless vertices share a cell of the order's grid.
 //
-// Edges without facets are left out. Copies isolated vertices.
+// Edges without facets are left out, and isolated vertices.
 //
 // \tparam FaceGraph a model of `FaceListGraph`
 // \tparam SurfaceMesh a `CGAL::Surface_mesh`
@@ -43,7 +43,7 @@ struct Positions_of_origin
 // \param points coordinates, in the order of its vertices; finite
 // \param copy must be empty
 template <typename ConcurrencyTag, typename FaceGraph, typename SurfaceMesh>
-Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, const std::vector<std::array<double, 3> >& points, SurfaceMesh& copy)
+Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std::array<double, 3> > points, SurfaceMesh& copy)
 {
   typedef typename boost::graph_traits<FaceGraph>::halfedge_descriptor halfedge_descriptor;
   typedef typename SurfaceMesh::Vertex_index Vertex_index;
@@ -51,21 +51,27 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, const std::vecto
   typedef typename SurfaceMesh::Face_index Face_index;
   Positions_of_origin origin;
   const std::size_t number_of_facets = faces(mesh).size();      // with removed ones of some meshes
-  copy.reserve(static_cast<typename SurfaceMesh::size_type>(points.size()), static_cast<typename SurfaceMesh::size_type>(edges(mesh).size()),
+  std::size_t number_of_vertices = 0, position = 0;
+  for(auto v : vertices(mesh)) {
+    if(halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge()) points[position].fill(std::numeric_limits<double>::infinity());      // comes last
+    else ++number_of_vertices;
+    ++position;
+  }
+  copy.reserve(static_cast<typename SurfaceMesh::size_type>(number_of_vertices), static_cast<typename SurfaceMesh::size_type>(edges(mesh).size()),
                static_cast<typename SurfaceMesh::size_type>(number_of_facets));
 
   const Morton_order order = morton_order<ConcurrencyTag>(points);
   const auto number = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), mesh);
   {
     std::vector<std::uint32_t> numbers(points.size());
-    origin.vertices.resize(points.size());
-    for(std::size_t n = 0; n < points.size(); ++n) {
+    origin.vertices.resize(number_of_vertices);
+    for(std::size_t n = 0; n < number_of_vertices; ++n) {
       origin.vertices[n] = order[n];
       numbers[order[n]] = std::uint32_t(n);
       const std::array<double, 3>& p = points[order[n]];
       copy.add_vertex(typename SurfaceMesh::Point(p[0], p[1], p[2]));
     }
-    std::size_t position = 0;
+    position = 0;
     for(auto v : vertices(mesh)) put(number, v, numbers[position++]);
   }
 
@@ -77,7 +83,7 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, const std::vecto
   };
   std::vector<Facet> facets;
   facets.reserve(number_of_facets);
-  std::vector<std::uint32_t> begin(points.size() + 1, 0);
+  std::vector<std::uint32_t> begin(number_of_vertices + 1, 0);
   for(auto f : faces(mesh)) {
     Facet facet = { halfedge(f, mesh), (std::numeric_limits<std::uint32_t>::max)(), 0, std::uint32_t(facets.size()) };
     for(auto h : CGAL::halfedges_around_face(facet.first, mesh)) {
