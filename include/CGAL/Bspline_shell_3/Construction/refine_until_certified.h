@@ -226,11 +226,10 @@ private:
   // a point on each component of a mesh
   static std::vector<Field::Point_3> seeds(const Input_mesh_3& input)
   {
-    std::vector<Field::Point_3> points;
+    std::vector<Field::Point_3> points(input.number_of_components());
     for(Input_mesh_3::Face_index f : input.mesh().faces()) {
-      if(input.component(f) != points.size()) continue;       // the first facet of the next component
       const auto& p = input.mesh().point(input.mesh().target(input.mesh().halfedge(f)));
-      points.emplace_back(p.x(), p.y(), p.z());
+      points[input.component(f)] = Field::Point_3(p.x(), p.y(), p.z());
     }
     return points;
   }

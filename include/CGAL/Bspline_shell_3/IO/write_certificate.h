@@ -93,20 +93,34 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     }
     output.text("\n");
   }
+  // Files number components by the examined mesh, of which they tell; certificates by the user's. A seed is at the first facet of its component.
+  const auto& seeds = certificate.seeds();
+  constexpr std::size_t none = std::size_t(-1);
+  std::vector<std::size_t> component_of_seed(mesh.number_of_vertices(), none), number(seeds.size(), none), component;
+  for(std::size_t c = 0; c < seeds.size(); ++c) component_of_seed[seeds[c]] = c;
+  for(auto f : mesh.faces()) {
+    const std::size_t c = component_of_seed[mesh.target(mesh.halfedge(f))];
+    if(c == none || number[c] != none) continue;
+    number[c] = component.size();
+    component.push_back(c);
+  }
   output.text("seeds");
-  word(certificate.seeds().size());
+  word(component.size());
   output.text("\n");
-  for(std::size_t c = 0; c < certificate.seeds().size(); ++c) {
-    output.decimal(c);
-    word(std::size_t(certificate.seeds()[c]));
+  for(std::size_t n = 0; n < component.size(); ++n) {
+    output.decimal(n);
+    word(std::size_t(seeds[component[n]]));
     output.text("\n");
   }
   output.text("covers");
   word(certificate.number_of_covers());
   output.text("\npaths");
-  word(certificate.paths().size());
+  std::vector<Crossing_path> paths = certificate.paths();
+  for(Crossing_path& path : paths) path.component = number[path.component];
+  std::sort(paths.begin(), paths.end(), [](const Crossing_path& a, const Crossing_path& b) { return a.component < b.component; });
+  word(paths.size());
   output.text("\n");
-  for(const Crossing_path& path : certificate.paths()) {
+  for(const Crossing_path& path : paths) {
     output.decimal(path.component);
     word(path.triangle);
     for(double x : path.source) word(x);

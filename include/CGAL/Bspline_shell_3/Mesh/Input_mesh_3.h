@@ -139,7 +139,7 @@ public:
     return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
   }
   std::size_t number_of_components() const { return m_components; }
-  /// the connected component that has a triangle; components are numbered in the order of their first facets
+  /// the connected component that has a triangle; components are numbered in the order of their first facets of the user's mesh
   std::size_t component(Face_index f) const { return m_component[f]; }
   /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether its
   /// volume is positive.

@@ -257,12 +257,14 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
 
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
 {
+  std::vector<Face_index> triangle(m_number_of_facets);       // one of each facet of the user's mesh, in whose order components are numbered
+  for(Face_index f : m_mesh.faces()) triangle[m_origin[f]] = f;
   constexpr std::size_t unknown = std::size_t(-1);
   m_component.assign(m_mesh.number_of_faces(), unknown);
   m_components = 0;
   std::vector<Face_index> stack;
-  for(Face_index first : m_mesh.faces()) {
-    if(m_component[first] != unknown) continue;
+  for(Face_index first : triangle) {
+    if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;      // facets may have been cut off as a whole
     m_component[first] = m_components;
     stack.push_back(first);
     while(!stack.empty()) {

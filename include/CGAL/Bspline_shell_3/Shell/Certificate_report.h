@@ -114,7 +114,7 @@ struct Certificate_witness
   std::size_t facet = none;             ///< position in `faces(mesh)`
   std::size_t triangle = none;          ///< of the examined mesh, part of the facet
   std::size_t cell = none;              ///< leaf cell of the field
-  std::size_t component = none, other_component = none;   ///< of the examined mesh, in the order of their first facets
+  std::size_t component = none, other_component = none;   ///< of the mesh, in the order of their first facets
   std::array<double, 3> point = {};
   /// encloses the field's value (containment) or slope (transversality) at the point where it refutes the claim; otherwise empty
   Level_range value;
