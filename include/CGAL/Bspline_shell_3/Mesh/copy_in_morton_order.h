@@ -111,7 +111,6 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std:
 
   const auto copied = get(CGAL::dynamic_halfedge_property_t<Halfedge_index>(), mesh);
   std::vector<halfedge_descriptor> border;
-  // a vertex on the border points to a halfedge of it, as in any surface mesh
   const auto lead_to = [&](Vertex_index v, Halfedge_index h) {
     copy.set_target(h, v);
     if(copy.halfedge(v) == SurfaceMesh::null_halfedge()) copy.set_halfedge(v, h);
@@ -140,6 +139,7 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std:
     copy.set_next(last, first);
     copy.set_halfedge(f, first);
   }
+  // a vertex on the border points to a halfedge of it, as in any surface mesh
   for(halfedge_descriptor h : border) {
     halfedge_descriptor n = next(h, mesh);
     while(get(copied, n) == SurfaceMesh::null_halfedge()) n = next(n, mesh);      // along edges without facets
