@@ -105,6 +105,28 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
   CHECK_FALSE(is_embedded[isolated]);
 }
 
+TEST_CASE("Cones: none where two facets face opposite ways, however a direction between them is rounded")
+{
+  // wide enough for rounding in each product of two coordinates, and none in differences
+  CGAL::Random random(5);
+  const auto wide = [&] { return std::floor(random.get_double(-1, 1) * 0x1p40); };
+  for(int n = 0; n < 1000; ++n) {
+    const Point_3 p(wide(), wide(), wide());
+    const Vector_3 u(std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20));
+    const Vector_3 v(std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20));
+    const Vector_3 normal = CGAL::cross_product(u, v);        // exact
+    const Vector_3 across(wide(), wide(), wide());
+    BS::internal::Vertex_fan fan;
+    fan.apex = p;
+    fan.wings = { { p + 1023 * u, p + 1021 * v }, { p + (u + 509 * v), p + 511 * u }, { p + normal, p + across } };
+    CHECK_FALSE(BS::internal::exact_cone_direction(fan));
+    CHECK_FALSE(BS::internal::cone_direction(fan));
+    CHECK_FALSE(BS::internal::bounded_cone_margin(fan, 0.5));
+    fan.wings.erase(fan.wings.begin());
+    CHECK(BS::internal::cone_direction(fan));
+  }
+}
+
 TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
 {
   for(double height : { 1e-3, 0.5, 1., 20. })

@@ -299,7 +299,7 @@ private:
   {
     const Triangle_mesh& mesh = input.mesh();
     const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
-    const std::size_t chunk = internal::chunk_size(triangles.size(), 64);
+    const std::size_t chunk = internal::chunk_size(triangles.size(), 1024);        // what is known of the least slope makes later facets cheaper
     struct Result
     {
       std::vector<Certificate_witness> witnesses;

@@ -13,6 +13,8 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <optional>
 #include <utility>
@@ -28,7 +30,7 @@ struct Vertex_fan
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   Point_3 apex;
-  std::vector<std::pair<Point_3, Point_3> > wings;
+  boost::container::small_vector<std::pair<Point_3, Point_3>, 8> wings;
 };
 
 template <typename TriangleMesh>
@@ -41,8 +43,6 @@ Vertex_fan vertex_fan(const TriangleMesh& mesh, typename boost::graph_traits<Tri
   };
   Vertex_fan fan;
   fan.apex = point(v);
-  constexpr std::size_t usual = 8;
-  fan.wings.reserve(usual);
   for(auto h : CGAL::halfedges_around_target(v, mesh)) fan.wings.emplace_back(point(target(next(h, mesh), mesh)), point(source(h, mesh)));
   return fan;
 }

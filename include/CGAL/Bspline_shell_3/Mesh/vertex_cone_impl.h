@@ -18,8 +18,12 @@
 #include <CGAL/QP_models.h>
 #include <CGAL/assertions.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -53,7 +57,26 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
   return g;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan)
+typedef boost::container::small_vector<Facet_normal, 8> Fan_normals;
+
+inline Fan_normals facet_normals(const Vertex_fan& fan)
+{
+  Fan_normals normals;
+  for(const auto& w : fan.wings) normals.push_back(facet_normal(fan.apex, w.first, w.second));
+  return normals;
+}
+
+// Whether a facet certainly faces the exact difference of two points, of which the rounded one is given.
+// \pre it is zero, or far from underflow
+inline bool certainly_faces(const Facet_normal& normal, const Exact_predicates_inexact_constructions_kernel::Vector_3& difference)
+{
+  // each component of the difference errs by a rounding, and components of the normal are at most one
+  constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
+  const double size = std::abs(difference.x()) + std::abs(difference.y()) + std::abs(difference.z());
+  return dot(normal.direction, difference) > (normal.radius + roundings) * size;
+}
+
+inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan, const Fan_normals& normals)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
@@ -62,20 +85,22 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions
   const auto& wings = fan.wings;
   Vector_3 mean = NULL_VECTOR;
   double reach = 0;
-  for(const auto& w : wings) {
-    const auto n = facet_normal(p, w.first, w.second).direction;       // at any scale
+  for(std::size_t i = 0; i < wings.size(); ++i) {
+    const auto& n = normals[i].direction;       // at any scale
     const double length = norm(n);
     if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
-    reach = (std::max)(reach, (w.first - p).squared_length());
+    reach = (std::max)(reach, (wings[i].first - p).squared_length());
   }
   const auto unit = [](const Vector_3& g) { return Vector_3(g / std::sqrt(g.squared_length())); };
 
   // The exact direction is the one from p to the rounded point s.
   if(mean != NULL_VECTOR) {
     const Point_3 s = p + std::sqrt(reach) * unit(mean);
+    const Vector_3 g = s - p;        // as long as an edge whose square does not vanish, or zero
     bool faced = true;
-    for(const auto& w : wings) faced = faced && CGAL::orientation(p, w.first, w.second, s) == POSITIVE;
-    if(faced) return Result(unit(s - p));
+    for(std::size_t i = 0; i < wings.size() && faced; ++i)
+      faced = certainly_faces(normals[i], g) || CGAL::orientation(p, wings[i].first, wings[i].second, s) == POSITIVE;
+    if(faced) return Result(unit(g));
   }
 
   const auto g = exact_cone_direction(fan);
@@ -83,27 +108,34 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions
   return Result(unit(Vector_3(CGAL::to_double((*g)[0]), CGAL::to_double((*g)[1]), CGAL::to_double((*g)[2]))));
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan)
+CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan)
 {
-  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
-  for(const auto& w : fan.wings) {
-    const auto n = facet_normal(fan.apex, w.first, w.second).direction;
+  return cone_direction(fan, facet_normals(fan));
+}
+
+inline double cone_margin(const Fan_normals& normals)
+{
+  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> unit_normals;
+  for(const Facet_normal& normal : normals) {
+    const auto& n = normal.direction;
     const double length = norm(n);
-    normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
+    unit_normals.emplace_back(n[0] / length, n[1] / length, n[2] / length);
   }
-  const std::array<double, 3> axis = cone_axis(normals);
+  const std::array<double, 3> axis = cone_axis(unit_normals);
   return norm(axis);
 }
 
+CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan) { return cone_margin(facet_normals(fan)); }
+
 CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound)
 {
-  const auto g = cone_direction(fan);
+  const Fan_normals normals = facet_normals(fan);
+  const auto g = cone_direction(fan, normals);
   if(!g) return std::nullopt;
-  const bool is_enough = std::all_of(fan.wings.begin(), fan.wings.end(), [&](const auto& w) {
-    const auto n = facet_normal(fan.apex, w.first, w.second).direction;
-    return n[0] * g->x() + n[1] * g->y() + n[2] * g->z() >= bound * norm(n);
+  const bool is_enough = std::all_of(normals.begin(), normals.end(), [&](const Facet_normal& n) {
+    return dot(n.direction, *g) >= bound * norm(n.direction);
   });
-  return is_enough ? bound : (std::min)(bound, cone_margin(fan));
+  return is_enough ? bound : (std::min)(bound, cone_margin(normals));
 }
 
 } // namespace internal
