@@ -293,13 +293,27 @@ private:
     if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
   }
 
+  // A slope that some facet has, rounded. It is not much above the least one where facets are alike.
+  double least_slope_at_some_corners(const Input_mesh_3& input, const std::vector<Face_index>& triangles) const
+  {
+    constexpr std::size_t some = 512;
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t n = 0; n < triangles.size(); n += 1 + triangles.size() / some) {
+      const auto t = input.triangle(triangles[n]);
+      const std::array<double, 3> normal = facet_normal(t[0], t[1], t[2]).direction;
+      const double slope = Bounds::slope(m_bounds->sample(to_field(t[0])), normal) / internal::norm(normal);
+      if(slope > 0) least = (std::min)(least, slope);
+    }
+    return least;
+  }
+
   // P1 and P2
   template <typename ConcurrencyTag>
   std::vector<Facet_verdict> examine_facets(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
     const std::vector<Face_index> triangles(mesh.faces().begin(), mesh.faces().end());
-    const std::size_t chunk = internal::chunk_size(triangles.size(), 1024);        // what is known of the least slope makes later facets cheaper
+    const std::size_t chunk = internal::chunk_size(triangles.size(), 1024);
     struct Result
     {
       std::vector<Certificate_witness> witnesses;
@@ -310,6 +324,7 @@ private:
     std::vector<Facet_verdict> verdicts(triangles.size());
     constexpr std::size_t most_bisections = 65536;      // large facets meet thousands of cells
     if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer);
+    const double slope_somewhere = least_slope_at_some_corners(input, triangles);
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
       Result& result = results[begin / chunk];
       internal::Recent_samples<Bounds> samples(*m_bounds);
@@ -328,7 +343,7 @@ private:
         const auto found = m_bounds->examine({ samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
                                                samples(mesh.target(mesh.next(h)), triangle[2]) },
                                              facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
-                                             result.least_slope);      // what is above need not be known well
+                                             (std::min)(slope_somewhere, result.least_slope));       // what is above need not be known well
         Witness w;
         verdicts[n].containment = Verdict::PROVED;
         if(!found.is_contained) {
