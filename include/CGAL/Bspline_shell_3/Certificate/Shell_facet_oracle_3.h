@@ -287,9 +287,10 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
       if(first_rejected.compare_exchange_weak(other, n)) break;
   };
   // facets in few cells take less time than other threads need to begin
-  const double width = m_shell->field().cell(at_p.cell).width();
+  constexpr double few = 3;
+  const double extent = few * m_shell->field().cell(at_p.cell).width();
   const bool is_small = std::all_of(link.begin(), link.end(), [&](const Point_3& q) {
-    return (std::max)({ std::abs(q[0] - p[0]), std::abs(q[1] - p[1]), std::abs(q[2] - p[2]) }) < width;
+    return (std::max)({ std::abs(q[0] - p[0]), std::abs(q[1] - p[1]), std::abs(q[2] - p[2]) }) < extent;
   });
   if(is_small) internal::for_each_chunk<Sequential_tag>(size, 1, examine);
   else internal::for_each_chunk<ConcurrencyTag>(size, 1, examine);
