@@ -133,19 +133,33 @@ public:
   /// what the oracle knows of the field, for others that ask about facets in the shell
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
+  /// what the field is at a point
+  Sample sample(const Point_3& p) const
+  {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return m_bounds->sample(p);
+  }
+
   /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
   /// \param memory of earlier questions
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
 
   /// the same for a single facet, with more effort: `Field_predicates_3` decides what bounds leave open
-  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const;
+  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    return (*this)(p, q, r, { sample(p), sample(q), sample(r) });
+  }
+  /// the same, if the field is known at the corners, by `sample()`
+  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r, const std::array<Sample, 3>& corners) const;
 
   /// how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face it
   std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
   {
-    return winding_number(p, m_bounds->sample(p), link);
+    return winding_number(p, sample(p), link);
   }
+  /// the same, if the field is known at `p`; by an axis that is long enough for its direction not to be spoilt by rounding
+  std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
   /// the mean of the field's values at two points, rounded; nothing outside the domain
   std::optional<double> level_between(const Point_3& a, const Point_3& b) const;
@@ -161,12 +175,6 @@ private:
   bool is_in_cells(const Sample& s) const { return s.cell != Field::npos && m_shell->shell_cells()[s.cell]; }
   bool is_in(const Sample& s) const { return is_in_cells(s) && s.above >= 0 && s.below >= 0; }
 
-  // whether a facet faces along the gradient at a point, rounded
-  static bool faces_along(const Sample& s, const Point_3& p, const Point_3& q, const Point_3& r)
-  {
-    return Bounds::slope(s, rounded_normal(p, q, r)) > 0;
-  }
-
   static Coordinates rounded_normal(const Point_3& p, const Point_3& q, const Point_3& r)
   {
     Coordinates u, v;
@@ -180,16 +188,18 @@ private:
   typedef internal::Facet_estimate Estimate;
   typedef internal::Facet_estimator<Bounds> Estimator;
   typedef typename Estimator::Samples Samples;
-  Estimate estimate(const Samples& corners, const Samples& middles, const Point_3& p, const Point_3& q, const Point_3& r) const
+  Estimate estimate(const Samples& corners, const Samples& middles, const Coordinates& normal) const
   {
     if(m_proofs == Facet_proofs::ALL) return Estimate::DOUBTFUL;
-    return Estimator(*m_bounds, rounded_normal(p, q, r))(corners, middles);
+    return Estimator(*m_bounds, normal)(corners, middles);
   }
 
   // a facet whose corners are in the shell
-  Placement_verdict judge(const Samples& corners, const Samples& middles, const Point_3& p, const Point_3& q, const Point_3& r) const
+  // \param normal of the facet, rounded
+  Placement_verdict judge(const Samples& corners, const Samples& middles, const Coordinates& normal, const Point_3& p, const Point_3& q,
+                          const Point_3& r) const
   {
-    switch(estimate(corners, middles, p, q, r)) {
+    switch(estimate(corners, middles, normal)) {
       case Estimate::CLEAR:        return Placement_verdict::ACCEPTED;
       case Estimate::LEAVES_SHELL: return Placement_verdict::LEAVES_SHELL;
       case Estimate::FACES_AWAY:   return Placement_verdict::FACES_AWAY;
@@ -199,9 +209,6 @@ private:
     if(!found.is_contained) return Placement_verdict::LEAVES_SHELL;
     return found.is_transversal ? Placement_verdict::ACCEPTED : Placement_verdict::FACES_AWAY;
   }
-
-  // by an axis that is long enough for its direction not to be spoilt by rounding
-  std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
   static constexpr std::size_t most_bisections = 4096;
 
@@ -237,12 +244,14 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
         if(facet.verdict != Placement_verdict::ACCEPTED) return facet.verdict;
         is_known[n] = 1;
       }
+  boost::container::small_vector<Coordinates, 16> normals(size, boost::container::default_init);
+  for(std::size_t n = 0; n < size; ++n) normals[n] = rounded_normal(p, link[n], link[(n + 1) % size]);
   // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says of its facets:
   struct Rejected { std::size_t facet; Placement_verdict verdict; };
   const auto rejected_at = [&](std::size_t n, const Sample& s) -> std::optional<Rejected> {
     if(!is_in(s)) return Rejected{ n, Placement_verdict::LEAVES_SHELL };
     for(std::size_t facet : { n, (n + size - 1) % size })
-      if(!faces_along(s, p, link[facet], link[(facet + 1) % size])) return Rejected{ facet, Placement_verdict::FACES_AWAY };
+      if(!(Bounds::slope(s, normals[facet]) > 0)) return Rejected{ facet, Placement_verdict::FACES_AWAY };
     return std::nullopt;
   };
   memory.set_link(link);
@@ -262,7 +271,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
     at_p = m_bounds->sample(p);
     if(!is_in(at_p)) return Placement_verdict::LEAVES_SHELL;
     for(std::size_t n = 0; n < size; ++n)
-      if(!faces_along(at_p, p, link[n], link[(n + 1) % size])) return Placement_verdict::FACES_AWAY;
+      if(!(Bounds::slope(at_p, normals[n]) > 0)) return Placement_verdict::FACES_AWAY;
     for(std::size_t n = 0; n < size && !rejected; ++n) {
       if(n == first) continue;
       rejected = rejected_by_edge(n);
@@ -276,12 +285,13 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const std::size_t turns = winding_number(p, at_p, link);
   if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
   // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
-  std::vector<Placement_verdict> verdicts(size, Placement_verdict::ACCEPTED);
+  boost::container::small_vector<Placement_verdict, 16> verdicts(size, Placement_verdict::ACCEPTED);
   std::atomic<std::size_t> first_rejected(size);
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    verdicts[n] = judge({ &at_p, &*memory.m_samples[n], &*memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, p, link[n], link[m]);
+    verdicts[n] = judge({ &at_p, &*memory.m_samples[n], &*memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, normals[n],
+                        p, link[n], link[m]);
     if(verdicts[n] == Placement_verdict::ACCEPTED) return;
     for(std::size_t other = first_rejected; n < other; )
       if(first_rejected.compare_exchange_weak(other, n)) break;
@@ -302,14 +312,14 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
 Placement_verdict
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const Point_3& q, const Point_3& r,
+                                                             const std::array<Sample, 3>& corners) const
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
-  const std::array<Sample, 3> corners = { m_bounds->sample(p), m_bounds->sample(q), m_bounds->sample(r) };
   for(const Sample& s : corners)
     if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
-  if(estimate({ &corners[0], &corners[1], &corners[2] }, {}, p, q, r) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
+  if(estimate({ &corners[0], &corners[1], &corners[2] }, {}, rounded_normal(p, q, r)) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
   const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
   if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
   if(found.faces_away) return Placement_verdict::FACES_AWAY;

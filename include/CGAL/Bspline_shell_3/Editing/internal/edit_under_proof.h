@@ -77,13 +77,21 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   constexpr std::size_t chunk = 256;
+  const std::vector<typename Graph_traits::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  const auto number = get(dynamic_vertex_property_t<std::size_t>(), mesh);
+  for(std::size_t n = 0; n < all.size(); ++n) put(number, all[n], n);
+  std::vector<typename Oracle::Sample> samples(all.size());
+  for_each_chunk<ConcurrencyTag>(all.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n) samples[n] = oracle.sample(get(vpm, all[n]));
+  });
   const std::vector<typename Graph_traits::face_descriptor> facets(faces(mesh).begin(), faces(mesh).end());
   std::vector<char> is_good(facets.size(), 1);
   for_each_chunk<ConcurrencyTag>(facets.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       if(frozen.has_facet(facets[n]) || frozen.closes(facets[n]) || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm))) continue;
       const auto h = halfedge(facets[n], mesh);
-      is_good[n] = oracle(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)))
+      const auto p = source(h, mesh), q = target(h, mesh), r = target(next(h, mesh), mesh);
+      is_good[n] = oracle(get(vpm, p), get(vpm, q), get(vpm, r), { samples[get(number, p)], samples[get(number, q)], samples[get(number, r)] })
                      == Placement_verdict::ACCEPTED;
     }
   });
@@ -93,7 +101,6 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
       offenders.facets.push_back(n);
       rejected.freeze(facets[n]);
     }
-  const std::vector<typename Graph_traits::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   const auto folded = collect_from_chunks<ConcurrencyTag, std::size_t>(all.size(), chunk, [&](std::size_t begin, std::size_t end, auto& found) {
     std::vector<Point> link;
     for(std::size_t n = begin; n < end; ++n) {
@@ -108,7 +115,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
       }
       if(is_degenerate) continue;
       std::reverse(link.begin(), link.end());
-      if(oracle.winding_number(get(vpm, v), link) != 1) found.push_back(n);
+      if(oracle.winding_number(get(vpm, v), samples[n], link) != 1) found.push_back(n);
     }
   });
   offenders.vertices.insert(offenders.vertices.end(), folded.begin(), folded.end());
