@@ -125,6 +125,12 @@ TEST_CASE("Cones: none where two facets face opposite ways, however a direction 
     fan.wings.erase(fan.wings.begin());
     CHECK(BS::internal::cone_direction(fan));
   }
+  // and where the mean of the normals is in the planes of both
+  const Point_3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  BS::internal::Vertex_fan upright;
+  upright.apex = Point_3(0, 0, 0);
+  upright.wings = { { z, x }, { x, z }, { x, y } };
+  CHECK_FALSE(BS::internal::cone_direction(upright));
 }
 
 TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
