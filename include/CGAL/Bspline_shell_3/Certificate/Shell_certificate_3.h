@@ -293,7 +293,8 @@ private:
     if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
   }
 
-  // A slope that some facet has, rounded. It is not much above the least one where facets are alike.
+  // A slope that some facet has, rounded: not much above the least one where facets are alike. No claim rests on it; it only tells up to where slopes
+  // need be known well.
   double least_slope_at_some_corners(const Input_mesh_3& input, const std::vector<Face_index>& triangles) const
   {
     constexpr std::size_t some = 512;
