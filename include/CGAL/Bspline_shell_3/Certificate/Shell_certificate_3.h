@@ -81,6 +81,7 @@ public:
     Verdict containment = Verdict::UNDECIDED;
     Verdict transversality = Verdict::UNDECIDED;
     double slope = 0;         ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
+                              ///< A close one only where the slope is near the least of all facets.
   };
 
   /// \pre `field` outlives this object; it may change between verifications
