@@ -316,6 +316,19 @@ TEST_CASE("Simplification: what is done again is what would have been done at on
   CHECK(repeated.placements.by_verdict == once.placements.by_verdict);
 }
 
+TEST_CASE("Simplification: what fails because of the shell is not done again")
+{
+  // the whole ball, with its critical point
+  Mesh mesh = sphere(2);
+  const Mesh start = mesh;
+  const auto result = simplify(mesh, widened(sphere_shell(), 1.5), P::stop(BS::Facet_count_stop_predicate(300)));
+  CHECK(result.status == Status::NOT_CERTIFIED);
+  CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(result.certificate.verdict(BS::Claim::GRADIENT) != BS::Verdict::PROVED);
+  CHECK_FALSE(result.is_repeated);
+  CHECK(is_equal(mesh, start));
+}
+
 TEST_CASE("Simplification: it finds the same with estimates as with all proofs")
 {
   // a visitor sees what is done, and so all is proved

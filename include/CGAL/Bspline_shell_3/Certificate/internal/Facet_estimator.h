@@ -53,7 +53,7 @@ public:
 
 private:
   static constexpr int most_bisections = 512;
-  static constexpr double small_extent = 3, large_extent = 12;      // cells, of parts that few points tell enough of, and of those they tell nothing of
+  static constexpr double small_extent = 8, large_extent = 24;      // cells, of parts that few points tell enough of, and of those they tell nothing of
   static constexpr double safety = 2;               // margins of small parts, relative to what the cubics are off by
   static constexpr double slope_safety = 0.5;       // slopes, relative to how much they bend
 

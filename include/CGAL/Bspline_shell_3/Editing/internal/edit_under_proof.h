@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -428,8 +429,14 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
 }
 
+// Whether a certificate failed by what it says of the shell. That is examined only if the shell contains the mesh, and no edit changes it.
+inline bool is_shell_at_fault(const Certificate_report& report)
+{
+  return report.verdict(Claim::CONTAINMENT) == Verdict::PROVED && report.verdict(Claim::GRADIENT) != Verdict::PROVED;
+}
+
 // The same, with proofs only where facets are doubtful, if `may_repeat`. The certificate decides; if it fails, all is undone, and done again
-// with all proofs: that must not harm what others know of the mesh, and `edit` must do the same when it is called again.
+// with all proofs, unless the shell is at fault: that must not harm what others know of the mesh, and `edit` must do the same when it is called again.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
           typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
@@ -443,7 +450,7 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   if(!may_repeat || freezes || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
   const Result before = result;
   const Edit_status status = edited(Facet_proofs::WHERE_DOUBTFUL);
-  if(status != Edit_status::NOT_CERTIFIED) return status;
+  if(status != Edit_status::NOT_CERTIFIED || is_shell_at_fault(result.certificate)) return status;
   const Edit_report first = result;
   result = before;
   const Edit_status again = edited(Facet_proofs::ALL);
