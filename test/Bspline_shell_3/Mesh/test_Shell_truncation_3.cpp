@@ -160,6 +160,30 @@ TEST_CASE("Each error in a truncation is found")
   CHECK_FALSE(parts.is_valid());
 }
 
+TEST_CASE("Parts that overlap tile no facet")
+{
+  // a cut within the first facet: as the cores have it, it is nearer to the apex than those on the edges
+  Parts parts = square_pyramid();
+  const Index inner = 9;
+  const auto p = parts.planar[0], q = parts.planar[1];
+  parts.points.push_back({ 0, 0, 0.75 });
+  parts.planar.push_back({ 0.6 * (p[0] + q[0]), 0.6 * (p[1] + q[1]) });
+  parts.cuts.push_back({ 0, 1, 2, 0.125, 0.125 });
+  parts.cores[0].triangle = { 5, 1, 6 };
+  parts.cores[1].triangle = { 1, 2, 6 };
+  parts.cores.push_back({ { 5, 6, inner }, 0 });
+  Truncation::Disc& disc = parts.discs[0];
+  disc.rim = { 5, inner, 6, 7, 8 };
+  disc.facets = { 0, 0, 1, 2, 3 };
+  disc.triangles.push_back({ 5, inner, 6 });
+  CHECK(parts.is_valid());
+  // there it is not: the same edges bound triangles of which one is turned round
+  for(double s : { 0.375, 0.625 }) {
+    parts.cuts.back().s = parts.cuts.back().t = s;
+    CHECK_FALSE(parts.is_valid());
+  }
+}
+
 TEST_CASE("A disc with a hole is none")
 {
   Parts parts = square_pyramid();
