@@ -168,17 +168,17 @@ struct Exact_box
 
 Rational dot(const Exact_point& u, const Exact_point& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
 
-// whether the field is between two levels at some of 27 points of a box that are at the end of the domain: next to them, in one of
-// the directions out of the box, there is no cell
-bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, double inner, double outer)
+// whether some of 27 points of a box are in the shell and at the end of the domain: next to them, in one of the directions out of the box, there is
+// no cell
+template <typename IsInShell>
+bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, const IsInShell& is_in_shell)
 {
   const double next = 1e-6 * (b.xmax() - b.xmin());
   const auto on = [&](int a, int i, double out) { return i < 0 ? (b.min)(a) - out : i > 0 ? (b.max)(a) + out : ((b.min)(a) + (b.max)(a)) / 2; };
   for(int k = -1; k <= 1; ++k)
     for(int j = -1; j <= 1; ++j)
       for(int i = -1; i <= 1; ++i) {
-        const double f = field.value(Point_3(on(0, i, 0), on(1, j, 0), on(2, k, 0))).value();
-        if(f < inner || f > outer) continue;
+        if(!is_in_shell(Point_3(on(0, i, 0), on(1, j, 0), on(2, k, 0)))) continue;
         for(int out = 1; out < 8; ++out)
           if(field.locate(Point_3(on(0, i, (out & 1) * next), on(1, j, (out >> 1 & 1) * next), on(2, k, (out >> 2) * next))) == Field::npos) return true;
       }
@@ -252,7 +252,9 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
         is_inside = is_inside && c != Field::npos;
         is_known = is_known && (c == Field::npos || is_subdivided[c]);
       });
-      const bool meets_shell = !is_inside && is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), level - half, level + half);
+      const bool meets_shell = !is_inside && is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
+        return std::abs(field.value(p).value() - level) <= half;
+      });
       failures += !is_known || (is_at_end[n] ? is_inside : meets_shell);
       at_end += is_at_end[n];
       excluded_at_end += !is_inside && !is_at_end[n];
@@ -279,6 +281,41 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
   CHECK(at_end > 100);
   CHECK(excluded_at_end > 100);
   CHECK(undecided > 1);
+}
+
+TEST_CASE("Covers: a box of which a part is in the shell at the end of the domain is at its end, between thresholds that vary")
+{
+  std::size_t beyond_inner = 0, beyond_outer = 0;
+  for(unsigned seed = 1; seed < 13; ++seed) {
+    CAPTURE(seed);
+    CGAL::Random random(seed);
+    const Field cells = random_cells(random, 2, 1, 1);
+    const auto noise = [&] { return random.get_double(-0.03, 0.03); };
+    const Field field = with(cells, [&](double x, double y, double z) { return z + 0.1 * x * y; }),
+                inner = with(cells, [&](double x, double, double) { return -0.3 + 0.5 * x + noise(); }),
+                outer = with(cells, [&](double, double y, double) { return 0.3 - 0.4 * y + noise(); });
+    Varying_cover cover(field, Varying(inner), Varying(outer));
+    cover.flood<Tag>(Point_3(0, 0, 0), 0);
+    std::vector<char> is_at_end(cover.boxes().size(), 0);
+    for(auto b : cover.at_end()) is_at_end[b] = 1;
+    std::size_t failures = 0;
+    for(std::size_t n = 0; n < cover.boxes().size(); ++n) {
+      if(cover.boxes()[n].component == none) continue;
+      bool is_below = false, is_above = false;       // at some point that is looked at
+      const bool is_in_shell = is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
+        const double f = field.value(p).value();
+        is_below = is_below || f < inner.value(p).value();
+        is_above = is_above || f > outer.value(p).value();
+        return f >= inner.value(p).value() && f <= outer.value(p).value();
+      });
+      failures += is_in_shell && !is_at_end[n];
+      beyond_inner += is_in_shell && is_below;
+      beyond_outer += is_in_shell && is_above;
+    }
+    CHECK(failures == 0);
+  }
+  CHECK(beyond_inner > 20);
+  CHECK(beyond_outer > 20);
 }
 
 TEST_CASE("Covers: what is said of boxes holds at points of them, between levels and thresholds that vary")
