@@ -8,8 +8,10 @@
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Marked_cells.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
+#include <CGAL/Bspline_shell_3/Construction/Refinement_budget.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
 #include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
@@ -43,7 +45,6 @@
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/enum.h>
 
 #include <Eigen/Core>
@@ -109,7 +110,7 @@ public:
   /// \param start is called with each step that begins; `false` stops
   Refinement_status operator()(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start);
 
-  const std::vector<Refinement_round>& rounds() const { return m_rounds; }
+  const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
   /// which limit ended it, if one did
   const Refinement_limit& limit() const { return m_limit; }
   const Field& field() const { return *m_field; }
@@ -144,39 +145,7 @@ private:
   static constexpr float near_obstacles = 20;                   // how much more a field counts there that is not zero on the mesh
   static constexpr std::size_t cells_to_split_alone = 38;       // if one of so many at the mesh has obstacles; fewer are split with their neighbors,
   static constexpr std::size_t few_obstacles = 8;               // so few cells with those across faces only
-  enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
-
-  void lap(Step step)
-  {
-    m_rounds.back().seconds[step] += m_timer.time();
-    m_timer.reset();
-  }
-
-  void mark(Index c)
-  {
-    if(m_field->cells().level(c) < m_field->cells().max_level()) m_marked.push_back(c);
-  }
-
-  // calls visit(n) for a cell and its neighbors
-  template <typename Visitor>
-  void visit_around(Index c, const Visitor& visit) const
-  {
-    const Bbox_3 b = m_field->cell(c).bbox();
-    const double near = m_field->cells().width(c) / 2;
-    m_field->cells().visit_cells(Bbox_3(b.xmin() - near, b.ymin() - near, b.zmin() - near, b.xmax() + near, b.ymax() + near, b.zmax() + near), visit);
-  }
-
-  // and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
-  void mark_widely(Index c, int axes = 3)
-  {
-    const Cell_hierarchy_3& cells = m_field->cells();
-    const Lattice_point p = cells.lattice_point(c);
-    visit_around(c, [&](Index n) {
-      if(cells.level(n) != cells.level(c)) return;
-      const Lattice_point q = cells.lattice_point(n);
-      if(int(p[0] != q[0]) + int(p[1] != q[1]) + int(p[2] != q[2]) <= axes) mark(n);
-    });
-  }
+  typedef Refinement_budget Budget;
 
   // cells with obstacles: more than that are not a local affair
   std::size_t many_obstacles() const { return (std::max)(least_many_obstacles, m_clipped->cells().size() / obstacles_to_refine); }
@@ -185,43 +154,15 @@ private:
   // whether many obstacles are what is left of a field that was too large on the mesh in many cells
   bool are_due_to_thickness(const std::vector<Index>& obstacles) const { return are_many(obstacles) && !m_thick_at_first.empty(); }
 
-  // whether there is no time left
-  bool is_late() const { return m_total.time() > m_parameters.max_seconds; }
-
-  // what a round with so many cells would have too little of: each cell takes as much memory and time as in the last round, and if thresholds were not
-  // chosen there, as much again for that as for the fit
+  // what the next round would have too little of, with so many cells
   Refinement_limit limit_of_round(std::size_t cells) const
   {
-    // few cells more will be a partial round
-    constexpr std::size_t many = 32;      // one more of so many
-    const bool will_be_partial = can_be_partial() && (cells - m_field->number_of_cells()) * many < cells;
-    auto round = m_rounds.rbegin();
-    if(!will_be_partial)
-      while(round->partial) ++round;
-    const Refinement_round& last = *round;
-    const double more = double(cells) / double(last.cells);
-    double seconds = 0;
-    for(double s : last.seconds) seconds += s;
-    if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
-    const double points = double(cells) / double(m_field->number_of_cells()) * double(m_field->number_of_points());
-    Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 1600. * double(cells) + 4000. * points };
-    if(!(limit.seconds <= m_parameters.max_seconds)) limit.resource = Refinement_resource::TIME;
-    else if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
-    else if(points > double(Fit_energy<Field>::max_number_of_unknowns) / 2) limit.resource = Refinement_resource::NUMBERS;
-    return limit;
+    return m_budget.limit_of_round(cells, { m_field->number_of_cells(), double(m_field->number_of_points()) }, can_be_partial(),
+                                   double(Fit_energy<Field>::max_number_of_unknowns) / 2);
   }
 
   // whether the last field has the slopes asked for, and if it was fitted in part, that helped
-  bool can_be_partial() const
-  {
-    if(m_rounds.empty() || !m_is_enforced) return false;
-    const std::size_t n = m_rounds.size();
-    if(!m_rounds[n-1].partial) return true;
-    const Refinement_round& now = m_rounds[n-1];
-    const Refinement_round& before = m_rounds[n-2];
-    if(now.examined != before.examined) return now.examined;
-    return now.undecided_cells + now.thick_cells < before.undecided_cells + before.thick_cells;
-  }
+  bool can_be_partial() const { return !rounds().empty() && m_is_enforced && !m_budget.was_part_in_vain(); }
 
   // a point on each component of a mesh
   static std::vector<Field::Point_3> seeds(const Input_mesh_3& input)
@@ -238,12 +179,10 @@ private:
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, const Any_spd_solver& solver, const Start& start)
   {
     const bool can_be_partial = this->can_be_partial();
-    m_rounds.emplace_back();
-    Refinement_round& log = m_rounds.back();
+    Refinement_round& log = m_budget.begin_round();
     m_enforcement.reset();
     m_certificate.reset();
     m_thresholds.reset();
-    m_marked.clear();
     m_obstacles.clear();
     m_is_enforced = false;
     if(!start(Shell_step::DISTANCE)) return Refinement_status::CANCELED;
@@ -252,10 +191,11 @@ private:
     else m_samples = sample_signed_distance<ConcurrencyTag>(m_oracle, cells);
     if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
       return Refinement_status::DISTANCE_NOT_FINITE;
-    lap(DISTANCE);
+    m_budget.end_step(Budget::DISTANCE);
     inherit_surface_factors(cells);
     const std::unique_ptr<Field> before = std::exchange(m_field, std::make_unique<Field>(std::move(cells)));
     Field& field = *m_field;
+    m_marked.begin(field.cells());
     log.cells = field.number_of_cells();
     log.unknowns = field.number_of_coefficients();
     log.levels = field.number_of_levels();
@@ -269,7 +209,7 @@ private:
       if(double(m_part->number_of_cells) > largest_part * double(log.cells)) m_part.reset();
     }
     log.partial = bool(m_part);
-    lap(CELLS);
+    m_budget.end_step(Budget::CELLS);
 
     if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
     const double width = field.cells().lattice().spacing();
@@ -280,16 +220,16 @@ private:
     if(m_part) {
       m_x = refined_coefficients(*before, m_x, field);
       energy.template assemble<ConcurrencyTag>(*m_part, m_x, m_A, m_b);
-      lap(ASSEMBLY);
+      m_budget.end_step(Budget::ASSEMBLY);
       solved = solve_part(solver, m_A, m_b, m_part->coefficients, blocks, m_x);
     } else {
       energy.template assemble<ConcurrencyTag>(m_A, m_b);
-      lap(ASSEMBLY);
+      m_budget.end_step(Budget::ASSEMBLY);
       m_x = energy.template initial_guess<ConcurrencyTag>();
       solved = solver.compute(m_A, blocks);
       if(solved == Solver_status::SUCCESS) solved = solver.solve(m_b, m_x);
     }
-    lap(SOLVER);
+    m_budget.end_step(Budget::SOLVER);
     if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
     field.template set_coefficients<ConcurrencyTag>(m_x * width);
     const Mesh_ranges ranges = std::exchange(m_ranges, Mesh_ranges(log.cells));
@@ -313,7 +253,7 @@ private:
     m_slope_limits.clear();
     begin_enforcement();
     m_is_enforced = enforce_conditions();
-    lap(SLOPES);
+    m_budget.end_step(Budget::SLOPES);
     return std::nullopt;
   }
 
@@ -367,7 +307,7 @@ private:
       if(m_wanted[piece.facet] > 0) least[piece.cell] = (std::min)(least[piece.cell], m_wanted[piece.facet]);
     m_slope_limits.assign(m_field->number_of_cells(), none);
     for(Index c : cells)
-      visit_around(c, [&](Index n) { m_slope_limits[n] = (std::min)(m_slope_limits[n], part * least[c]); });
+      visit_around(m_field->cells(), c, [&](Index n) { m_slope_limits[n] = (std::min)(m_slope_limits[n], part * least[c]); });
     return true;
   }
 
@@ -379,7 +319,7 @@ private:
     constexpr double progress = 0.5;              // largest share of thick cells that an exchange may leave, after the first,
     constexpr std::size_t cheap = 2;              // unless it leaves no more than that: a round would take longer
     constexpr std::size_t cells_to_change = 6;    // at most one of so many at the mesh
-    Refinement_round& log = m_rounds.back();
+    Refinement_round& log = m_budget.round();
     const std::size_t most_violated = (std::max)(least_violated_cells, m_clipped->cells().size() / cells_to_change);
     const std::vector<Thick_cell>& thick = m_ranges.thick_cells();
     std::vector<Facet_failure> failures;
@@ -395,7 +335,7 @@ private:
         std::vector<std::uint32_t> facets;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
           if(m_refinements[slopes.violated_facets[n]] < max_refinements_of_a_facet) {
-            mark_widely(slopes.violated_cells[n]);
+            m_marked.mark_widely(slopes.violated_cells[n]);
             facets.push_back(slopes.violated_facets[n]);
           }
         std::sort(facets.begin(), facets.end());
@@ -409,9 +349,9 @@ private:
         if(std::binary_search(slopes.changed_cells.begin(), slopes.changed_cells.end(), piece.cell)) m_unexamined[piece.facet] = 1;
       const std::size_t thick_before = thick.size();
       failures = failing_facets();
-      lap(SLOPES);
+      m_budget.end_step(Budget::SLOPES);
       find_thick_cells();
-      if((thick.empty() && failures.empty()) || are_many_thick() || is_late()) break;
+      if((thick.empty() && failures.empty()) || are_many_thick() || m_budget.is_late()) break;
       if(exchange + 1 == max_exchanges) {
         if(failures.empty() || !relax_slopes(slopes.violated_cells)) break;
         begin_enforcement();
@@ -432,7 +372,7 @@ private:
     for(const Facet_failure& f : failures)
       if(f.cell != Field::npos && m_wanted[f.facet] > 0 && m_refinements[f.facet] < max_refinements_of_a_facet) {
         ++m_refinements[f.facet];
-        mark_widely(f.cell);
+        m_marked.mark_widely(f.cell);
       }
     mark_thick_cells();
     return true;
@@ -508,11 +448,11 @@ private:
   void find_thick_cells()
   {
     update_ranges(Mesh_ranges::SUFFICIENT);
-    Refinement_round& log = m_rounds.back();
+    Refinement_round& log = m_budget.round();
     const Level_range on_mesh = m_ranges.mesh();
     log.thickness = on_mesh.max - on_mesh.min;
     log.thick_cells = m_ranges.thick_cells().size();
-    lap(BOUNDS);
+    m_budget.end_step(Budget::BOUNDS);
   }
 
   bool are_many_thick() const
@@ -537,10 +477,10 @@ private:
   {
     const bool are_many = are_many_thick();
     for(const Thick_cell& t : m_ranges.thick_cells())
-      if(are_many) mark(t.cell);
-      else mark_widely(t.cell);
+      if(are_many) m_marked.mark(t.cell);
+      else m_marked.mark_widely(t.cell);
     if(are_many)
-      for(Index c : m_thick_at_first) mark(c);
+      for(Index c : m_thick_at_first) m_marked.mark(c);
   }
 
   // what the field may be at points on the mesh, in units of the width of root cells: a little less than half of the thickness
@@ -559,7 +499,7 @@ private:
     m_thresholds.begin(*m_field, m_thickness);
     m_obstacles = choose_thresholds();
     double before = std::numeric_limits<double>::infinity();
-    for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !is_late(); ++exchange) {
+    for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !m_budget.is_late(); ++exchange) {
       const std::vector<Index> cells = cells_of(m_obstacles);
       if(are_many(cells) || double(cells.size()) > progress * before) break;
       before = double(cells.size());
@@ -575,26 +515,26 @@ private:
       }
       if(conditions.empty()) break;
       m_enforcement->insert(conditions);
-      lap(CERTIFICATE);
+      m_budget.end_step(Budget::CERTIFICATE);
       m_is_enforced = enforce_conditions();
       if(!m_is_enforced) break;
-      lap(SLOPES);
+      m_budget.end_step(Budget::SLOPES);
       if(!m_marked.empty()) break;
       m_obstacles = choose_thresholds();
     }
-    m_rounds.back().undecided_cells = m_obstacles.size();
+    m_budget.round().undecided_cells = m_obstacles.size();
     const std::vector<Index> cells = cells_of(m_obstacles);
     if(are_due_to_thickness(cells)) {
-      for(Index c : m_thick_at_first) mark(c);
+      for(Index c : m_thick_at_first) m_marked.mark(c);
     } else if((is_thin() && !cells.empty()) || (are_many(cells) && becomes_thin(cells))) {
       make_room(cells);
     } else {
       if(are_many(cells)) m_cells_at_gaps = cells;
       const bool alone = cells.size() > m_clipped->cells().size() / cells_to_split_alone;
       const int axes = alone ? 0 : cells.size() <= few_obstacles ? 1 : 3;
-      for(Index c : cells) mark_widely(c, axes);
+      for(Index c : cells) m_marked.mark_widely(c, axes);
     }
-    lap(CERTIFICATE);
+    m_budget.end_step(Budget::CERTIFICATE);
   }
 
   // whether walls or gaps are too narrow for the shell asked for on much of the mesh: once known, it stays so
@@ -629,34 +569,34 @@ private:
     for(Index c : cells) m_surface_factors[c] = near_obstacles;
     for(Index c : m_cells_at_gaps) {
       m_surface_factors[c] = near_obstacles;
-      mark(c);
+      m_marked.mark(c);
     }
     if(m_marked.empty())      // culprits are as small as they may be
-      for(Index c : cells) mark_widely(c);
+      for(Index c : cells) m_marked.mark_widely(c);
   }
 
   // returns where the mesh needs thresholds wider than they should be
   std::vector<Threshold_obstacle> choose_thresholds(int max_passes = Narrowing_limits().max_passes)
   {
-    m_rounds.back().examined = true;
+    m_budget.round().examined = true;
     if(m_parameters.constant_thresholds)
       m_thresholds.set_constant(Bspline_shells::facet_ranges<ConcurrencyTag>(*m_field, *m_clipped).mesh);
     const auto ranges = [&](Mesh_ranges::Precision precision) -> const std::vector<Level_range>& {
       update_ranges(precision);
       return m_ranges.cells();
     };
-    return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_parameters.max_seconds - m_total.time() });
+    return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_budget.seconds_left() });
   }
 
   // Marked cells are split once, and those next to many obstacles twice, if the gap is that narrow. So are similar ones, if that is within the limits.
   Cell_hierarchy_3 refined_cells()
   {
-    if(m_similar_cells.empty()) return refined_cells(m_marked, m_cells_at_gaps);
-    std::vector<Index> marked = m_marked, at_gaps = m_cells_at_gaps;
+    if(m_similar_cells.empty()) return refined_cells(m_marked.sorted(), m_cells_at_gaps);
+    std::vector<Index> marked = m_marked.sorted(), at_gaps = m_cells_at_gaps;
     marked.insert(marked.end(), m_similar_cells.begin(), m_similar_cells.end());
     at_gaps.insert(at_gaps.end(), m_similar_cells.begin(), m_similar_cells.end());
     Cell_hierarchy_3 cells = refined_cells(marked, at_gaps);
-    if(is_beyond_limits(cells.number_of_cells())) return refined_cells(m_marked, m_cells_at_gaps);
+    if(is_beyond_limits(cells.number_of_cells())) return refined_cells(m_marked.sorted(), m_cells_at_gaps);
     for(Index c : m_similar_cells) m_surface_factors[c] = near_obstacles;
     return cells;
   }
@@ -681,9 +621,9 @@ private:
     for(const Certificate_witness& w : m_certificate->witnesses())
       if(w.reason == Certificate_witness::TWO_SHEETS) {
         const Index c = m_field->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
-        if(c != Field::npos) mark(c);
+        if(c != Field::npos) m_marked.mark(c);
       }
-    lap(CERTIFICATE);
+    m_budget.end_step(Budget::CERTIFICATE);
     return m_certificate->is_certified();
   }
 
@@ -705,7 +645,7 @@ private:
   Mesh_ranges m_ranges;                               // of the last field
   Narrowed_thresholds<Field> m_thresholds;
   std::optional<Certificate> m_certificate;
-  std::vector<Index> m_marked;
+  Marked_cells m_marked;
   std::vector<Index> m_thick_at_first;                // before small changes, nearly
   std::vector<Threshold_obstacle> m_obstacles;                  // of the last thresholds
   std::vector<Index> m_cells_at_gaps;                 // to refine as the gap asks for
@@ -714,16 +654,16 @@ private:
   std::optional<Local_gap_3> m_gap;                   // made when it is needed
   bool m_was_nearly_thin = false;
   bool m_is_enforced = false;                         // slopes of the last field
-  std::vector<Refinement_round> m_rounds;
+  Refinement_budget m_budget;
   Refinement_limit m_limit;
-  Real_timer m_total, m_timer;                        // of all rounds, and of a step
 };
 
 template <typename ConcurrencyTag>
 Certified_refinement<ConcurrencyTag>::Certified_refinement(std::shared_ptr<const Input_mesh_3> input, const Any_signed_distance_3& oracle,
                                                            const Thickness& thickness, const Refinement_parameters& parameters)
   : m_input(std::move(input)), m_oracle(oracle), m_thickness(thickness), m_parameters(parameters),
-    m_wanted(wanted_slopes<ConcurrencyTag>(*m_input, parameters.slope_fraction)), m_refinements(m_wanted.size()), m_thresholds(seeds(*m_input))
+    m_wanted(wanted_slopes<ConcurrencyTag>(*m_input, parameters.slope_fraction)), m_refinements(m_wanted.size()), m_thresholds(seeds(*m_input)),
+    m_budget(parameters)
 {}
 
 template <typename ConcurrencyTag>
@@ -734,13 +674,12 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
   double least_volume = std::numeric_limits<double>::infinity();      // of undecided boxes
   std::size_t fewest_facets = std::numeric_limits<std::size_t>::max(), fewest_obstacles = fewest_facets;
   int rounds_in_vain = 0;
-  m_total.start();
-  m_timer.start();
+  m_budget.start();
   for(std::size_t round = 0; ; ++round) {
-    m_timer.reset();
+    m_budget.begin_step();
     const std::optional<Refinement_status> failure = fit(std::move(cells), solver, start);
     if(failure) return *failure;
-    Refinement_round& log = m_rounds.back();
+    Refinement_round& log = m_budget.round();
     if(m_is_enforced && !are_many_thick()) {
       if(!start(Shell_step::CERTIFICATE)) return Refinement_status::CANCELED;
       choose_field_and_thresholds();
@@ -753,13 +692,11 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
       fewest_facets = (std::min)(fewest_facets, log.failing_facets);
       fewest_obstacles = (std::min)(fewest_obstacles, log.undecided_cells);
     }
-    std::sort(m_marked.begin(), m_marked.end());
-    m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
-    log.marked_cells = m_marked.size();
+    log.marked_cells = m_marked.sorted().size();
     const bool is_out_of_time = m_marked.empty() && m_thresholds.are_too_late();
     const bool in_vain = !is_out_of_time && (rounds_in_vain == max_rounds_in_vain || m_marked.empty());
     if(is_out_of_time) {
-      m_limit = { Refinement_resource::TIME, 0, m_total.time(), 0 };
+      m_limit = { Refinement_resource::TIME, 0, m_budget.seconds(), 0 };
     } else if(!in_vain) {
       cells = refined_cells();
       // before the memory and the time are taken

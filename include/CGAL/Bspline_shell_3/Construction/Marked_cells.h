@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MARKED_CELLS_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MARKED_CELLS_H
+
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Construction
+/// calls `visit(n)` for a cell and those within half of its width of it, along all axes
+template <typename Visitor>
+void visit_around(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c, const Visitor& visit)
+{
+  const std::array<double, 3> low = cells.corner(c);
+  const double width = cells.width(c), near = width / 2;
+  cells.visit_cells(Bbox_3(low[0] - near, low[1] - near, low[2] - near, low[0] + width + near, low[1] + width + near, low[2] + width + near), visit);
+}
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief cells that are to be split. Those that are as small as may be are left out.
+ */
+class Marked_cells
+{
+public:
+  typedef Cell_hierarchy_3::Index Index;
+
+  /// of other cells, which outlive this object, or the next call
+  void begin(const Cell_hierarchy_3& cells)
+  {
+    m_cells = &cells;
+    m_marked.clear();
+  }
+
+  bool empty() const { return m_marked.empty(); }
+
+  void mark(Index c)
+  {
+    if(m_cells->level(c) < m_cells->max_level()) m_marked.push_back(c);
+  }
+
+  /// and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
+  void mark_widely(Index c, int axes = 3)
+  {
+    const Lattice_point p = m_cells->lattice_point(c);
+    visit_around(*m_cells, c, [&](Index n) {
+      if(m_cells->level(n) != m_cells->level(c)) return;
+      const Lattice_point q = m_cells->lattice_point(n);
+      if(int(p[0] != q[0]) + int(p[1] != q[1]) + int(p[2] != q[2]) <= axes) mark(n);
+    });
+  }
+
+  /// ascending, each once
+  const std::vector<Index>& sorted()
+  {
+    std::sort(m_marked.begin(), m_marked.end());
+    m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
+    return m_marked;
+  }
+
+private:
+  const Cell_hierarchy_3* m_cells = nullptr;
+  std::vector<Index> m_marked;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MARKED_CELLS_H
