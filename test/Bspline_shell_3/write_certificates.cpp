@@ -156,14 +156,36 @@ int main(int argc, char** argv)
                          inner ? bump : none, inner ? none : bump) && good;
   }
 
-  // around a sphere within which all that is near is critical for the cells there; and the same, turned inside out
+  // what is not proved of meshes: two small spheres in the shell of a large one; and a vertex outside of it
+  {
+    const Uniform_field f = spline(equal, around);
+    const BS::Constant_threshold inner(-0.2), outer(0.2);
+    Mesh small = sphere(1, 0.1, Point_3(1, 0, 0));
+    CGAL::copy_face_graph(sphere(1, 0.1, Point_3(-1, 0, 0)), small);
+    good = write(directory + "small_spheres", f, inner, outer, small, { BS::Claim::TRANSVERSALITY, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) && good;
+    Mesh pointed = sphere(1);
+    Point_3& tip = pointed.point(*pointed.vertices().begin());
+    tip = CGAL::ORIGIN + 1.4 * (tip - CGAL::ORIGIN);
+    good = write(directory + "pointed", f, inner, outer, pointed, { BS::Claim::CONTAINMENT, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) && good;
+  }
+
+  // around the critical point of a square of the distance, which is beyond a threshold by so little that its box is in the shell nearly as a whole; and
+  // the same, turned inside out. No path is found that begins so near to it.
   for(double sign : { 1., -1. }) {
-    const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, Point_3(0.03, 0.05, -0.04)) - 1) / 2; };
-    Mesh ball = sphere(1);
+    const Point_3 center(0.03, 0.05, -0.04);
+    const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, center) - 1) / 2; };
+    Mesh ball = sphere(1, 1, center);
     if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(ball);
     const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
-    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
-                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), ball) && good;
+    const double critical = f.value(center).value(), radius = 0.035;
+    const BS::Constant_threshold beside(critical + sign * radius * radius / 2), far(sign * 0.2);
+    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far, sign > 0 ? far : beside, ball, { BS::Claim::DEGREE_ONE })
+        && good;
+    // farther from it, and all claims are proved
+    Mesh aside = sphere(1);
+    if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(aside);
+    good = write(directory + (sign > 0 ? "ball" : "ball_inwards"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
+                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), aside) && good;
   }
 
   // the volume between two spheres, and a third one

@@ -170,7 +170,7 @@ public:
   const std::optional<Cover>& cover() const { return m_cover; }
   /// the triangles with `double` coordinates that were examined
   const Triangle_mesh& examined_mesh() const { return m_input->mesh(); }
-  /// for each component of the mesh, the vertex of the examined mesh from which the cover was flooded
+  /// for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if containment is proved
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
   /// number of components of the cover
   std::size_t number_of_covers() const { return m_report.covers; }
@@ -440,14 +440,19 @@ private:
     return shared;
   }
 
-  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of the cover.
-  template <typename ConcurrencyTag>
-  std::vector<Shared> examine_cover(const Input_mesh_3& input)
+  void find_seeds(const Input_mesh_3& input)
   {
     const Triangle_mesh& mesh = input.mesh();
     m_seeds.assign(input.number_of_components(), Triangle_mesh::null_vertex());
     for(Face_index f : mesh.faces())
       if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex()) m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
+  }
+
+  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of the cover.
+  template <typename ConcurrencyTag>
+  std::vector<Shared> examine_cover(const Input_mesh_3& input)
+  {
+    const Triangle_mesh& mesh = input.mesh();
     const std::optional<std::vector<Shared> > known = adopt_proved_cover(mesh);
     const std::vector<Shared> shared = known ? *known : find_cover<ConcurrencyTag>(input);
     const Cover& cover = *m_cover;
@@ -754,6 +759,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   m_predicates.emplace(*m_field);
   examine_vertices<ConcurrencyTag>(*m_input);
   std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
+  find_seeds(*m_input);
   if(found(Claim::CONTAINMENT) == Verdict::PROVED) {
     const std::vector<Shared> shared = examine_cover<ConcurrencyTag>(*m_input);
     const Crossing_counter_3 counter(m_input->mesh());
