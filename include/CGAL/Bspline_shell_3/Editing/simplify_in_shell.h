@@ -320,9 +320,9 @@ struct Accepted_filter
  *
  * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from a few points leaves them in
  * doubt, as most of them vanish again. If the certificate fails, and not because of the shell itself, the mesh is filled again with what it was, and
- * simplified with a proof for each facet (`Edit_report::is_repeated`); a map of constrained edges says what it said, then. This is only done where it is not seen: for a `Surface_mesh`
- * without garbage, and without visitor, filter, frozen facets, and stop predicates other than `Facet_count_stop_predicate` and
- * `Never_stop_predicate`. Otherwise all facets are proved at once. Costs are initialized for each run, as \cgal does.
+ * simplified with a proof for each facet (`Edit_report::is_repeated`); a map of constrained edges says what it said, then. This is only done where it is
+ * not seen: for a `Surface_mesh` without garbage, and without visitor, filter, frozen facets, and stop predicates other than
+ * `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise all facets are proved at once. Costs are initialized for each run, as \cgal does.
  *
  * \cgalHeading{Cost} a collapse costs some points at which the field is evaluated for each facet at one vertex, or the proofs for these facets, with a
  * bound for each cell that they pass through. The certificate costs what it costs for any mesh in the shell; a mesh that cannot be certified
