@@ -10,7 +10,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace BS = CGAL::Bspline_shells;
@@ -60,6 +62,33 @@ void check_certified(const Mesh& mesh, const Shell& shell)
 }
 
 } // namespace
+
+TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the shell that was built, and change no certificate")
+{
+  const Mesh mesh = torus(2, 0.7, 24, 12);
+  std::optional<Shell> built(CGAL::certified_bspline_shell_3(mesh));
+  REQUIRE(*built);
+  const Shell copy = *built, moved = std::move(*built);
+  built.reset();
+  REQUIRE(copy.cell_bounds());
+  CHECK(copy.cell_bounds() == moved.cell_bounds());
+  CHECK(&copy.field() == &moved.field());
+  Certificate sharing(copy), alone(moved.field(), moved.inner_threshold(), moved.outer_threshold());
+  for(double factor : { 1., 1.001, 1.1 }) {
+    Mesh scaled = mesh;
+    for(auto v : scaled.vertices()) scaled.point(v) = CGAL::ORIGIN + factor * (mesh.point(v) - CGAL::ORIGIN);
+    CHECK(sharing.verify(scaled) == (factor < 1.1));
+    CHECK(alone.verify(scaled) == (factor < 1.1));
+    CHECK(sharing.bounds() == copy.cell_bounds());
+    CHECK(alone.bounds() != copy.cell_bounds());
+    REQUIRE(sharing.facets().size() == alone.facets().size());
+    for(std::size_t n = 0; n < sharing.facets().size(); ++n) {
+      CHECK(sharing.facets()[n].containment == alone.facets()[n].containment);
+      CHECK(sharing.facets()[n].transversality == alone.facets()[n].transversality);
+      CHECK(sharing.facets()[n].slope == alone.facets()[n].slope);
+    }
+  }
+}
 
 TEST_CASE("certified shells: simple solids are certified at the default thickness, which the thresholds keep")
 {

@@ -90,14 +90,14 @@ public:
   {}
 
   /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
-  /// bounds, if they are given.
+  /// bounds on cells, if it has some or they are given.
   /// \pre there is a shell, and it outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
     CGAL_precondition(bool(shell));
     m_is_of_shell = true;
-    m_bounds = std::move(bounds);
+    m_bounds = bounds ? std::move(bounds) : shell.cell_bounds();
     m_closing = shell.closing();
     m_truncation = shell.truncation();
     m_proved_cover = shell.proved_cover();
@@ -179,6 +179,8 @@ public:
   /// for each component of the mesh, the component of the shell that certainly contains it, or `Certificate_witness::none`
   const std::vector<std::size_t>& components() const { return m_report.components; }
   const Certificate_statistics& statistics() const { return m_report.statistics; }
+  /// what was found out about the cells that facets meet; null before that
+  const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
   /// \name Quantities
   /// @{

@@ -222,7 +222,8 @@ private:
 template <typename Field, typename Threshold, typename ConcurrencyTag>
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs)
   : m_shell(&shell), m_proofs(proofs), m_predicates(shell.field())
-  , m_bounds(std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
+  , m_bounds(shell.cell_bounds() ? shell.cell_bounds()
+                                 : std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
 {
   CGAL_precondition(bool(shell));
   for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)

@@ -138,8 +138,8 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   if(refined == Refinement_status::CANCELED) return stop(Status::CANCELED);
   if(refined == Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
   if(refined == Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);
-  report.cells = refinement.field().number_of_cells();
-  report.unknowns = refinement.field().number_of_coefficients();
+  report.cells = refinement.field()->number_of_cells();
+  report.unknowns = refinement.field()->number_of_coefficients();
   const typename Refinement::Certificate& certificate = *refinement.certificate();
   report.certificate = certificate.report();
   if(!certificate.is_certified()) report.obstacles = refinement.obstacles();
@@ -159,6 +159,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
               construction.end(Status::SUCCESS));
   shell.set_closing(input->closing());
   shell.set_truncation(input->truncation());
+  shell.set_cell_bounds(certificate.bounds());
   if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
   return shell;
 }

@@ -113,7 +113,7 @@ public:
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
   /// which limit ended it, if one did
   const Refinement_limit& limit() const { return m_limit; }
-  const Field& field() const { return *m_field; }
+  const std::shared_ptr<Field>& field() const { return m_field; }
   /// the certificate of the last field, to which it refers
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return m_thresholds.inner(); }
@@ -193,7 +193,7 @@ private:
       return Refinement_status::DISTANCE_NOT_FINITE;
     m_budget.end_step(Budget::DISTANCE);
     inherit_surface_factors(cells);
-    const std::unique_ptr<Field> before = std::exchange(m_field, std::make_unique<Field>(std::move(cells)));
+    const std::shared_ptr<Field> before = std::exchange(m_field, std::make_shared<Field>(std::move(cells)));
     Field& field = *m_field;
     m_marked.begin(field.cells());
     log.cells = field.number_of_cells();
@@ -634,7 +634,7 @@ private:
   std::vector<double> m_wanted;                       // the slope wanted for each triangle, per user unit
   std::vector<double> m_slope_limits;                 // of cells; empty if slopes are limited nowhere
   std::vector<int> m_refinements;                     // of each triangle: how often it was a reason for them
-  std::unique_ptr<Field> m_field;
+  std::shared_ptr<Field> m_field;
   std::vector<double> m_samples;
   std::optional<Clipped_mesh_3> m_clipped;
   Fit_energy<Field>::Matrix m_A;                      // x^T A x - 2 b^T x

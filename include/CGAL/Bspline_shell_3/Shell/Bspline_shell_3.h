@@ -24,6 +24,10 @@
 
 namespace CGAL {
 
+namespace Bspline_shells {
+template <typename Field, typename Threshold> class Second_order_bounds_3;
+}
+
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
@@ -48,16 +52,25 @@ public:
   typedef Bspline_shells::Shell_status Shell_status;
   typedef Bspline_shells::Shell_report Shell_report;
   typedef Bspline_shells::Level_range Level_range;
+  typedef Bspline_shells::Second_order_bounds_3<Field, Threshold> Cell_bounds;
 
   /// no shell, for a reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
 
   Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells, std::vector<Level_range> facets,
                   Shell_report report)
+    : Bspline_shell_3(std::make_shared<const Field>(std::move(field)), std::move(inner), std::move(outer), std::move(cells), std::move(facets),
+                      std::move(report))
+  {}
+
+  /// the same, with a field that is not copied
+  /// \param field is not null, and does not change
+  Bspline_shell_3(std::shared_ptr<const Field> field, Threshold inner, Threshold outer, std::vector<char> cells,
+                  std::vector<Level_range> facets, Shell_report report)
     : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells))
     , m_facets(std::move(facets)), m_report(std::move(report))
   {
-    if(m_report.status == Shell_status::SUCCESS && !(m_inner.has_cells_of(m_field) && m_outer.has_cells_of(m_field)))
+    if(m_report.status == Shell_status::SUCCESS && !(m_inner.has_cells_of(*m_field) && m_outer.has_cells_of(*m_field)))
       m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
   }
 
@@ -73,7 +86,7 @@ public:
   Shell_status status() const { return m_report.status; }
   const Shell_report& report() const { return m_report; }
 
-  const Field& field() const { return m_field; }
+  const Field& field() const { return *m_field; }
   const Threshold& inner_threshold() const { return m_inner; }       ///< \f$\epsilon_1\f$
   const Threshold& outer_threshold() const { return m_outer; }       ///< \f$\epsilon_2\f$
   /// a constant threshold's level, user units
@@ -142,25 +155,33 @@ public:
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
   }
 
+  /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes use them, and add those of
+  /// cells that are met first. Some 400 bytes for each cell that the mesh meets. Null for shells that no certificate
+  /// has examined, or that were read from a file.
+  const std::shared_ptr<const Cell_bounds>& cell_bounds() const { return m_cell_bounds; }
+  /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
+  void set_cell_bounds(std::shared_ptr<const Cell_bounds> bounds) { m_cell_bounds = std::move(bounds); }
+
   /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
   /// answer is that of `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
-    const typename Field::Cell_index c = m_field.locate(p);
+    const typename Field::Cell_index c = m_field->locate(p);
     if(c == Field::npos || !m_cells[c]) return ON_UNBOUNDED_SIDE;
-    const FT f = m_field.cell(c).value(p);
+    const FT f = m_field->cell(c).value(p);
     const FT inner = m_inner.value(p), outer = m_outer.value(p);
     if(f < inner || f > outer) return ON_UNBOUNDED_SIDE;
     return f == inner || f == outer ? ON_BOUNDARY : ON_BOUNDED_SIDE;
   }
 
 private:
-  Field m_field;
+  std::shared_ptr<const Field> m_field = std::make_shared<const Field>();      // shared by copies, as what refers to it is
   Threshold m_inner, m_outer;
   std::vector<char> m_cells;
   std::vector<Level_range> m_facets;
   Shell_report m_report;
-  std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;       // shared by copies
+  std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;
+  std::shared_ptr<const Cell_bounds> m_cell_bounds;
   std::shared_ptr<const Bspline_shells::Shell_closing_3> m_closing;
   std::shared_ptr<const Bspline_shells::Shell_truncation_3> m_truncation;
 };
