@@ -137,7 +137,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(certificate.singular_vertices().empty());
 
   // bounds, against samples
-  double least = 1e9, least_angle = 1e9;
+  double least = 1e9, greatest = 0, least_angle = 1e9;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
@@ -146,12 +146,15 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
       const Vector_3 g = shell.field().gradient(s).value();
       const double length = std::sqrt(g.squared_length());
       least = (std::min)(least, length);
+      greatest = (std::max)(greatest, length);
       least_angle = (std::min)(least_angle, std::asin(n * g / length / std::sqrt(n.squared_length())));
       CHECK(certificate.facets()[std::size_t(f)].slope <= n * g / std::sqrt(n.squared_length()) + 1e-12);
     }
   }
   CHECK(certificate.least_gradient() > 0.5 * least);
   CHECK(certificate.least_gradient() <= least);
+  CHECK(certificate.report().greatest_gradient < 2 * greatest);
+  CHECK(certificate.report().greatest_gradient >= greatest);
   CHECK(certificate.least_angle() > 0.5 * least_angle);
   CHECK(certificate.least_angle() <= least_angle);
   CHECK(certificate.displacement_bound() >= shell.thickness() / least);

@@ -56,6 +56,8 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   CHECK(certificate.statistics().cover_boxes == shell.report().certificate.statistics.cover_boxes);
   CHECK(certificate.least_gradient() == shell.report().certificate.least_gradient);
   CHECK(certificate.displacement_bound() == shell.report().certificate.displacement_bound);
+  CHECK(certificate.report().greatest_gradient == shell.report().certificate.greatest_gradient);
+  CHECK(certificate.least_angle() == shell.report().certificate.least_angle);
   BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
   CHECK(is_in_shell(mesh));
   for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
@@ -81,6 +83,8 @@ TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the s
     CHECK(alone.verify(scaled) == (factor < 1.1));
     CHECK(sharing.bounds() == copy.cell_bounds());
     CHECK(alone.bounds() != copy.cell_bounds());
+    CHECK(sharing.report().greatest_gradient == alone.report().greatest_gradient);
+    CHECK(sharing.least_angle() == alone.least_angle());
     REQUIRE(sharing.facets().size() == alone.facets().size());
     for(std::size_t n = 0; n < sharing.facets().size(); ++n) {
       CHECK(sharing.facets()[n].containment == alone.facets()[n].containment);

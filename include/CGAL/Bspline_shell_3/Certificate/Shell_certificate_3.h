@@ -100,8 +100,8 @@ public:
     m_bounds = bounds ? std::move(bounds) : shell.cell_bounds();
     m_closing = shell.closing();
     m_truncation = shell.truncation();
-    m_proved_cover = shell.proved_cover();
-    m_proved_gradient = shell.report().certificate.least_gradient;
+    const Certificate_report& report = shell.report().certificate;
+    m_proved = { shell.proved_cover(), report.covers, report.least_gradient, report.greatest_gradient };
     m_shell_paths = shell.component_paths();
   }
 
@@ -230,8 +230,7 @@ private:
     if(m_is_of_shell) empty.m_bounds = std::move(m_bounds);
     empty.m_closing = m_closing;
     empty.m_truncation = m_truncation;
-    empty.m_proved_cover = std::move(m_proved_cover);
-    empty.m_proved_gradient = m_proved_gradient;
+    empty.m_proved = std::move(m_proved);
     empty.m_shell_paths = std::move(m_shell_paths);
     *this = std::move(empty);
   }
@@ -396,17 +395,17 @@ private:
   }
 
   // an upper bound of the length of the gradient, per user unit, on a leaf cell: from differences of its coefficients
-  double steepest(std::uint32_t c) const
+  double greatest_gradient(std::uint32_t c) const
   {
     const typename Field::Cell cell = m_field->cell(c);
     const double* b = cell.coefficients();
-    std::array<double, 3> steepest = {};
+    std::array<double, 3> greatest = {};
     internal::for_each_coefficient_line([&](int axis, int n, auto stride) {
-      double& most = steepest[std::size_t(axis)];
+      double& most = greatest[std::size_t(axis)];
       for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
     });
     double squared = 0;
-    for(double largest : steepest) {
+    for(double largest : greatest) {
       largest = 3 * (largest + 2 * cell.error_radius());
       squared += largest * largest;
     }
@@ -418,11 +417,11 @@ private:
   // if the cover is known, and has all components of the mesh: those that share a component of the cover with an earlier one
   std::optional<std::vector<Shared> > adopt_proved_cover(const Triangle_mesh& mesh)
   {
-    if(!m_proved_cover) return std::nullopt;
+    if(!m_proved.cover) return std::nullopt;
     std::vector<Point_3> points;
     for(Vertex_index v : m_seeds) points.push_back(to_field(mesh.point(v)));
     m_cover.emplace(*m_field, m_inner, m_outer);
-    return m_cover->adopt(*m_proved_cover, points);
+    return m_cover->adopt(*m_proved.cover, points);
   }
 
   template <typename ConcurrencyTag>
@@ -462,7 +461,9 @@ private:
     m_draft.covers = input.number_of_components() - shared.size();
 
     Level_range thresholds;
-    double steepest_in_cover = 0;
+    const bool is_greatest_known = known && m_draft.covers == m_proved.components
+                                && m_proved.greatest_gradient < std::numeric_limits<double>::infinity();
+    double greatest = is_greatest_known ? m_proved.greatest_gradient : 0;
     std::uint32_t last_cell = std::uint32_t(-1);
     std::size_t examined = 0;
     for(const Cover_box& box : cover.boxes()) {
@@ -473,7 +474,7 @@ private:
       if(box.cell != last_cell) {
         last_cell = box.cell;
         thresholds.include(threshold_range(m_inner, m_outer, box.cell));
-        steepest_in_cover = (std::max)(steepest_in_cover, steepest(box.cell));
+        if(!is_greatest_known) greatest = (std::max)(greatest, greatest_gradient(box.cell));
       }
       if(box.kind == Box_kind::MONOTONE) {
         ++m_draft.statistics.monotone_boxes;
@@ -502,10 +503,11 @@ private:
       conclude(w);
     }
     m_draft.statistics.cover_cells = cover.number_of_cells();
+    m_draft.greatest_gradient = greatest;
     if(found(Claim::TRANSVERSALITY) == Verdict::PROVED)
-      m_draft.least_angle = std::asin((std::min)(1., m_least_slope / steepest_in_cover)) * (1 - 8 * internal::rounding);
+      m_draft.least_angle = std::asin((std::min)(1., m_least_slope / greatest)) * (1 - 8 * internal::rounding);
     if(found(Claim::GRADIENT) == Verdict::PROVED)
-      m_draft.least_gradient = known && m_proved_gradient > 0 ? m_proved_gradient : cover.template least_gradient<ConcurrencyTag>();
+      m_draft.least_gradient = known && m_proved.least_gradient > 0 ? m_proved.least_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_draft.least_gradient > 0)
       m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
     return shared;
@@ -720,8 +722,12 @@ private:
   std::shared_ptr<const Bounds> m_bounds;
   std::shared_ptr<const Shell_closing_3> m_closing;
   std::shared_ptr<const Shell_truncation_3> m_truncation;
-  std::shared_ptr<const std::vector<Cover_box> > m_proved_cover;
-  double m_proved_gradient = 0;
+  struct
+  {
+    std::shared_ptr<const std::vector<Cover_box> > cover;
+    std::size_t components = 0;
+    double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
+  } m_proved;         // of the shell
   std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell
   std::optional<Field_predicates_3<Field> > m_predicates;
   std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();

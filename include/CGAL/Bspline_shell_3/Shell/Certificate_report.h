@@ -191,6 +191,8 @@ struct Certificate_report
   std::vector<Crossing_path> spare_paths;
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
+  /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
+  double greatest_gradient = std::numeric_limits<double>::infinity();
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
   /// in the shell is at most this. Infinite if the gradient claim is not proved. The certificate has one for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
