@@ -113,7 +113,7 @@ public:
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
   /// which limit ended it, if one did
   const Refinement_limit& limit() const { return m_limit; }
-  const std::shared_ptr<Field>& field() const { return m_field; }
+  std::shared_ptr<const Field> field() const { return m_field; }
   /// the certificate of the last field, to which it refers
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return m_thresholds.inner(); }
