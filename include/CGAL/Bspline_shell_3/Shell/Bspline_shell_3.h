@@ -52,7 +52,7 @@ public:
   typedef Bspline_shells::Shell_status Shell_status;
   typedef Bspline_shells::Shell_report Shell_report;
   typedef Bspline_shells::Level_range Level_range;
-  typedef Bspline_shells::Second_order_bounds_3<Field, Threshold> Cell_bounds;
+  typedef Bspline_shells::Second_order_bounds_3<Field, Threshold> Bounds;
 
   /// no shell, for a reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
@@ -156,11 +156,11 @@ public:
   }
 
   /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes use them, and add those of
-  /// cells that are met first. Some 400 bytes for each cell that the mesh meets. Null for shells that no certificate
-  /// has examined, or that were read from a file.
-  const std::shared_ptr<const Cell_bounds>& cell_bounds() const { return m_cell_bounds; }
+  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has examined, or that were read from a
+  /// file.
+  const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
   /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
-  void set_cell_bounds(std::shared_ptr<const Cell_bounds> bounds) { m_cell_bounds = std::move(bounds); }
+  void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
 
   /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
   /// answer is that of `double` arithmetic.
@@ -181,7 +181,7 @@ private:
   std::vector<Level_range> m_facets;
   Shell_report m_report;
   std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;
-  std::shared_ptr<const Cell_bounds> m_cell_bounds;
+  std::shared_ptr<const Bounds> m_cell_bounds;
   std::shared_ptr<const Bspline_shells::Shell_closing_3> m_closing;
   std::shared_ptr<const Bspline_shells::Shell_truncation_3> m_truncation;
 };
