@@ -3,6 +3,7 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -75,6 +76,8 @@ TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the s
   REQUIRE(copy.cell_bounds());
   CHECK(copy.cell_bounds() == moved.cell_bounds());
   CHECK(&copy.field() == &moved.field());
+  const BS::Shell_facet_oracle_3<Shell::Field, Shell::Threshold> oracle(copy);
+  CHECK(oracle.bounds() == copy.cell_bounds());
   Certificate sharing(copy), alone(moved.field(), moved.inner_threshold(), moved.outer_threshold());
   for(double factor : { 1., 1.001, 1.1 }) {
     Mesh scaled = mesh;
