@@ -53,7 +53,7 @@ public:
   typedef Field_ Field;
   typedef typename Field::Point_3 Point_3;
   typedef typename Field::Cell Cell;
-  typedef std::uint32_t Box_index;
+  typedef std::size_t Box_index;                           ///< a shell may have more boxes than 32 bits can count
   static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
   /// A cell with more boxes is not subdivided further. The smaller number holds once `many_undecided_boxes` are undecided; then boxes are not subdivided
   /// either where critical points seem to be in the shell.
@@ -192,7 +192,7 @@ public:
         for(const Flood_step& step : steps)
           switch(step.kind) {
             case Flood_step::BOX: if(m_boxes[step.number].component == Cover_box::no_component) include(step.number); break;
-            case Flood_step::UNSEEN_CELL: wanted.push_back(step.number); break;
+            case Flood_step::UNSEEN_CELL: wanted.push_back(std::uint32_t(step.number)); break;
             case Flood_step::WAITING_BOX: waiting.push_back(step.number); break;
             case Flood_step::BOX_AT_END: m_at_end.push_back(step.number); break;
           }
@@ -343,12 +343,12 @@ private:
   {
     enum Kind : std::uint8_t { BOX, UNSEEN_CELL, WAITING_BOX, BOX_AT_END };
     Kind kind;
-    std::uint32_t number;
+    std::size_t number;       // box or cell
   };
 
   void find_steps(Box_index b, std::vector<Flood_step>& steps) const
   {
-    const Bbox_3 box = grown(bbox(m_boxes[b]));
+    const Bbox_3 box = bbox(m_boxes[b]);
     const auto find_touching = [&](std::uint32_t c) {
       for_each_touching(c, box, [&](Box_index n) {
         if(m_boxes[n].kind != Box_kind::EXCLUDED && m_boxes[n].component == Cover_box::no_component) steps.push_back({ Flood_step::BOX, n });
@@ -535,7 +535,7 @@ private:
     const Cell_boxes& range = m_cells[m_first[c]];
     if(range.end - range.begin <= 8) {
       for(std::size_t b = range.begin; b < range.end; ++b)
-        if(do_overlap(bbox(m_boxes[b]), target)) visit(Box_index(b));
+        if(do_overlap(bbox(m_boxes[b]), target)) visit(b);
       return;
     }
     descend(range.begin, range.end, 0, target, visit);
@@ -550,7 +550,7 @@ private:
     for(int a = 0; a < 3; ++a) part.position[a] = std::uint16_t(part.position[a] >> below);
     part.depth = std::uint8_t(depth);
     if(!do_overlap(bbox(part), target)) return;
-    if(end - begin == 1) { visit(Box_index(begin)); return; }
+    if(end - begin == 1) { visit(begin); return; }
     for(std::size_t b = begin; b < end; ) {
       const int o = octant(m_boxes[b], int(m_boxes[b].depth) - depth - 1);
       const std::size_t next = std::size_t(std::partition_point(m_boxes.begin() + b, m_boxes.begin() + end, [&](const Cover_box& x) {

@@ -290,7 +290,7 @@ private:
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
           note(box, is_beyond_zero ? field : values);
         }
-    for(std::uint32_t b : cover.at_end()) note(cover.boxes()[b], cover.range_at_end(cover.boxes()[b]));
+    for(std::size_t b : cover.at_end()) note(cover.boxes()[b], cover.range_at_end(cover.boxes()[b]));
     return nearest;
   }
 
