@@ -757,3 +757,53 @@ TEST_CASE("Thresholds: differences to them and their ranges on cells")
     }
   }
 }
+
+TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not rounded up")
+{
+  // cells are so large that slopes per user unit have few bits
+  constexpr double scale = 0x1p300;
+  int known = 0;
+  for(int n = 0; n < 60; ++n) {
+    const double slope = std::ldexp(1.1, -700 - n);       // per cell
+    Field field = cube_field(CGAL::ORIGIN, scale);
+    set(field, [&](double, double, double z) { return slope * z; });
+    double bound = 0;
+    const Triangle t = { Point_3(0, 0, 0.25 * scale), Point_3(scale, 0, 0.25 * scale), Point_3(0, scale, 0.25 * scale) };
+    CHECK(Predicates(field).crosses_upwards(t, nullptr, nullptr, &bound) == Verdict::PROVED);
+    CHECK(Rational(bound) * Rational(scale) <= Rational(slope));
+    known += bound > 0;
+  }
+  CHECK(known > 5);
+}
+
+TEST_CASE("Predicates: answers and slopes are those of a field that is scaled by a power of two")
+{
+  CGAL::Random random(61);
+  const Field field = random_field(62);
+  const BS::Spline_threshold<Field> threshold(random_field(63));
+  int proved = 0, refuted = 0;
+  for(int exponent : { -900, -535, 524, 1000 }) {
+    Field scaled = field, scaled_threshold = threshold.field();
+    scaled.set_coefficients(Eigen::VectorXd(std::ldexp(1., exponent) * field.coefficients()));
+    scaled_threshold.set_coefficients(Eigen::VectorXd(std::ldexp(1., exponent) * scaled_threshold.coefficients()));
+    const Predicates predicates(field), of_scaled(scaled);
+    const BS::Spline_threshold<Field> above(scaled_threshold);
+    for(int n = 0; n < 40; ++n) {
+      const Point_3 p = random_point(random, 3.5);
+      const double size = n % 2 ? 0.3 : 0.02;
+      const Triangle t = { p, p + size * (random_point(random, 1) - CGAL::ORIGIN), p + size * (random_point(random, 1) - CGAL::ORIGIN) };
+      double slope = 0, scaled_slope = 0;
+      const Verdict verdict = predicates.crosses_upwards(t, nullptr, nullptr, &slope);
+      CHECK(of_scaled.crosses_upwards(t, nullptr, nullptr, &scaled_slope) == verdict);
+      CHECK(scaled_slope == std::ldexp(slope, exponent));
+      CHECK(of_scaled.increases({ t[0], t[1] }) == predicates.increases({ t[0], t[1] }));
+      CHECK(of_scaled.increases_above({ t[0], t[1] }, above) == predicates.increases_above({ t[0], t[1] }, threshold));
+      const double level = *field.value(t[0]) + random.get_double(-0.1, 0.1), scaled_level = std::ldexp(level, exponent);
+      CHECK(of_scaled.values_within(t, { scaled_level, inf }) == predicates.values_within(t, { level, inf }));
+      proved += verdict == Verdict::PROVED;
+      refuted += verdict == Verdict::REFUTED;
+    }
+  }
+  CHECK(proved > 10);
+  CHECK(refuted > 10);
+}

@@ -1060,3 +1060,111 @@ TEST_CASE("Certificate: thresholds on other cells than the field's are refused")
     CHECK(shell.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
   }
 }
+
+namespace {
+
+Field scaled(Field field, int exponent)
+{
+  field.set_coefficients(Eigen::VectorXd(field.coefficients() * std::ldexp(1., exponent)));
+  return field;
+}
+
+// Compares a certificate with that of the same mesh, where the field and the thresholds are 2^exponent times as large.
+template <typename Any_certificate>
+void check_is_scaled(const Any_certificate& certificate, const Any_certificate& reference, int exponent)
+{
+  for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == reference.verdict(Claim(c)));
+  CHECK(certificate.least_angle() == reference.least_angle());
+  CHECK(certificate.least_gradient() == std::ldexp(reference.least_gradient(), exponent));
+  CHECK(certificate.report().greatest_gradient == std::ldexp(reference.report().greatest_gradient, exponent));
+  CHECK(certificate.displacement_bound() == reference.displacement_bound());
+  CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
+  CHECK(certificate.statistics().critical_boxes == reference.statistics().critical_boxes);
+  CHECK(certificate.statistics().undecided_boxes == reference.statistics().undecided_boxes);
+  REQUIRE(certificate.facets().size() == reference.facets().size());
+  bool have_scaled_slopes = true;
+  for(std::size_t n = 0; n < reference.facets().size(); ++n)
+    have_scaled_slopes = have_scaled_slopes && certificate.facets()[n].slope == std::ldexp(reference.facets()[n].slope, exponent);
+  CHECK(have_scaled_slopes);
+}
+
+// The same near the ends of the range of numbers: less may be proved, but nothing else.
+template <typename Any_certificate>
+void check_proves_no_more(const Any_certificate& certificate, const Any_certificate& reference, int exponent)
+{
+  for(int c = 0; c < 5; ++c)
+    if(certificate.verdict(Claim(c)) != Verdict::UNDECIDED) CHECK(certificate.verdict(Claim(c)) == reference.verdict(Claim(c)));
+  constexpr double same = 1 + 1e-12;
+  CHECK(certificate.least_angle() <= reference.least_angle() * same);
+  CHECK(certificate.displacement_bound() * same >= reference.displacement_bound());
+  // both are compared at a size at which neither vanishes or overflows
+  const int half = exponent / 2;
+  CHECK(std::ldexp(certificate.least_gradient(), half - exponent) <= std::ldexp(reference.least_gradient(), half) * same);
+  CHECK(std::ldexp(certificate.report().greatest_gradient, half - exponent) * same >= std::ldexp(reference.report().greatest_gradient, half));
+}
+
+} // namespace
+
+TEST_CASE("Certificate: scaling field and thresholds by a power of two changes no claim and no angle, and scales gradients exactly")
+{
+  // a sphere that is proved, a double cover that is refuted, a shell with a critical point in it, and one with critical points beyond a threshold
+  struct Case { Field field; double inner, outer; Mesh mesh; };
+  const Point_3 c(0.31, -0.13, 0.17);
+  Field quadratic = cube_field(4, 1);
+  set(quadratic, [&](double x, double y, double z) {
+    return (x - c.x()) * (x - c.x()) + (y - c.y()) * (y - c.y()) + (z - c.z()) * (z - c.z()) - 1;
+  });
+  const Case cases[] = { { radial_field(), 0.8, 1.2, sphere(1) }, { radial_field(), 0.28, 1.1, pentagram_bipyramid() },
+                         { quadratic, -0.5, 4.001, sphere(1, 2, c) }, { quadratic, 0.01, 4.001, sphere(1, 2, c) } };
+  const Verdict gradients[] = { Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::PROVED };
+  for(int n = 0; n < 4; ++n) {
+    CAPTURE(n);
+    const auto certified = [&](int exponent) {
+      const Case& here = cases[n];
+      return certify(scaled(here.field, exponent), std::ldexp(here.inner, exponent), std::ldexp(here.outer, exponent), here.mesh);
+    };
+    const Certificate reference = certified(0);
+    REQUIRE(reference.verdict(Claim::GRADIENT) == gradients[n]);
+    REQUIRE(reference.is_certified() == (n == 0 || n == 3));
+    if(n == 3) REQUIRE(reference.statistics().critical_boxes > 0);
+    for(int exponent : { -900, -600, -535, -520, 513, 524, 600, 1000 }) {
+      CAPTURE(exponent);
+      check_is_scaled(certified(exponent), reference, exponent);
+    }
+    for(int exponent : { -1060, -1030, -1010, -990, 1012, 1018, 1022 }) {
+      CAPTURE(exponent);
+      check_proves_no_more(certified(exponent), reference, exponent);
+    }
+  }
+}
+
+TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients; nor bounds of facets' displacements")
+{
+  typedef BS::Spline_threshold<Field> Varying;
+  typedef BS::Shell_certificate_3<Field, Varying> Varying_certificate;
+  const Field field = radial_field();
+  Field inner = field, outer = field;
+  set(inner, [](double, double y, double z) { return 0.8 - 0.05 * z + 0.02 * y; });
+  set(outer, [](double x, double, double z) { return 1.2 + 0.05 * z - 0.02 * x; });
+  const Mesh mesh = sphere(1);
+  const auto certified = [&](const Field& scaled_field, int exponent) {
+    Varying_certificate certificate(scaled_field, Varying(scaled(inner, exponent)), Varying(scaled(outer, exponent)));
+    certificate.verify<CGAL::Sequential_tag>(mesh);
+    return certificate;
+  };
+  const Varying_certificate reference = certified(field, 0);
+  REQUIRE(reference.is_certified());
+  const std::vector<double> displacements = reference.displacement_bounds<CGAL::Sequential_tag>();
+  for(int exponent : { -900, -535, 524, 1000 }) {
+    CAPTURE(exponent);
+    const Field scaled_field = scaled(field, exponent);
+    const Varying_certificate certificate = certified(scaled_field, exponent);
+    check_is_scaled(certificate, reference, exponent);
+    CHECK(certificate.displacement_bounds<CGAL::Sequential_tag>() == displacements);
+  }
+  for(int exponent : { -1060, -1020, 1015, 1022 }) {
+    CAPTURE(exponent);
+    const Field scaled_field = scaled(field, exponent);
+    check_proves_no_more(certified(scaled_field, exponent), reference, exponent);
+  }
+}

@@ -867,3 +867,39 @@ TEST_CASE("Covers: what is known of cells is taken over under their new numbers 
     }
   }
 }
+
+TEST_CASE("Covers: the number of boxes is limited by memory, not by the type of their numbers")
+{
+  CHECK(std::numeric_limits<Cover::Box_index>::digits >= std::numeric_limits<std::vector<Cover_box>::size_type>::digits);
+}
+
+TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what proves them are the same, and bounds of the gradient are scaled")
+{
+  CGAL::Random random(41);
+  const Field field = with(random_cells(random, 4, 1, 2), [&](double x, double y, double z) {
+    return std::sqrt((x - 0.1) * (x - 0.1) + y * y + z * z) + random.get_double(-0.05, 0.05);
+  });
+  const auto make = [](const Field& f, double scale) {
+    const Point_3 p(1.1, 0, 0);
+    const double level = f.value(p).value();
+    Cover cover(f, Constant(level - 0.125 * scale), Constant(level + 0.125 * scale));
+    cover.flood<Tag>(p, 0);
+    return cover;
+  };
+  const Cover reference = make(field, 1);
+  REQUIRE(std::count_if(reference.boxes().begin(), reference.boxes().end(), [](const Cover_box& b) { return b.component == 0; }) > 20);
+  for(int exponent : { -900, -535, 524, 1000 }) {
+    CAPTURE(exponent);
+    Field scaled = field;
+    scaled.set_coefficients(Eigen::VectorXd(std::ldexp(1., exponent) * field.coefficients()));
+    const Cover cover = make(scaled, std::ldexp(1., exponent));
+    REQUIRE(cover.boxes().size() == reference.boxes().size());
+    bool is_same = true;
+    for(std::size_t n = 0; n < cover.boxes().size(); ++n) {
+      const Cover_box &a = cover.boxes()[n], &b = reference.boxes()[n];
+      is_same = is_same && a.cell == b.cell && a.depth == b.depth && a.kind == b.kind && a.component == b.component && a.proof == b.proof;
+    }
+    CHECK(is_same);
+    CHECK(cover.least_gradient<Tag>() == std::ldexp(reference.least_gradient<Tag>(), exponent));
+  }
+}

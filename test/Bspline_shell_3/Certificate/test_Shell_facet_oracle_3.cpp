@@ -251,3 +251,22 @@ TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is reje
   CHECK(Oracle(shell)(p, q, r) == Placement_verdict::FACES_AWAY);
   CHECK(Oracle(shell, BS::Facet_proofs::ALL)(p, q, r) == Placement_verdict::FACES_AWAY);
 }
+
+TEST_CASE("Facet oracle: the same answers for a field that is scaled by a power of two")
+{
+  for(int exponent : { -900, -535, 0, 524, 900 }) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1., exponent);
+    Polynomial scaled = squared_distance;
+    for(Monomial& m : scaled) m.factor *= scale;
+    const auto shell = shell_of(uniform_field(scaled), 0.36 * scale, 0.6561 * scale);
+    const Oracle oracle(shell);
+    Oracle::Memory memory;
+    CHECK(oracle(pole, band({ 0, 60, 120, 180, 240, 300 }), memory) == Placement_verdict::ACCEPTED);
+    CHECK(oracle(pole, band({ 0, 120, 240 }), memory) == Placement_verdict::LEAVES_SHELL);
+    CHECK(oracle.winding_number(pole, band({ 0, 120, 240 })) == 1);
+    const auto moved = oracle.moved_to_level(Point_3(0, 0.3, 0.7), 0.5 * scale);
+    REQUIRE(moved);
+    CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(0.5));
+  }
+}

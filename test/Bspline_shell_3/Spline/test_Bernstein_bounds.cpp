@@ -288,12 +288,52 @@ TEST_CASE("Bounds: numbers so small that products vanish are enclosed as others 
     const Exact_coefficients b = exact_coefficients(f);
     const Point p = random_point(random);
     CHECK(contains(BS::enclose_at_point(f, p, 0), bernstein_value(b, exact(p))));
-    const Enclosed_tricubic half = BS::restrict_to_octant(f, 0), g = BS::enclosed_derivative(f, { 0.3, 0.3, 0.3 });
+    const Enclosed_tricubic half = BS::restrict_to_octant(f, 0);
     CHECK(CGAL::abs(Rational(half.coefficients[1] - (b[0] + b[1]) / 2)) <= Rational(half.radius));
     const std::array<Exact_coefficients, 3> slopes = { derivative(b, 0), derivative(b, 1), derivative(b, 2) };
-    for(int m = 0; m < 64; ++m)
-      CHECK(CGAL::abs(Rational(Rational(0.3) * (slopes[0][m] + slopes[1][m] + slopes[2][m]) - Rational(g.coefficients[m]))) <= Rational(g.radius));
+    for(double d : { 0.3, 0.3e300 }) {        // along a long direction, derivatives are not small
+      const Enclosed_tricubic g = BS::enclosed_derivative(f, { d, d, d });
+      for(int m = 0; m < 64; ++m)
+        CHECK(CGAL::abs(Rational(Rational(d) * (slopes[0][m] + slopes[1][m] + slopes[2][m]) - Rational(g.coefficients[m]))) <= Rational(g.radius));
+    }
   }
+}
+
+TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, bounds are infinite")
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+  const auto is_infinite = [](const Level_range& r) { return r.min == -std::numeric_limits<double>::infinity() && r.max == -r.min; };
+  CGAL::Random random(14);
+  const std::array<Point, 3> corners = { random_point(random), random_point(random), random_point(random) };
+  for(double bad : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
+    for(int n = 0; n < 64; ++n) {
+      Enclosed_tricubic f = random_function(random, 4);
+      f.coefficients[n] = bad;
+      CHECK(is_infinite(f.range()));
+      std::array<int, 3> towards, away;
+      for(int a = 0; a < 3; ++a) {
+        towards[a] = along(n, a) == 0 ? -1 : along(n, a) == 3 ? 1 : 0;
+        away[a] = along(n, a) == 0 ? 1 : -1;
+      }
+      CHECK(is_infinite(f.range_towards(towards)));
+      CHECK_FALSE(is_infinite(f.range_towards(away)));
+      CHECK(is_infinite(BS::enclose_on_triangle(f, corners, 0)));
+      CHECK(is_infinite(BS::enclose_on_segment(f, { corners[0], corners[1] }, 0)));
+      CHECK(is_infinite(BS::enclose_at_point(f, corners[2], 0)));
+      CHECK(is_infinite(BS::difference(f, constant(1)).range()));
+      CHECK(is_infinite(BS::enclosed_derivative(f, { 1, 1, 1 }).range()));
+    }
+  for(double radius : { infinity, std::numeric_limits<double>::quiet_NaN() }) {
+    CHECK(is_infinite(constant(1, radius).range()));
+    CHECK(is_infinite(BS::enclose_at_point(constant(1, radius), corners[0], 0)));
+  }
+  // differences, and products with a direction
+  Enclosed_tricubic steep = constant(-largest);
+  for(int n = 0; n < 64; ++n)
+    if(along(n, 0) > 1) steep.coefficients[n] = largest;
+  CHECK(is_infinite(BS::enclosed_derivative(steep, { 1, 0, 0 }).range()));
+  CHECK(is_infinite(BS::enclosed_derivative(random_function(random, 4), { largest, -largest, largest }).range()));
+  CHECK(is_infinite(BS::difference(constant(largest), constant(-largest)).range()));
 }
 
 TEST_CASE("Bounds: a field on a cell has the cell's radius; thresholds are subtracted with theirs, and have their range")

@@ -219,3 +219,20 @@ TEST_CASE("Values at critical points: what is no number, or overflows, says noth
   for(std::size_t n = 0; n < 64; ++n) large.coefficients[n] = n % 2 ? 1.7e308 : -1.7e308;
   CHECK(says_nothing(BS::values_at_critical_points(f, large, { 0.5, 0.5, 0.5 }).range()));
 }
+
+TEST_CASE("Values at critical points: the center of a function that is scaled by a power of two is the same")
+{
+  CGAL::Random random(5);
+  for(int n = 0; n < 20; ++n) {
+    const Enclosed_tricubic f = random_function(random, 3, 0);
+    const Critical_center center = BS::critical_center(f);
+    for(int exponent : { -900, -535, 524, 1000 }) {
+      Enclosed_tricubic scaled = f;
+      for(double& x : scaled.coefficients) x = std::ldexp(x, exponent);
+      const Critical_center of_scaled = BS::critical_center(scaled);
+      CHECK(of_scaled.point == center.point);
+      CHECK(of_scaled.value == std::ldexp(center.value, exponent));
+      CHECK(of_scaled.slope == center.slope);
+    }
+  }
+}

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
@@ -144,9 +145,11 @@ public:
     const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
     Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
     const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
-    // a slope that is too large for a number is at least the largest one
+    // A slope that is too large for a number is at least the largest one. If the quotient is nearly subnormal, it may be rounded up by more
+    // than the factor takes back: then no slope is known.
     constexpr double largest = (std::numeric_limits<double>::max)();
-    *slope = verdict == Verdict::PROVED ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
+    const bool is_known = verdict == Verdict::PROVED && least.value >= internal::underflow;
+    *slope = is_known ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
     return verdict;
   }
 
@@ -249,15 +252,13 @@ private:
     double unit(const typename Field::Cell& cell) const { return cell.width(); }
   };
 
+  // the direction of a segment, scaled by a power of two: each component is at most one, and errs by one rounding
   static Increases along(const std::array<Point_3, 2>& segment)
   {
-    Increases question = { {}, 0 };
-    double largest = 0;
-    for(int a = 0; a < 3; ++a) {
-      question.direction[a] = segment[1][a] - segment[0][a];
-      largest = (std::max)(largest, std::abs(question.direction[a]));
-    }
-    question.radius = internal::rounding * largest;
+    Increases question = { {}, internal::rounding };
+    for(int a = 0; a < 3; ++a) question.direction[a] = segment[1][a] - segment[0][a];
+    const double unit = internal::reciprocal_power_of_two(question.direction);
+    for(double& d : question.direction) d *= unit;
     return question;
   }
 
@@ -409,17 +410,23 @@ private:
     Plane(const std::array<Point_3, size>& simplex, double extent, double reach)
     {
       if constexpr(size == 3) {
+        // The edges are scaled to a length of about one, as products of three lengths could vanish.
+        const double unit = internal::reciprocal_power_of_two(extent);
+        std::array<double, 3> u, v;
+        for(int a = 0; a < 3; ++a) {
+          u[a] = unit * (simplex[1][a] - simplex[0][a]);
+          v[a] = unit * (simplex[2][a] - simplex[0][a]);
+        }
         double sum = 0;
         for(int a = 0; a < 3; ++a) {
           const int b = (a + 1) % 3, c = (a + 2) % 3;
-          normal[a] = (simplex[1][b] - simplex[0][b]) * (simplex[2][c] - simplex[0][c])
-                    - (simplex[1][c] - simplex[0][c]) * (simplex[2][b] - simplex[0][b]);
+          normal[a] = u[b] * v[c] - u[c] * v[b];
           point[a] = simplex[0][a];
           sum += std::abs(normal[a]);
         }
         // What rounding of the normal (see facet_normal()) makes of points of the triangle, and the roundings of meets(),
         // where cells are at most two extents and a cell away and coordinates are differences of such within the reach.
-        error = 32 * internal::rounding * (extent * extent * extent + sum * (reach + extent));
+        error = 32 * internal::rounding * (extent + sum * (reach + extent));
       }
     }
 

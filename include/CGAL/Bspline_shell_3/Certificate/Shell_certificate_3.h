@@ -20,10 +20,12 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/FPU.h>
@@ -394,7 +396,7 @@ private:
     return facets;
   }
 
-  // an upper bound of the length of the gradient, per user unit, on a leaf cell: from differences of its coefficients
+  // Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user unit.
   double greatest_gradient(std::uint32_t c) const
   {
     const typename Field::Cell cell = m_field->cell(c);
@@ -404,12 +406,10 @@ private:
       double& most = greatest[std::size_t(axis)];
       for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
     });
-    double squared = 0;
-    for(double largest : greatest) {
-      largest = 3 * (largest + 2 * cell.error_radius());
-      squared += largest * largest;
-    }
-    return std::sqrt(squared) / cell.width() * (1 + 16 * internal::rounding);
+    for(double& largest : greatest) largest = 3 * (largest + 2 * cell.error_radius());
+    const double length = internal::length_bound(greatest) / cell.width() * (1 + 16 * internal::rounding)
+                        + std::numeric_limits<double>::denorm_min();
+    return length >= 0 ? length : std::numeric_limits<double>::infinity();      // NaN, too, is not a bound
   }
 
   typedef typename Cover::Shared Shared;
@@ -509,7 +509,7 @@ private:
     if(found(Claim::GRADIENT) == Verdict::PROVED)
       m_draft.least_gradient = known && m_proved.least_gradient > 0 ? m_proved.least_gradient : cover.template least_gradient<ConcurrencyTag>();
     if(m_draft.least_gradient > 0)
-      m_draft.displacement_bound = (thresholds.max - thresholds.min) / m_draft.least_gradient * (1 + 4 * internal::rounding);
+      m_draft.displacement_bound = internal::longest_curve(thresholds, m_draft.least_gradient);
     return shared;
   }
 
@@ -681,13 +681,16 @@ private:
     const Triangle_mesh::Point middle = CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
     const Cell_index c = m_field->locate(to_field(middle));
     if(c == Field::npos) return Verdict::UNDECIDED;
+    // The gradient and the values are scaled, as squares of small or large ones would vanish or overflow.
     const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
-    const double squared = internal::dot(jet.gradient, jet.gradient);
+    const std::array<double, 3> gradient = internal::scaled_to_unit(jet.gradient);
+    const double unit = internal::reciprocal_power_of_two(jet.gradient), squared = internal::dot(gradient, gradient);
     if(!(squared > 0)) return Verdict::UNDECIDED;
     const auto along = [&](double s) {
-      return Triangle_mesh::Point(middle.x() + s * jet.gradient[0], middle.y() + s * jet.gradient[1], middle.z() + s * jet.gradient[2]);
+      return Triangle_mesh::Point(middle.x() + s * gradient[0], middle.y() + s * gradient[1], middle.z() + s * gradient[2]);
     };
-    const double down = jet.value - m_inner.value(to_field(middle)), up = m_outer.value(to_field(middle)) - jet.value;
+    const double down = unit * (jet.value - m_inner.value(to_field(middle))),
+                 up = unit * (m_outer.value(to_field(middle)) - jet.value);
     for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
       const Triangle_mesh::Point p = along(-stretch * (down + (up + down) / 64) / squared),
                                  q = along(stretch * (up + (up + down) / 64) / squared);

@@ -19,6 +19,7 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Kernel/global_functions_3.h>
@@ -352,10 +353,11 @@ auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(cons
     const Cell_index c = field.locate(x);
     if(c == Field::npos) return std::nullopt;
     const auto jet = field.cell(c).first_order_jet(x);
-    const double squared = internal::dot(jet.gradient, jet.gradient);
+    const Coordinates gradient = internal::scaled_to_unit(jet.gradient);
+    const double unit = internal::reciprocal_power_of_two(jet.gradient), squared = internal::dot(gradient, gradient);
     if(!(squared > 0)) return std::nullopt;
-    const double s = (level - jet.value) / squared;
-    x = Point_3(x[0] + s * jet.gradient[0], x[1] + s * jet.gradient[1], x[2] + s * jet.gradient[2]);
+    const double s = unit * (level - jet.value) / squared;
+    x = Point_3(x[0] + s * gradient[0], x[1] + s * gradient[1], x[2] + s * gradient[2]);
   }
   return x;
 }
@@ -364,12 +366,13 @@ template <typename Field, typename Threshold, typename ConcurrencyTag>
 std::size_t
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
 {
-  const double length = internal::norm(at_p.gradient);
+  const Coordinates gradient = internal::scaled_to_unit(at_p.gradient);
+  const double length = internal::norm(gradient);
   if(!(length > 0)) return 0;
   const double s = 16 * m_largest_width / length;
   Coordinates on_axis;
   for(int a = 0; a < 3; ++a) {
-    on_axis[a] = p[a] + s * at_p.gradient[a];
+    on_axis[a] = p[a] + s * gradient[a];
     if(!std::isfinite(on_axis[a])) return 0;        // predicates take numbers only
   }
   return link_winding_number(p, Point_3(on_axis[0], on_axis[1], on_axis[2]), link);

@@ -26,6 +26,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
+// Returns an upper bound of the length of curves between two levels, where the gradient has at least a given length. The last term covers
+// the rounding of subnormal quotients.
+inline double longest_curve(const Level_range& levels, double least_gradient)
+{
+  return (levels.max - levels.min) / least_gradient * (1 + 4 * rounding) + std::numeric_limits<double>::denorm_min();
+}
+
 // Cubes of equal size that cover some cells; each knows how far curves through it can go. Along a curve the field increases by at
 // least the gradient's least length per unit of length. What holds within a distance of a tile is enough if it says that curves through the tile
 // end within that distance.
@@ -56,7 +63,7 @@ public:
       t.second.bound = of_all;
       for(int distance = 1; distance <= farthest; ++distance) {
         const Tile near = neighborhood(t.first, distance);
-        const double length = (near.levels.max - near.levels.min) / near.gradient * (1 + 4 * rounding);
+        const double length = longest_curve(near.levels, near.gradient);
         if(!(length < distance * m_width * (1 - 4 * margin))) continue;
         t.second.bound = (std::min)(length, of_all);
         break;

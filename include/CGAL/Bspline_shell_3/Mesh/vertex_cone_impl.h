@@ -97,7 +97,8 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   if(mean != NULL_VECTOR) {
     const Point_3 s = p + std::sqrt(reach) * unit(mean);
     const Vector_3 g = s - p;        // as long as an edge whose square does not vanish, or zero
-    bool faced = true;
+    // not if edges are so long that squares overflow, or normals cancel
+    bool faced = std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z());
     for(std::size_t i = 0; i < wings.size() && faced; ++i)
       faced = certainly_faces(normals[i], g) || CGAL::orientation(p, wings[i].first, wings[i].second, s) == POSITIVE;
     if(faced) return Result(unit(g));

@@ -20,6 +20,32 @@
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+// Encloses numbers that are each known to within an error. If a number or the error is not finite, the bounds are infinite: comparisons
+// could pass over NaN. Four searches at a time: one would wait for each of its comparisons. The sum is finite only if all numbers are.
+template <std::size_t n>
+Level_range hull(const std::array<double, n>& b, double error)
+{
+  static_assert(n >= 4, "four numbers at a time");
+  std::array<double, 4> least = { b[0], b[1], b[2], b[3] }, most = least, sum = least;
+  const auto include = [&](std::size_t lane, double x) {
+    least[lane] = (std::min)(least[lane], x);
+    most[lane] = (std::max)(most[lane], x);
+    sum[lane] += x;
+  };
+  std::size_t m = 4;
+  for(; m + 4 <= n; m += 4)
+    for(std::size_t lane = 0; lane < 4; ++lane) include(lane, b[m + lane]);
+  for(; m < n; ++m) include(0, b[m]);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(!(std::isfinite((sum[0] + sum[1]) + (sum[2] + sum[3])) && error < infinity)) return { -infinity, infinity };
+  return { (std::min)((std::min)(least[0], least[1]), (std::min)(least[2], least[3])) - error,
+           (std::max)((std::max)(most[0], most[1]), (std::max)(most[2], most[3])) + error };
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
@@ -29,7 +55,8 @@ namespace Bspline_shells {
  * Every bound in this header is rigorous for every function within the radius. It is computed in `double`s, and what
  * rounding can do is added by an error analysis. Single operations are taken to err by at most `eps`
  * = \f$2^{-52}\f$ relatively, which holds in every rounding mode, or by the least normal number, of which every radius gets
- * more than enough. An infinite radius stands for a function of which nothing is known.
+ * more than enough. An infinite radius stands for a function of which nothing is known. If a coefficient is not finite, nothing is known
+ * either, and the bounds are infinite.
  */
 struct Enclosed_tricubic
 {
@@ -37,11 +64,7 @@ struct Enclosed_tricubic
   double radius = 0;
 
   /// the range of the coefficients with their radius, which encloses the function on the cell
-  Level_range range() const
-  {
-    const auto mm = std::minmax_element(coefficients.begin(), coefficients.end());
-    return { *mm.first - radius, *mm.second + radius };
-  }
+  Level_range range() const { return internal::hull(coefficients, radius); }
 
   /// the same on a face, an edge or a vertex of the cell
   /// \param direction from the cell's center to it: of minus one, zero and one
@@ -49,11 +72,13 @@ struct Enclosed_tricubic
   {
     const auto first = [&](std::size_t a) { return direction[a] > 0 ? 3 : 0; };
     const auto last = [&](std::size_t a) { return direction[a] < 0 ? 0 : 3; };
-    Level_range range;
+    std::array<double, 64> there;
+    std::size_t size = 0;
     for(int k = first(2); k <= last(2); ++k)
       for(int j = first(1); j <= last(1); ++j)
-        for(int i = first(0); i <= last(0); ++i) range.include(coefficients[std::size_t(16*k + 4*j + i)]);
-    return { range.min - radius, range.max + radius };
+        for(int i = first(0); i <= last(0); ++i) there[size++] = coefficients[std::size_t(16*k + 4*j + i)];
+    std::fill(there.begin() + size, there.end(), there[0]);
+    return internal::hull(there, radius);
   }
 };
 
@@ -108,20 +133,13 @@ struct Form_error
 
   double operator()(const Enclosed_tricubic& f) const
   {
-    const auto mm = std::minmax_element(f.coefficients.begin(), f.coefficients.end());
-    const double largest = (std::max)(std::abs(*mm.first), std::abs(*mm.second));
+    const Level_range all = hull(f.coefficients, 0);
+    const double largest = (std::max)(std::abs(all.min), std::abs(all.max));
     // the factor covers the roundings of this very expression
     return (1 + 16 * rounding) * amplification *
-           (f.radius + 52 * rounding * largest + 9 * (*mm.second - *mm.first) * shift + underflow);
+           (f.radius + 52 * rounding * largest + 9 * (all.max - all.min) * shift + underflow);
   }
 };
-
-template <typename Coefficients>
-Level_range hull(const Coefficients& b, double error)
-{
-  const auto mm = std::minmax_element(b.begin(), b.end());
-  return { *mm.first - error, *mm.second + error };
-}
 
 } // namespace internal
 
@@ -226,10 +244,12 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
     double& most = steepest[std::size_t(axis)];
     most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
-  // each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
-  // over the axes two: together at most six of three times the steepest
+  // Each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum over the axes two:
+  // together at most six of three times the steepest. The product with the direction comes first, as the rounding of a small slope could
+  // vanish.
   for(std::size_t axis = 0; axis < 3; ++axis)
-    g.radius += std::abs(direction[axis]) * (6 * f.radius + 18 * internal::rounding * steepest[axis])
+    g.radius += 6 * f.radius * std::abs(direction[axis])
+              + 18 * internal::rounding * (std::abs(direction[axis]) * steepest[axis])
               + direction_radius * (6 * f.radius + 3 * (1 + 4 * internal::rounding) * steepest[axis]);
   g.radius = (1 + 16 * internal::rounding) * (g.radius + internal::underflow);
   return g;

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <algorithm>
 #include <array>
@@ -95,16 +96,24 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
     if(axis == 0) mean += (b[0] + b[stride] + b[2*stride] + b[3*stride]) / 64;
   });
   // Integrals of x_b times a derivative along b are those on faces, by parts: H (c - m) = the mean slopes of faces - 4 mean slopes.
-  double H[3][3], M[3][3], squared = 0;
+  // Both sides are scaled, as squares of small or large numbers would vanish or overflow.
+  double H[3][3], M[3][3], largest = 0, squared = 0;
   for(int a = 0; a < 3; ++a)
     for(int b = 0; b < 3; ++b) {
       H[a][b] = slope[a][b][1] - slope[a][b][0];
-      squared += H[a][b] * H[a][b];
+      largest = (std::max)(largest, std::abs(H[a][b]));
+    }
+  const double unit = internal::reciprocal_power_of_two(largest);
+  for(auto& row : H)
+    for(double& h : row) {
+      h *= unit;
+      squared += h * h;
     }
   std::array<double, 3> right;
   for(int a = 0; a < 3; ++a) {
     right[a] = -4 * (face[a][1] - face[a][0]);
     for(int b = 0; b < 3; ++b) right[a] += (slope[a][b][0] + slope[a][b][1]) / 2;
+    right[a] *= unit;
   }
   // the least squares solution, damped
   for(int i = 0; i < 3; ++i)
@@ -128,7 +137,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
     const double c = 0.5 + x[a];
     center.point[a] = c;
     center.value -= ((1 - c) * face[a][1] + c * face[a][0]) / 2;
-    double left = face[a][1] - face[a][0];
+    double left = unit * (face[a][1] - face[a][0]);
     for(int b = 0; b < 3; ++b) left += H[a][b] * x[b];
     center.slope += left * left / squared;
   }

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <algorithm>
 #include <array>
@@ -20,11 +21,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// An upper bound, whatever the size: squares of small numbers would vanish, those of large ones overflow. NaN if a component is NaN.
+// Returns an upper bound, whatever the size: squares of small numbers would vanish, squares of large ones overflow. Infinite if a component
+// is infinite; NaN if one is NaN.
 inline double length_bound(const std::array<double, 3>& v)
 {
   const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  if(largest == 0 && v[0] + v[1] + v[2] == 0) return 0;
+  if(largest == 0 || std::isinf(largest)) return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
   double squared = 0;
   for(double x : v) squared += (x / largest) * (x / largest);
   return largest * (std::sqrt(squared) * (1 + 16 * rounding)) + std::numeric_limits<double>::denorm_min();
@@ -69,15 +71,16 @@ inline double worst_along(const std::array<double, 3>& v, const Gradient_vectors
   return along[worst];
 }
 
-// moves a point to the nearest to the origin on its segment to one of the vectors; false if it is there
+// Moves a point to the nearest to the origin on its segment to one of the vectors. Returns false if it is there.
 inline bool approach(std::array<double, 3>& v, const Gradient_vectors& vectors, std::size_t worst)
 {
   std::array<double, 3> step;
+  for(int a = 0; a < 3; ++a) step[a] = vectors[a][worst] - v[a];
+  const double unit = reciprocal_power_of_two(step);
   double down = 0, squared = 0;
   for(int a = 0; a < 3; ++a) {
-    step[a] = vectors[a][worst] - v[a];
-    down -= v[a] * step[a];
-    squared += step[a] * step[a];
+    down -= (unit * v[a]) * (unit * step[a]);
+    squared += (unit * step[a]) * (unit * step[a]);
   }
   const double part = down / squared;
   if(!(part > 0)) return false;
@@ -87,16 +90,17 @@ inline bool approach(std::array<double, 3>& v, const Gradient_vectors& vectors, 
 
 constexpr int max_steps_of_direction = 12;
 
-// The control vectors' convex hull has a point nearest to the origin: one near it, which is approached from their mean, towards the worst of them.
+// The convex hull of the control vectors has a point nearest to the origin. Returns the direction of a point near it, scaled to unit size.
+// The point is approached from the mean of the vectors, towards the worst of them.
 inline std::array<double, 3> nearest_of_hull(const Gradient_vectors& gradient)
 {
   std::array<double, 3> nearest = mean(gradient);
   for(int step = 0; step < max_steps_of_direction; ++step) {
     std::size_t worst;
-    worst_along(nearest, gradient, worst);
+    worst_along(scaled_to_unit(nearest), gradient, worst);
     if(!approach(nearest, gradient, worst)) break;
   }
-  return nearest;
+  return scaled_to_unit(nearest);
 }
 
 // Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
@@ -107,10 +111,11 @@ inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<
   std::array<double, 3> nearest = mean(gradient);
   for(int step = 0; step < max_steps_of_direction; ++step) {
     std::size_t worst;
-    const double along = worst_along(nearest, gradient, worst);
-    if(along > 0 && along > steepest * length_bound(nearest)) {
-      const double largest = (std::max)({ std::abs(nearest[0]), std::abs(nearest[1]), std::abs(nearest[2]) });
-      for(int a = 0; a < 3; ++a) direction[a] = nearest[a] / largest;
+    const std::array<double, 3> unit = scaled_to_unit(nearest);
+    const double along = worst_along(unit, gradient, worst);
+    if(along > 0 && along > steepest * length_bound(unit)) {
+      const double largest = (std::max)({ std::abs(unit[0]), std::abs(unit[1]), std::abs(unit[2]) });
+      for(int a = 0; a < 3; ++a) direction[a] = unit[a] / largest;
       const double slope = enclosed_derivative(f, direction).range().min;
       return slope > 0 && slope > steepest * length_bound(direction);     // otherwise by rounding only
     }

@@ -84,6 +84,11 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
   // a difference of four coefficients, and three roundings of at most four times the largest
   const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
   Symmetric_matrix_range_3 h;
+  if(!(16 * largest + error < std::numeric_limits<double>::infinity())) {       // otherwise differences are finite, too
+    h.least.fill(-std::numeric_limits<double>::infinity());
+    h.most.fill(std::numeric_limits<double>::infinity());
+    return h;
+  }
   for(int m = 0; m < 6; ++m) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     const auto include = [&](double x) {

@@ -147,14 +147,13 @@ public:
       if(f < m_inner.level() || f > m_outer.level()) return std::numeric_limits<double>::infinity();
     } else
       if(middle(functions[1]) < 0 || middle(functions[2]) > 0) return std::numeric_limits<double>::infinity();
-    double squared = 0;
+    std::array<double, 3> slope;
     for(int a = 0; a < 3; ++a) {
       std::array<double, 3> axis = {};
       axis[a] = 1;
-      const double slope = middle(enclosed_derivative(functions[0], axis));
-      squared += slope * slope;
+      slope[a] = middle(enclosed_derivative(functions[0], axis));
     }
-    return std::sqrt(squared);
+    return std::hypot(slope[0], slope[1], slope[2]);
   }
 
 private:
