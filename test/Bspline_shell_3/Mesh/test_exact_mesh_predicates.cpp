@@ -50,6 +50,10 @@ TEST_CASE("Fan winding: as often as the link goes round")
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);      // the facets face the other way
     }
+  // a facet whose plane contains the axis does not face it
+  const std::vector<Point_3> link = { Point_3(0, -1, -1), Point_3(0, 1, -1), Point_3(-1, 0, -1) };
+  CHECK(BS::link_winding_number(Point_3(0, 0, 0), Point_3(0, 0, 1), link) == 0);
+  CHECK(BS::link_winding_number(Point_3(0, 0, 0), Point_3(0.1, 0, 1), link) == 1);
   // at every vertex of ordinary meshes, whatever halfedge the walk begins with
   Mesh mesh = torus(3, 1, 9, 7);
   for(auto v : mesh.vertices()) {
@@ -71,7 +75,7 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
     CHECK(sequential[0] == sequential[1]);
     return bool(sequential[0]);
   };
-  for(double size : { 1e-60, 1., 1e55 })
+  for(double size : { 1e-200, 1e-60, 1., 1e55 })
     for(double height : { 1e-3, 1., 1e3 }) {
       CAPTURE(size, height);
       const auto scaled = [&](Mesh mesh) {

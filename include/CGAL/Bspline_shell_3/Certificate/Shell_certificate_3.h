@@ -407,9 +407,7 @@ private:
       for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
     });
     for(double& largest : greatest) largest = 3 * (largest + 2 * cell.error_radius());
-    const double length = internal::length_bound(greatest) / cell.width() * (1 + 16 * internal::rounding)
-                        + std::numeric_limits<double>::denorm_min();
-    return length >= 0 ? length : std::numeric_limits<double>::infinity();      // NaN, too, is not a bound
+    return internal::length_bound(greatest) / cell.width() * (1 + 16 * internal::rounding) + std::numeric_limits<double>::denorm_min();
   }
 
   typedef typename Cover::Shared Shared;

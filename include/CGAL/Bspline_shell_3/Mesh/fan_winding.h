@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -109,13 +110,13 @@ bool is_fan_embedded(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     const auto normal = facet_normal(p, link[n], link[n + 1 < link.size() ? n + 1 : 0]).direction;
     const double length = internal::norm(normal);
     for(std::size_t a = 0; a < 3; ++a) mean[a] += normal[a] / length;
-    reach = (std::max)(reach, (link[n] - p).squared_length());
+    for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(link[n][a] - p[a]));
   }
-  const double scale = std::sqrt(reach) / internal::norm(mean);
+  // If normals cancel, this is `p`, which no facet faces.
+  const std::array<double, 3> axis = internal::scaled_to_unit(mean);
   typedef std::decay_t<decltype(p)> Point_3;
-  const Point_3 on_axis(p.x() + scale * mean[0], p.y() + scale * mean[1], p.z() + scale * mean[2]);
-  const bool is_finite = std::isfinite(on_axis.x() + on_axis.y() + on_axis.z());      // not if normals cancel, or squares overflow
-  return is_finite && link_winding_number(p, on_axis, link) == 1;
+  const Point_3 on_axis(p.x() + reach * axis[0], p.y() + reach * axis[1], p.z() + reach * axis[2]);
+  return link_winding_number(p, on_axis, link) == 1;
 }
 
 /*!

@@ -150,8 +150,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {
   const Level_range all = f.range(), close = values_at_critical_points(f, f, critical_center(f).point).range();
-  // so written that what is not a number is passed over
-  return { close.min > all.min ? close.min : all.min, close.max < all.max ? close.max : all.max };
+  return { (std::max)(close.min, all.min), (std::min)(close.max, all.max) };
 }
 
 } // namespace Bspline_shells

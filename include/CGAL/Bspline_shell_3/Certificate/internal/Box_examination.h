@@ -78,20 +78,16 @@ public:
     } else {
       const Level_range inner = functions[1].range(), outer = functions[2].range();
       box.kind = inner.max < 0 || outer.min > 0 ? Box_kind::EXCLUDED : Box_kind::UNDECIDED;
-      meets_inner = !(inner.min > 0);       // so written that what is not a number meets
-      meets_outer = !(outer.max < 0);
+      meets_inner = inner.min <= 0;
+      meets_outer = outer.max >= 0;
     }
     if(box.kind == Box_kind::EXCLUDED) return;
     // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
     double steepest = 0;
-    if constexpr(!Threshold::is_constant) {
-      for(int side = 1; side < 3; ++side) {
-        if(!(side == 1 ? meets_inner : meets_outer)) continue;
-        const double s = steepest_threshold(functions[0], functions[side]);
-        // so written that what is not a number is too steep
-        steepest = s >= 0 ? (std::max)(steepest, s) : std::numeric_limits<double>::infinity();
-      }
-    }
+    if constexpr(!Threshold::is_constant)
+      for(int side = 1; side < 3; ++side)
+        if(side == 1 ? meets_inner : meets_outer)
+          steepest = (std::max)(steepest, steepest_threshold(functions[0], functions[side]));
     if(is_monotone(functions[0], steepest, box.proof)) {
       box.kind = Box_kind::MONOTONE;
       return;
