@@ -1,32 +1,39 @@
 #!/usr/bin/env python3
 """Plants each fault of a list into what proofs rest on, and tells which test sees it.
 
-   plant_faults.py [--work FOLDER] [--jobs N] [--list FILE] [--dry] [WORDS ...]
+   plant_faults.py [--work FOLDER] [--jobs N] [--list FILE] [--part I/N] [--all] [--dry] [WORDS ...]
 
-With WORDS, only faults are run whose name or file contains one of them. The list (faults.txt beside this script) says how faults
-are written down. All of them are planted into a copy of the sources, in FOLDER (build/planted_faults), behind one switch that
-is read from the environment: each test is compiled once. FOLDER is kept, so that a later run compiles what has changed, and
-begins with the test that saw a fault last time; then come those of the file that has it, then all.
+With WORDS, only faults are run whose name or file contains one of them; with --part, only the I-th of N parts of these. The list (faults.txt
+beside this script) says how faults are written down. All of them are planted into a copy of the sources, in FOLDER (build/planted_faults),
+behind one switch that is read from the environment: each test is compiled once.
 
-First all tests must pass without a fault. Then each fault is switched on, and the tests are run up to the first that fails; to end
-in any other way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake,
-those of check_certificate to its own test. Exit code 0 if every fault is seen, but those that the list argues to change no
-answer; 1 if others survive, or one of these is seen; 2 if the list does not fit the sources. --dry stops after it was planted.
+First all tests must pass without a fault. Then each fault is switched on, and tests are run up to the first that fails; to end in any other
+way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake: first the test that saw the
+fault last time, then the test file of the header, then the test files that include the header, or, if there are none, those that include a
+header that includes it. With --all, all other tests follow. Faults of check_certificate are left to its own tests, small certificates
+first; the large ones follow with --all.
 
-Needs what test/run.sh installs. On two cores, compiling takes about ten minutes. The proof tests take about a minute, and so does the test
-of check_certificate. A fault that is not seen takes as long as these, most others a few seconds: allow two hours for the whole list.
+FOLDER keeps what was compiled and what was found, in found.json. A run that was cut off continues where it stopped: a fault is examined
+again if its text or a source has changed since, or if it was not seen and --all asks for more tests.
+
+Exit code 0 if every fault is seen, but those that the list argues to change no answer; 1 if others survive, or one of these is seen; 2 if the
+list does not fit the sources. --dry stops after it was planted.
+
+Needs what test/run.sh installs. On two cores, compiling takes about ten minutes, and the whole list less than two hours.
 """
 import argparse
+import collections
 import concurrent.futures
+import hashlib
 import json
 import os
 import re
-import resource
 import shutil
 import signal
 import subprocess
 import sys
 import time
+import xml.sax.saxutils
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
@@ -49,6 +56,10 @@ class Fault:
     @property
     def is_of_checker(self):
         return self.file.startswith(CHECKER)
+
+    @property
+    def text(self):
+        return "\n".join([self.file, *self.lines, self.replacement])
 
 
 def fail(message):
@@ -163,6 +174,8 @@ def write(path, text):
 
 
 def plant_all(faults, source):
+    """returns a checksum of the sources without faults"""
+    checksum = hashlib.sha256()
     by_file = {}
     for fault in faults:
         by_file.setdefault(fault.file, []).append(fault)
@@ -170,8 +183,10 @@ def plant_all(faults, source):
     write(os.path.join(source, "planted_fault.h"), SWITCH)
     for top in ("CMakeLists.txt", "cmake", "include", "src", "test", "benchmark"):
         top = os.path.join(ROOT, top)
-        for path in [top] if os.path.isfile(top) else [os.path.join(f, n) for f, _, names in os.walk(top) for n in names]:
+        for path in [top] if os.path.isfile(top) else sorted(os.path.join(f, n) for f, _, names in os.walk(top) for n in names):
             name = os.path.relpath(path, ROOT)
+            if name.endswith((".h", ".cpp", ".txt", ".cmake", "_test.py")) and not path.startswith(HERE):
+                checksum.update(open(path, "rb").read())
             wanted.add(name)
             if name in by_file:
                 write(os.path.join(source, name), plant(name, by_file.pop(name)))
@@ -183,6 +198,7 @@ def plant_all(faults, source):
         for name in names:
             if os.path.relpath(os.path.join(folder, name), source) not in wanted:
                 os.remove(os.path.join(folder, name))
+    return checksum.hexdigest()
 
 
 def run(command, **options):
@@ -202,36 +218,93 @@ def build(source, build_folder, jobs):
          "certify_meshes", "write_certificates", "--", "-k", "0"])
 
 
-def seconds_of_children():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 class Tests:
-    """runs one of the two sets of tests; run() returns the name of a test that fails, or nothing
+    """runs one of the two sets of tests
 
-    The limit is of the processor's time, which other work on the machine does not change; ten times as long to wait for it is a deadlock."""
+    Limits are of the processor's time, which other work on the machine does not change; ten times as long to wait for it is a deadlock."""
 
-    def __init__(self, command, name_of_test, choose):
-        self.command, self.name_of_test, self.choose = command, name_of_test, choose
+    def __init__(self, command, name_of_test):
+        self.command, self.name_of_test = command, name_of_test
 
-    def run(self, number, timeout, only=()):
+    def run(self, number, only=(), seconds=None):
+        """returns the name of a test that fails, or nothing; and what was written"""
         environment = dict(os.environ, PLANTED_FAULT=str(number))
-        command = [*(["prlimit", f"--cpu={timeout:.0f}"] if timeout else []), *self.command, *only]
+        command = [*(["prlimit", f"--cpu={seconds:.0f}"] if seconds else []), *self.command, *only]
         process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                                    start_new_session=True)
         try:
-            output, _ = process.communicate(timeout=timeout and 10 * timeout)
+            output, _ = process.communicate(timeout=seconds and 10 * seconds)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, 9)
             output, _ = process.communicate()
-            return f"{self.last_test(output)} (not in time)"
+            return f"{self.last_test(output)} (not in time)", output
         late = " (not in time)" if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else ""
-        return self.last_test(output) + late if process.returncode != 0 else None
+        return self.last_test(output) + late if process.returncode != 0 else None, output
 
     def last_test(self, output):
         names = re.findall(self.name_of_test, output)
-        return names[-1].replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", '"') if names else "no test in particular"
+        return xml.sax.saxutils.unescape(names[-1], {"&quot;": '"'}) if names else "no test in particular"
+
+
+class Package_tests(Tests):
+    def __init__(self, build_folder):
+        super().__init__([os.path.join(build_folder, "test", "Bspline_shell_3", "proof_tests"), "--abort", "-r", "xml", "-d", "yes",
+                          "--filenames-as-tags"], r'<TestCase name="([^"]*)"')
+        # headers, and test files by the headers that they include
+        self.includers = collections.defaultdict(set)
+        folders = (os.path.join(ROOT, HEADERS), os.path.join(ROOT, "test", "Bspline_shell_3"))
+        for path in (os.path.join(f, n) for folder in folders for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
+            for header in re.findall(r"#include <CGAL/Bspline_shell_3/(.*)>", open(path, encoding="utf-8").read()):
+                self.includers[header].add(path.removeprefix(os.path.join(ROOT, HEADERS)))
+
+    def learn(self, output):
+        """finds out how long each test and each test file takes"""
+        self.seconds = collections.defaultdict(float)
+        for name, file, seconds in re.findall(r'<TestCase name="([^"]*)"[^>]*filename="[^"]*?(\w+)\.cpp".*?<OverallResult[^>]*durationInSeconds="([^"]*)"',
+                                              output, re.DOTALL):
+            for key in (xml.sax.saxutils.unescape(name, {"&quot;": '"'}), file, ""):
+                self.seconds[key] += float(seconds)
+
+    def files(self, header):
+        """those that the program has, the file of the header first"""
+        own = "test_" + os.path.basename(header).removesuffix(".h")
+        files = {os.path.basename(n).removesuffix(".cpp") for n in self.includers[header] if n.endswith(".cpp")} & set(self.seconds)
+        return [f for f in [own] if f in self.seconds], sorted(files - {own}, key=self.seconds.get)
+
+    def attempts(self, fault, seen_by, is_all):
+        """arguments that choose tests, and how long they may take"""
+        if seen_by in self.seconds:
+            yield [re.sub(r"([,\[\\])", r"\\\1", seen_by)], self.seconds[seen_by]
+        header = fault.file.removeprefix(HEADERS).replace("_impl.h", ".h")
+        own, others = self.files(header)
+        if not own and not others:
+            for includer in sorted(n for n in self.includers[fault.file.removeprefix(HEADERS)] if n.endswith(".h")):
+                more = self.files(includer)
+                own += more[0]
+                others += more[1]
+        for files in [[f] for f in dict.fromkeys(own)] + [[f for f in dict.fromkeys(others) if f not in own]]:
+            if files:
+                yield [",".join(f"[#{f}]" for f in files)], sum(self.seconds[f] for f in files)
+        if is_all:
+            yield [], self.seconds[""]
+
+
+class Checker_tests(Tests):
+    LARGE = "eight|blob-closed"
+
+    def __init__(self, build_folder):
+        super().__init__(["ctest", "--test-dir", build_folder, "-FS", ".", "--stop-on-failure"], r"Start +\d+: (\S+)")
+        self.all = ["-R", "^check_certificate_"]
+
+    def learn(self, output):
+        self.seconds = {name: float(seconds) for name, seconds in re.findall(r": (check_certificate_\S+) \.+ +Passed +([0-9.]+) sec", output)}
+
+    def attempts(self, fault, seen_by, is_all):
+        if seen_by in self.seconds:
+            yield ["-R", f"^{seen_by}$"], self.seconds[seen_by]
+        yield [*self.all, "-E", self.LARGE], sum(self.seconds.values())
+        if is_all:
+            yield ["-R", self.LARGE, "-E", "^write|^changes"], sum(self.seconds.values())
 
 
 def main():
@@ -240,67 +313,84 @@ def main():
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "planted_faults"))
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--list", default=os.path.join(HERE, "faults.txt"))
+    parser.add_argument("--part", default="1/1")
+    parser.add_argument("--all", action="store_true")
     parser.add_argument("--dry", action="store_true")
     arguments = parser.parse_args()
     work = os.path.abspath(arguments.work)
     source, build_folder = os.path.join(work, "source"), os.path.join(work, "build")
 
     faults = read_list(arguments.list)
-    plant_all(faults, source)
+    checksum = plant_all(faults, source)
     print(f"{len(faults)} faults are planted", flush=True)
     if arguments.dry:
         return 0
-    build(source, build_folder, arguments.jobs)
-    of_package = Tests([os.path.join(build_folder, "test", "Bspline_shell_3", "proof_tests"), "--abort", "-r", "xml"],
-                       r'<TestCase name="([^"]*)"', lambda name: [name.replace(",", r"\,")])
-    ctest = ["ctest", "--test-dir", build_folder]
-    run([*ctest, "-R", "^write_certificate"], stdout=subprocess.DEVNULL)
-    of_checker = Tests([*ctest, "-R", "^check_certificate_", "-FS", ".", "--stop-on-failure"], r"Start +\d+: (\S+)",
-                       lambda name: ["-R", f"^{name}$"])
-
     chosen = [f for f in faults if not arguments.words or any(w.lower() in (f.name + " " + f.file).lower() for w in arguments.words)]
-    timeout = {}
-    for tests in {f.is_of_checker: (of_checker if f.is_of_checker else of_package) for f in chosen}.values():
-        start, used = time.time(), seconds_of_children()
-        failed = tests.run(0, None)
-        if failed:
-            fail(f"{failed} fails without a fault")
-        timeout[tests] = 30 + 5 * (seconds_of_children() - used)
-        print(f"without a fault all tests pass, in {time.time() - start:.0f} s", flush=True)
+    part, parts = map(int, arguments.part.split("/"))
+    chosen = chosen[part - 1::parts]
 
-    memory = os.path.join(work, "seen_by.json")
-    seen_by = json.load(open(memory)) if os.path.exists(memory) else {}
+    memory = os.path.join(work, "found.json")
+    found = json.load(open(memory)) if os.path.exists(memory) else {}
 
-    # first the test that saw the fault last time, then those of the file that has it
+    def remember(name, entry):
+        found[name] = entry
+        with open(memory + ".new", "w") as out:
+            json.dump(found, out, indent=1)
+        os.replace(memory + ".new", memory)
+
+    def is_known(fault):
+        known = found.get(fault.name, {})
+        return known.get("sources") == checksum and known.get("text") == fault.text and (known["seen"] or known["all"] or not arguments.all)
+
+    unknown = [f for f in chosen if not is_known(f)]
+    sets = {}
+    if unknown:
+        build(source, build_folder, arguments.jobs)
+        sets = {False: Package_tests(build_folder), True: Checker_tests(build_folder)}
+        if any(f.is_of_checker for f in unknown):
+            run(["ctest", "--test-dir", build_folder, "-R", "^write_certificate"], stdout=subprocess.DEVNULL)
+    for is_of_checker in sorted({f.is_of_checker for f in unknown}):
+        key, tests = ("check_certificate" if is_of_checker else "package"), sets[is_of_checker]
+        passed = found.get(key, {})
+        if passed.get("sources") != checksum:
+            start = time.time()
+            failed, output = tests.run(0, tests.all if is_of_checker else [])
+            if failed:
+                fail(f"{failed} fails without a fault")
+            passed = {"sources": checksum, "output": "\n".join(re.findall(r".*(?:<TestCase|<OverallResult|Passed).*", output))}
+            remember(key, passed)
+            print(f"without a fault all tests pass, in {time.time() - start:.0f} s", flush=True)
+        tests.learn(passed["output"])
+
     def examine(fault):
-        tests = of_checker if fault.is_of_checker else of_package
-        attempts = [tests.choose(seen_by[fault.name])] if fault.name in seen_by else []
-        if not fault.is_of_checker:
-            header = os.path.basename(fault.file).removesuffix(".h").removesuffix("_impl")
-            attempts.append(["--filenames-as-tags", f"[#test_{header}]"])
-        for only in [*attempts, []]:
-            seen = tests.run(fault.number, timeout[tests], only)
+        start, last = time.time(), found.get(fault.name, {})
+        if is_known(fault):
+            return fault, last
+        seen = None
+        for only, seconds in sets[fault.is_of_checker].attempts(fault, last.get("by"), arguments.all):
+            seen, _ = sets[fault.is_of_checker].run(fault.number, only, 10 + 5 * seconds)
             if seen:
-                return fault, seen
-        return fault, None
+                break
+        return fault, {"sources": checksum, "text": fault.text, "seen": seen, "by": seen.removesuffix(" (not in time)") if seen else None,
+                       "all": arguments.all, "time": round(time.time() - start, 1)}
 
     start, file, survivors, argued, mistaken = time.time(), None, [], [], []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        for fault, seen in pool.map(examine, chosen):
-            if fault.file != file:
-                file = fault.file
-                print(f"\n{file}")
-            if seen:
-                print(f"  {fault.name}\n      seen by {seen}" + (", although it is argued to change no answer" if fault.argument else ""))
-                seen_by[fault.name] = seen.removesuffix(" (not in time)")
-                mistaken += [fault] * bool(fault.argument)
-            else:
-                print(f"  {fault.name}\n      {'changes no answer: ' + fault.argument if fault.argument else 'NOT SEEN'}")
-                seen_by.pop(fault.name, None)
-                (argued if fault.argument else survivors).append(fault)
-            sys.stdout.flush()
-            with open(memory, "w") as out:
-                json.dump(seen_by, out, indent=1)
+        for task in concurrent.futures.as_completed([pool.submit(examine, fault) for fault in unknown]):
+            fault, result = task.result()
+            remember(fault.name, result)
+            print(f"{result['time']:6.1f} s  {fault.name}", flush=True)
+    for fault in chosen:
+        if fault.file != file:
+            file = fault.file
+            print(f"\n{file}")
+        seen = found[fault.name]["seen"]
+        if seen:
+            print(f"  {fault.name}\n      seen by {seen}" + (", although it is argued to change no answer" if fault.argument else ""))
+            mistaken += [fault] * bool(fault.argument)
+        else:
+            print(f"  {fault.name}\n      {'changes no answer: ' + fault.argument if fault.argument else 'NOT SEEN'}")
+            (argued if fault.argument else survivors).append(fault)
     print(f"\n{len(chosen)} faults planted, {len(chosen) - len(argued) - len(survivors)} seen, {len(argued)} argued to change no answer, "
           f"{len(survivors)} not seen; {time.time() - start:.0f} s")
     for fault in survivors:
