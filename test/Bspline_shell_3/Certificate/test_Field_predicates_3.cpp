@@ -776,6 +776,37 @@ TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not roun
   CHECK(known > 5);
 }
 
+TEST_CASE("Predicates: near the ends of the range of numbers, answers are those of the scaled field, or undecided")
+{
+  CGAL::Random random(64);
+  const Field field = random_field(62);
+  const Predicates predicates(field);
+  int decided = 0, undecided = 0;
+  for(int exponent : { -1070, -1040, -1010, -990, 1012, 1016, 1023 }) {
+    CAPTURE(exponent);
+    Field scaled = field;
+    for(int half : { exponent / 2, exponent - exponent / 2 })
+      scaled.set_coefficients(Eigen::VectorXd(std::ldexp(1., half) * scaled.coefficients()));
+    const Predicates of_scaled(scaled);
+    for(int n = 0; n < 4; ++n) {
+      const Point_3 p = random_point(random, 3.5);
+      const Triangle t = { p, p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN), p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN) };
+      double slope = 0;
+      const Verdict scaled_verdict = of_scaled.crosses_upwards(t, nullptr, nullptr, &slope);
+      if(scaled_verdict != Verdict::UNDECIDED) CHECK(scaled_verdict == predicates.crosses_upwards(t));
+      if(slope > 0) {
+        // compared at a size at which neither vanishes or overflows
+        const Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]), gradient = *field.gradient(t[0]);
+        const double at_corner = normal * gradient / std::sqrt(normal.squared_length());
+        CHECK(std::ldexp(slope, -exponent / 2) <= std::ldexp(at_corner, exponent - exponent / 2) * (1 + 1e-9));
+      }
+      ++(scaled_verdict == Verdict::UNDECIDED ? undecided : decided);
+    }
+  }
+  CHECK(decided > 4);
+  CHECK(undecided > 4);
+}
+
 TEST_CASE("Predicates: answers and slopes are those of a field that is scaled by a power of two")
 {
   CGAL::Random random(61);

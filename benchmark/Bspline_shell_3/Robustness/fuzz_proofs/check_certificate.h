@@ -20,27 +20,31 @@
 
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
+// each facet split into four
+inline Mesh subdivided(const Mesh& mesh)
+{
+  Mesh fine;
+  std::vector<CGAL::SM_Vertex_index> at_vertex, at_edge;
+  for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
+  for(auto e : mesh.edges()) at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  for(auto f : mesh.faces()) {
+    CGAL::SM_Vertex_index v[3], m[3];
+    auto h = mesh.halfedge(f);
+    for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
+    fine.add_face(v[0], m[0], m[2]);
+    fine.add_face(m[0], v[1], m[1]);
+    fine.add_face(m[2], m[1], v[2]);
+    fine.add_face(m[0], m[1], m[2]);
+  }
+  return fine;
+}
+
 // an icosahedron, perhaps with each facet split into four, on the unit sphere
 inline Mesh random_sphere(CGAL::Random& random, double noise)
 {
   Mesh mesh;
   CGAL::make_icosahedron(mesh, Point_3(0, 0, 0), 1.);
-  if(chance(random, 0.3)) {
-    Mesh fine;
-    std::vector<CGAL::SM_Vertex_index> at_vertex, at_edge;
-    for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
-    for(auto e : mesh.edges()) at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
-    for(auto f : mesh.faces()) {
-      CGAL::SM_Vertex_index v[3], m[3];
-      auto h = mesh.halfedge(f);
-      for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
-      fine.add_face(v[0], m[0], m[2]);
-      fine.add_face(m[0], v[1], m[1]);
-      fine.add_face(m[2], m[1], v[2]);
-      fine.add_face(m[0], m[1], m[2]);
-    }
-    mesh = fine;
-  }
+  if(chance(random, 0.3)) mesh = subdivided(mesh);
   for(auto v : mesh.vertices()) {
     const Point_3& p = mesh.point(v);
     const Vector moved = Vector(p.x(), p.y(), p.z()).normalized() + noise * random_vector(random);
@@ -156,8 +160,48 @@ private:
     if((worst == Verdict::PROVED) != certificate.is_certified()) m_tally.wrong("certificate", "is at odds with its claims");
     if(certificate.is_certified()) check_certified(shell, certificate);
     check_facets(shell, certificate);
+    if(chance(m_random, 0.3)) check_scaled(field, inner, outer, certificate);
     for(const BS::Certificate_witness& w : certificate.witnesses())
       if(w.verdict == Verdict::REFUTED) check_refuted(shell, certificate, w);
+  }
+
+  static Field scaled(Field field, int exponent)
+  {
+    Eigen::VectorXd x = field.coefficients();
+    for(double& c : x) c = std::ldexp(c, exponent);
+    field.set_coefficients(std::move(x));
+    return field;
+  }
+  static BS::Constant_threshold scaled(const BS::Constant_threshold& threshold, int exponent)
+  {
+    return BS::Constant_threshold(std::ldexp(threshold.level(), exponent));
+  }
+  static BS::Spline_threshold<Field> scaled(const BS::Spline_threshold<Field>& threshold, int exponent)
+  {
+    return BS::Spline_threshold<Field>(scaled(threshold.field(), exponent));
+  }
+
+  // Scales the field and the thresholds by a power of two: claims must be the same, and bounds scaled. Near the ends of the range of numbers,
+  // less may be proved.
+  void check_scaled(const Field& field, const Threshold& inner, const Threshold& outer, const Certificate& certificate)
+  {
+    const int exponent = m_random.get_int(-1050, 1000), size = std::ilogb(m_unit);
+    if(std::abs(exponent + size) > 1050) return;
+    const Field scaled_field = scaled(field, exponent);
+    Certificate other(scaled_field, scaled(inner, exponent), scaled(outer, exponent));
+    other.template verify<CGAL::Sequential_tag>(m_mesh);
+    // values, slopes and second derivatives
+    constexpr int room = 800;
+    const bool has_room = std::abs(exponent + size) < room && std::abs(exponent) < room && std::abs(exponent - size) < room;
+    constexpr double same = 1 + 1e-12;
+    bool is_right = other.least_angle() <= certificate.least_angle() * same
+                 && other.displacement_bound() * same >= certificate.displacement_bound();
+    for(int c = 0; c < 5; ++c)
+      is_right = is_right && (other.verdict(BS::Claim(c)) == certificate.verdict(BS::Claim(c))
+                              || (!has_room && other.verdict(BS::Claim(c)) == Verdict::UNDECIDED));
+    if(has_room) is_right = is_right && other.least_gradient() == std::ldexp(certificate.least_gradient(), exponent)
+                                     && other.least_angle() == certificate.least_angle();
+    m_tally.count(has_room ? "scaled_certificate" : "scaled_certificate_without_room", is_right, "by 2^" + std::to_string(exponent));
   }
 
   void check_certified(const Shell& shell, const Certificate& certificate)

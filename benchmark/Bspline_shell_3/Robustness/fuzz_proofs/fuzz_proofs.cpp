@@ -9,6 +9,7 @@
 #include "check_cover.h"
 #include "check_geometry.h"
 #include "check_predicates.h"
+#include "check_shells.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -116,7 +117,7 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
   CGAL::Random random(static_cast<unsigned int>(hash >> 33));
   tally.begin(number);
   typedef BS::Constant_threshold Constant;
-  switch(number % 16) {
+  switch(number % 17) {
     case 0: Certificate_check<Uniform_field, Constant>(tally, random); break;
     case 1: Certificate_check<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
     case 2: case 3:
@@ -130,6 +131,7 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
     case 4: case 5: case 6: check_field<Uniform_field, Constant>(tally, random); break;
     case 7: case 8: case 9: check_field<Uniform_field, BS::Spline_threshold<Uniform_field> >(tally, random); break;
     case 10: case 11: case 12: check_field<Hierarchical_field, Constant>(tally, random); break;
+    case 13: Shell_check(tally, random); break;
     default: check_field<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
   }
 }

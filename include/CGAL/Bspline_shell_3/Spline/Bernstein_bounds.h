@@ -72,12 +72,12 @@ struct Enclosed_tricubic
   {
     const auto first = [&](std::size_t a) { return direction[a] > 0 ? 3 : 0; };
     const auto last = [&](std::size_t a) { return direction[a] < 0 ? 0 : 3; };
-    std::array<double, 64> there;
+    std::array<double, 64> there;       // the first one several times, in the end
+    there.fill(coefficients[std::size_t(16*first(2) + 4*first(1) + first(0))]);
     std::size_t size = 0;
     for(int k = first(2); k <= last(2); ++k)
       for(int j = first(1); j <= last(1); ++j)
         for(int i = first(0); i <= last(0); ++i) there[size++] = coefficients[std::size_t(16*k + 4*j + i)];
-    std::fill(there.begin() + size, there.end(), there[0]);
     return internal::hull(there, radius);
   }
 };
