@@ -39,7 +39,7 @@ int main(int argc, char** argv)
     std::cout << message(report.obstacles[n], report.unit) << "\n";
   if(!shell.is_certified()) std::cout << report.certificate.total_number_of_witnesses() << " witnesses, among them:\n";
   for(const BS::Certificate_witness& w : report.certificate.witnesses)
-    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
+    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
 
   // another mesh: is it in the shell, does it face the right way, is it met once by every curve?
   Mesh moved = mesh;

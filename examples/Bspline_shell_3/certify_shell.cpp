@@ -37,7 +37,7 @@ int main(int argc, char** argv)
                           BS::Claim::DEGREE_ONE })
     std::cout << name(claim) << ": " << name(certificate.verdict(claim)) << "\n";
   for(const BS::Certificate_witness& w : certificate.witnesses())
-    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
+    std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
   if(certificate)
     std::cout << "No point is farther than " << certificate.displacement_bound() << " from its image on another certified mesh.\n";
 

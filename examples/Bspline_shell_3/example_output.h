@@ -86,9 +86,7 @@ inline void list_witnesses(const BS::Certificate_report& certificate)
   const auto& witnesses = certificate.witnesses;
   for(std::size_t i = 0; i < (std::min)(witnesses.size(), std::size_t(10)); ++i) {
     const BS::Certificate_witness& w = witnesses[i];
-    std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << w.point[0] << " " << w.point[1] << " " << w.point[2];
-    if(w.facet != BS::Certificate_witness::none) std::cerr << ", facet " << w.facet;
-    std::cerr << "\n";
+    std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
   }
   if(certificate.total_number_of_witnesses() > 10)
     std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;

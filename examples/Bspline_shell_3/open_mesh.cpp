@@ -58,6 +58,6 @@ int main(int argc, char** argv)
 
   // the mesh as it was certified, to look at
   Mesh closed = mesh;
-  if(shell.closing()) shell.closing()->attach(closed, closed.points());
+  if(shell.closing() && !shell.closing()->attach(closed, closed.points())) return EXIT_FAILURE;
   return lost == 0 && moved == 0 && write("simplified.off", coarse) && write("closed.off", closed) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -9,12 +9,12 @@
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -67,7 +67,8 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   using CGAL::parameters::is_default_parameter;
 
   BS::Polygon_soup copy;
-  for(const auto& p : points) copy.points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+  for(const auto& p : points)
+    copy.points.emplace_back(BS::internal::rounded(p[0]), BS::internal::rounded(p[1]), BS::internal::rounded(p[2]));
   for(const auto& polygon : polygons) {
     copy.polygons.emplace_back();
     for(const auto& n : polygon) copy.polygons.back().push_back(std::size_t(n));

@@ -5,6 +5,9 @@
 
 The storeys, from the ground up, are the folders of include/CGAL/Bspline_shell_3 in the order below. Tests include internal headers only
 where they test them; examples and benchmarks name nothing internal.
+
+It also fails if a source of the package converts numbers to doubles by anything but rounded() of Support/coordinates.h:
+proofs hold for coordinates that are rounded in this way.
 """
 import os
 import re
@@ -40,6 +43,11 @@ def is_internal(header):
     return "/internal/" in header
 
 
+def converts_numbers(text):
+    """whether it names one of CGAL's conversions to doubles"""
+    return re.search(r"\b(to_double|NT_converter|Cartesian_converter)\b", text)
+
+
 def circles(graph):
     """headers that include themselves, by others"""
     done, found = set(), []
@@ -71,6 +79,10 @@ def main(root):
                 elif is_internal(other) and storey(other) != storey(header):
                     wrong.append(f"{header} includes {other}, which is internal to another folder")
         wrong += [f"circle of includes: {circle}" for circle in circles(graph)]
+    for place in ("include", "src"):
+        for name in files(os.path.join(root, place)):
+            if not name.endswith("Support/coordinates.h") and converts_numbers(read(root, place, name)):
+                wrong.append(f"{place}/{name} converts numbers to doubles: use rounded() of Support/coordinates.h")
     for name in files(os.path.join(root, "test")):
         tested = re.sub(r"^.*/([A-Za-z]+)/test_(\w+)\.cpp$", r"\1/internal/\2.h", name)
         others = [header for header in includes(read(root, "test", name)) if is_internal(header)]

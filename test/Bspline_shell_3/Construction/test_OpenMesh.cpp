@@ -4,11 +4,12 @@
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 
-#include "test_meshes.h"
+#include "truncations.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -94,4 +95,48 @@ TEST_CASE("OpenMesh: simplified and remeshed under proof")
   const auto remeshed = BS::remesh_in_shell(ball.mesh, 0.3, ball.shell);
   CHECK(remeshed.status == BS::Edit_status::SUCCESS);
   CHECK(is_certified(ball.shell, ball.mesh));
+}
+
+TEST_CASE("OpenMesh: truncated, at vertices with facets in common, too")
+{
+  const Mesh ball = sphere(1);
+  const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
+  for(bool has_point : { false, true }) {
+    const auto truncation = truncation_at(ball, { v, beside }, has_point).shared();
+    REQUIRE(truncation->is_valid());
+    Poly_mesh mesh = openmesh_of(ball);
+    const auto truncated = truncation->apply(mesh, get(CGAL::vertex_point, mesh));
+    REQUIRE(truncated);
+    CHECK(truncated->patches == 1);
+    mesh.garbage_collection();
+    CHECK(mesh.n_faces() == ball.number_of_faces() - truncation->cut_facets().size() + truncation->number_of_new_facets());
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    CHECK(CGAL::is_closed(mesh));
+    CHECK(CGAL::is_triangle_mesh(mesh));
+  }
+}
+
+TEST_CASE("OpenMesh: closed and opened again, or left as it is")
+{
+  typedef BS::Shell_closing_3 Closing;
+  const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const std::vector<Closing::Point> border = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  const auto check = [&](std::vector<Closing::Point> points, const std::vector<Closing::Triangle>& triangles, bool fits) {
+    points.insert(points.begin(), border.begin(), border.end());
+    const Closing closing(points, 4, triangles, std::vector<Closing::Kind>(triangles.size(), Closing::Kind::BACK));
+    REQUIRE(closing.is_valid());
+    Poly_mesh mesh = openmesh_of(square);
+    const auto attached = closing.attach(mesh, get(CGAL::vertex_point, mesh));
+    REQUIRE(bool(attached) == fits);
+    CHECK(CGAL::is_closed(mesh) == fits);
+    if(attached) Closing::detach(mesh, *attached);
+    mesh.garbage_collection();
+    CHECK(mesh.n_vertices() == 4);
+    CHECK(mesh.n_edges() == 5);
+    CHECK(mesh.n_faces() == 2);
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  };
+  check({ { 0.5, 0.5, -1 } }, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } }, true);
+  // with the diagonal that the mesh has
+  check({ { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 0, 2, 4 }, { 2, 0, 5 } }, false);
 }

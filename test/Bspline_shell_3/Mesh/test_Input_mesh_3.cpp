@@ -1,9 +1,10 @@
 // Input_mesh_3.h, vertex_cone.h: what is refused, for which reason and where; what is kept of the user's mesh.
-#include "test_meshes.h"
+#include "truncations.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Simple_cartesian.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 
 namespace {
@@ -519,6 +521,200 @@ TEST_CASE("Property maps of the user's mesh are left alone, whatever their names
   CHECK(input.number_of_components() == 2);
   CHECK(std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](auto f) { return component[f] == 7; }));
   CHECK_FALSE(input.mesh().property_map<Mesh::Face_index, std::size_t>("f:component").second);
+}
+
+namespace {
+
+typedef CGAL::Bspline_shells::Shell_closing_3 Closing;
+typedef CGAL::Bspline_shells::Surface_part Part;
+
+Status check_closed(Input_mesh_3& input, const Mesh& mesh, const Closing& closing)
+{
+  const auto closer = Input_mesh_3::closer(std::make_shared<const Closing>(closing));
+  return input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}, closer);
+}
+
+Status check_truncated(Input_mesh_3& input, const Mesh& mesh, const Truncation_parts& parts,
+                       const Input_mesh_3::Tolerated_defects& tolerated = {})
+{
+  const auto truncator = Input_mesh_3::truncator(parts.shared());
+  return input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated, Input_mesh_3::Closer(), truncator);
+}
+
+// a pyramid over a square, without its base
+Mesh open_pyramid()
+{
+  Mesh mesh;
+  const auto top = mesh.add_vertex(Point_3(0, 0, 1));
+  std::vector<Mesh::Vertex_index> v;
+  for(const Point_3& p : { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) }) v.push_back(mesh.add_vertex(p));
+  for(int i = 0; i < 4; ++i) mesh.add_face(top, v[i], v[(i + 1) % 4]);
+  return mesh;
+}
+
+// its base, with a point below
+Closing base_of_pyramid(const Closing::Point& below)
+{
+  return Closing({ { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, below }, 4,
+                 { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } }, std::vector<Closing::Kind>(4, Closing::Kind::CAP));
+}
+
+} // namespace
+
+TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the closing")
+{
+  Input_mesh_3 input;
+  REQUIRE(check_closed(input, open_pyramid(), base_of_pyramid({ 0, 0, -1 })) == Status::SUCCESS);
+  CHECK(input.number_of_facets_of_origin() == 8);
+  for(std::size_t n = 0; n < 8; ++n) CHECK(input.part_of_facet(n) == (n < 4 ? Part::MESH : Part::CLOSING));
+  for(auto v : input.mesh().vertices()) CHECK(input.is_of_user(v) == (input.mesh().point(v).z() >= 0));
+}
+
+TEST_CASE("A closing of another mesh is refused, and so is one that does not make a surface of the mesh")
+{
+  const Mesh mesh = open_pyramid();
+  const Positions all = { 0, 1, 2, 3 };       // each has an edge on the border
+  Input_mesh_3 input;
+  const auto refused = [&](const Mesh& m, const Closing& closing) {
+    const Status status = check_closed(input, m, closing);
+    CHECK(input.offending_simplices().facets == all);
+    CHECK(input.mesh().number_of_faces() == 0);
+    CHECK_FALSE(input.closing());
+    return status;
+  };
+  Mesh moved = mesh;
+  moved.point(Mesh::Vertex_index(1)) = Point_3(1.1, 0, 0);
+  CHECK(refused(moved, base_of_pyramid({ 0, 0, -1 })) == Status::OPEN_MESH);
+  // triangles without area, and coordinates out of range
+  CHECK(refused(mesh, base_of_pyramid({ 0.5, 0.5, 0 })) == Status::NOT_CLOSABLE);
+  CHECK(refused(mesh, base_of_pyramid({ 0, 0, -1e70 })) == Status::NOT_CLOSABLE);
+  // an edge that the mesh has, too
+  Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
+                       { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } },
+                       std::vector<Closing::Kind>(6, Closing::Kind::BACK));
+  CHECK(check_closed(input, square, across) == Status::NOT_CLOSABLE);
+  CHECK(input.offending_simplices().facets == Positions{ 0, 1 });
+  // triangles that intersect the mesh: its own facets are listed
+  CHECK(check_closed(input, mesh, base_of_pyramid({ 0.9, 0.9, 0.3 })) == Status::NOT_CLOSABLE);
+  CHECK_FALSE(input.offending_simplices().facets.empty());
+  for(std::size_t f : input.offending_simplices().facets) CHECK(f < mesh.number_of_faces());
+  REQUIRE(check_closed(input, mesh, base_of_pyramid({ 0, 0, -1 })) == Status::SUCCESS);
+}
+
+TEST_CASE("Cores have the facets that they are parts of, and discs have none")
+{
+  const Mesh mesh = sphere(1);
+  const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(5) }, true);
+  Input_mesh_3 input;
+  REQUIRE(check_truncated(input, mesh, parts) == Status::SUCCESS);
+  REQUIRE(input.truncation());
+  CHECK(CGAL::is_closed(input.mesh()));
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  std::size_t in_discs = 0;
+  for(auto f : input.mesh().faces()) {
+    const std::size_t n = input.facet_of_origin(f);
+    CHECK(input.part_of_facet(n) == (n < faces.size() ? Part::MESH : Part::DISC));
+    in_discs += n >= faces.size() ? 1 : 0;
+    if(n >= faces.size()) continue;
+    // all its vertices are in the plane of the facet, up to rounding
+    const auto h = mesh.halfedge(faces[n]);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));
+    const Point_3& r = mesh.point(mesh.target(mesh.next(h)));
+    for(const Point_3& x : input.triangle(f)) CHECK(std::abs(CGAL::volume(p, q, r, x)) < 1e-15);
+    const auto t = input.triangle(f);
+    CHECK(CGAL::squared_distance(CGAL::centroid(t[0], t[1], t[2]), Kernel::Triangle_3(p, q, r)) < 1e-30);
+  }
+  CHECK(in_discs == input.truncation()->discs()[0].triangles.size() + input.truncation()->discs()[1].triangles.size());
+  CHECK(input.number_of_facets_of_origin() == faces.size() + in_discs);
+}
+
+TEST_CASE("A tip that another facet pierces is refused, even if self-intersections are tolerated")
+{
+  // the tip is beyond the disc: the truncated mesh does not intersect itself
+  Mesh mesh = pyramid(4, 1);
+  const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0) }, false);
+  mesh = both(mesh, box(Point_3(-0.5, -0.5, 0.9), Point_3(0.5, 0.5, 1.5)));
+  Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
+  Input_mesh_3 input;
+  CHECK(check(input, mesh, tolerated) == Status::SUCCESS);
+  CHECK(check_truncated(input, mesh, parts, tolerated) == Status::SELF_INTERSECTION);
+  CHECK(check_truncated(input, pyramid(4, 1), parts, tolerated) == Status::SUCCESS);
+}
+
+TEST_CASE("A truncation that does not make a surface of the mesh is refused, with the vertices that it cuts off")
+{
+  const Mesh mesh = sphere(1);
+  const Mesh::Vertex_index v(5);
+  Truncation_parts parts = truncation_at(mesh, { v }, true);
+  Input_mesh_3 input;
+  const auto refused = [&](const Mesh& m, const Truncation_parts& p) {
+    REQUIRE(p.is_valid());
+    const Status status = check_truncated(input, m, p);
+    CHECK(input.offending_simplices().vertices == Positions{ 5 });
+    CHECK(input.offending_simplices().facets.empty());
+    CHECK(input.mesh().number_of_faces() == 0);
+    CHECK_FALSE(input.truncation());
+    return status;
+  };
+  parts.points.back() = parts.points[parts.discs[0].rim[1]];      // the middle of the disc is on its rim
+  CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);
+  parts.points.back() = { 0, 0, 1e70 };
+  CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);
+
+  // facets of the closing are not the user's to be cut
+  Mesh open = mesh;
+  CGAL::Euler::remove_face(open.halfedge(v), open);
+  open.collect_garbage();
+  std::vector<Closing::Point> hole;
+  for(auto h : open.halfedges())
+    if(open.is_border(h)) {
+      auto g = h;
+      do {
+        const Point_3& p = open.point(open.source(g));
+        hole.push_back({ p.x(), p.y(), p.z() });
+        g = open.next(g);
+      } while(g != h);
+      break;
+    }
+  REQUIRE(hole.size() == 3);
+  const auto cap = std::make_shared<const Closing>(hole, 3, std::vector<Closing::Triangle>{ { 0, 1, 2 } },
+                                                   std::vector<Closing::Kind>{ Closing::Kind::CAP });
+  parts = truncation_at(mesh, { v }, true);
+  const auto status = [&](const Truncation_parts& p) {
+    const auto truncator = Input_mesh_3::truncator(p.shared());
+    return input.build<CGAL::Sequential_tag>(open, open.points(), {}, Input_mesh_3::closer(cap), truncator);
+  };
+  CHECK(status(parts) == Status::NOT_TRUNCATABLE);
+  CHECK(input.offending_simplices().vertices.size() == 1);
+}
+
+TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they stand for, whatever is known of them")
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
+  typedef Lazy_kernel::FT Lazy;
+  // an enclosure of x that is too wide to round it, yet narrow enough for to_double()
+  const auto wide = [](double x) {
+    const Lazy large = Lazy(1e9) / Lazy(3);
+    return Lazy((Lazy(x) + large) - large);
+  };
+  const Mesh ball = sphere(1);
+  CGAL::Surface_mesh<Lazy_kernel::Point_3> mesh;
+  for(auto v : ball.vertices()) {
+    const Point_3& p = ball.point(v);
+    mesh.add_vertex(Lazy_kernel::Point_3(wide(p.x()), wide(p.y()), wide(p.z())));
+  }
+  for(auto f : ball.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for(auto v : ball.vertices_around_face(ball.halfedge(f))) corners.push_back(v);
+    mesh.add_face(corners);
+  }
+  REQUIRE(CGAL::to_double(wide(0.1)) != 0.1);
+  Input_mesh_3 input;
+  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == Status::SUCCESS);
+  for(auto v : input.mesh().vertices())
+    CHECK(input.mesh().point(v) == ball.point(Mesh::Vertex_index(unsigned(input.vertex_of_origin(v)))));
 }
 
 TEST_CASE("Isolated vertices do not count")

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -157,4 +158,68 @@ TEST_CASE("Closing: triangles that can close no mesh are told from those that ca
   CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } }));                 // open between interior points
   CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));                              // an edge twice the same way
   CHECK_FALSE(is_valid(5, 5, { { 0, 1, 2 }, { 0, 3, 4 } }));                              // the border passes a point twice
+  // a roof with a triangle within, and the same with that triangle twice: its edges have others on their other sides
+  const std::vector<Closing::Triangle> roof = { { 0, 1, 3 }, { 1, 4, 3 }, { 1, 2, 4 }, { 2, 5, 4 },
+                                                { 2, 0, 5 }, { 0, 3, 5 }, { 3, 4, 5 } };
+  std::vector<Closing::Triangle> twice = roof;
+  twice.push_back({ 3, 4, 5 });
+  CHECK(is_valid(6, 3, roof));
+  CHECK_FALSE(is_valid(6, 3, twice));
+  // a tetrahedron that touches it in a point: on the border, or within
+  for(Closing::Index p : { 0u, 3u }) {
+    std::vector<Closing::Triangle> pinched = roof;
+    pinched.insert(pinched.end(), { { p, 6, 7 }, { p, 7, 8 }, { p, 8, 6 }, { 8, 7, 6 } });
+    CHECK_FALSE(is_valid(9, 3, pinched));
+  }
+  // beside it, it is another component
+  std::vector<Closing::Triangle> beside = roof;
+  beside.insert(beside.end(), { { 9, 6, 7 }, { 9, 7, 8 }, { 9, 8, 6 }, { 8, 7, 6 } });
+  CHECK(is_valid(10, 3, beside));
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Closing infinite({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, infinity } }, 3, { { 0, 1, 2 } }, { Closing::Kind::CAP });
+  CHECK_FALSE(infinite.is_valid());
+}
+
+TEST_CASE("Closing: a mesh whose border is a part of that of the closing, or that has it twice, is left as it is")
+{
+  // pyramids without their bases
+  const auto add = [](Mesh& mesh, double height) {
+    const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0));
+    const auto c = mesh.add_vertex(Point_3(0, 1, 0));
+    const auto top = mesh.add_vertex(Point_3(0.2, 0.2, height));
+    mesh.add_face(a, b, top);
+    mesh.add_face(b, c, top);
+    mesh.add_face(c, a, top);
+  };
+  const Closing base({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 3, { { 0, 2, 1 } }, { Closing::Kind::CAP });
+  const Closing bases({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 0, 0 }, { 6, 0, 0 }, { 5, 1, 0 } }, 6,
+                      { { 0, 2, 1 }, { 3, 5, 4 } }, { Closing::Kind::CAP, Closing::Kind::CAP });
+  Mesh one;
+  add(one, 1);
+  Mesh two = one;
+  add(two, 2);
+  const Mesh before = one, both = two;
+  CHECK_FALSE(base.match_border(two, two.points()));
+  CHECK_FALSE(base.attach(two, two.points()));
+  CHECK(is_equal(two, both));
+  CHECK_FALSE(bases.match_border(one, one.points()));
+  CHECK_FALSE(bases.attach(one, one.points()));
+  CHECK(is_equal(one, before));
+  CHECK(base.attach(one, one.points()));
+}
+
+TEST_CASE("Closing: a mesh of another type with an edge of the closing is left as it is")
+{
+  CGAL::Polyhedron_3<Kernel> mesh;
+  CGAL::copy_face_graph(sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; }), mesh);
+  const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
+                       { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 0, 2, 4 }, { 2, 0, 5 } },
+                       std::vector<Closing::Kind>(6, Closing::Kind::BACK));
+  REQUIRE(across.match_border(mesh, get(CGAL::vertex_point, mesh)));
+  CHECK_FALSE(across.attach(mesh, get(CGAL::vertex_point, mesh)));
+  CHECK(mesh.size_of_vertices() == 4);
+  CHECK(mesh.size_of_facets() == 2);
+  mesh.normalize_border();
+  CHECK(mesh.size_of_border_edges() == 4);
+  CHECK(mesh.is_valid());
 }

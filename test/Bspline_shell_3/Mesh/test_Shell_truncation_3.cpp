@@ -1,7 +1,7 @@
 // Shell_truncation_3.h: a truncation that is made by hand is proved, and so is its map; each error in it is found. It is applied to meshes that have
 // its facets, and to no others.
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
-#include "test_meshes.h"
+#include "truncations.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -25,19 +25,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef BS::Shell_truncation_3 Truncation;
 typedef Truncation::Index Index;
 
-// A truncation in parts, for a test to change.
-struct Parts
-{
-  std::vector<Truncation::Point> points;
-  std::vector<Truncation::Triangle> cut_facets;
-  std::vector<Truncation::Cut> cuts;
-  std::vector<Truncation::Core> cores;
-  std::vector<Truncation::Disc> discs;
-  std::vector<Truncation::Planar_point> planar;
-
-  Truncation assembled() const { return Truncation(points, cut_facets, cuts, cores, discs, planar); }
-  bool is_valid() const { return assembled().is_valid(); }
-};
+typedef Truncation_parts Parts;
 
 // The apex of `pyramid(4, 1)` is cut off halfway: by a square, or, with `has_point`, by a roof with a point in the middle.
 Parts square_pyramid(bool has_point = false)
@@ -175,13 +163,106 @@ TEST_CASE("Parts that overlap tile no facet")
   Truncation::Disc& disc = parts.discs[0];
   disc.rim = { 5, inner, 6, 7, 8 };
   disc.facets = { 0, 0, 1, 2, 3 };
-  disc.triangles.push_back({ 5, inner, 6 });
+  disc.triangles = { { inner, 6, 7 }, { inner, 7, 8 }, { inner, 8, 5 } };
   CHECK(parts.is_valid());
   // there it is not: the same edges bound triangles of which one is turned round
   for(double s : { 0.375, 0.625 }) {
     parts.cuts.back().s = parts.cuts.back().t = s;
     CHECK_FALSE(parts.is_valid());
   }
+}
+
+TEST_CASE("A truncation whose disc and core have an edge in common is not valid: the mesh would have four facets at it")
+{
+  // Three cuts within the first facet. The core has the edge between the cuts on its sides.
+  Parts parts = square_pyramid();
+  const auto p = parts.points[1], q = parts.points[2];
+  for(const auto& st : { Truncation::Planar_point{ 0.0625, 0.25 }, { 0.0625, 0.0625 }, { 0.25, 0.0625 } }) {
+    parts.cuts.push_back({ 0, 1, 2, st[0], st[1] });
+    parts.points.push_back({ st[0] * p[0] + st[1] * q[0], st[0] * p[1] + st[1] * q[1], 1 - st[0] - st[1] });
+  }
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.4, 0.9 }, { 0.7, 0.7 }, { 0.9, 0.4 } };
+  Truncation::Disc& disc = parts.discs[0];
+  disc.rim = { 5, 11, 10, 9, 6, 7, 8 };
+  disc.facets = { 0, 0, 0, 0, 1, 2, 3 };
+  const auto core = [](Index p, Index q, Index r) { return Truncation::Core{ { p, q, r }, 0 }; };
+  parts.cores[0] = core(5, 1, 6);
+  parts.cores[1] = core(1, 2, 6);
+  const std::vector<Truncation::Core> others = parts.cores;
+  const auto with = [&](const std::vector<Truncation::Core>& added) {
+    parts.cores = others;
+    parts.cores.insert(parts.cores.end(), added.begin(), added.end());
+    return parts.is_valid();
+  };
+  disc.triangles = { { 8, 5, 11 }, { 8, 11, 10 }, { 8, 10, 9 }, { 8, 9, 6 }, { 8, 6, 7 } };
+  CHECK(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
+  CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11) }));       // a gap between cuts
+  disc.triangles = { { 5, 11, 10 }, { 5, 10, 9 }, { 5, 9, 6 }, { 5, 6, 7 }, { 5, 7, 8 } };
+  CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
+}
+
+TEST_CASE("A disc that goes on beyond its rim is none")
+{
+  Parts parts = square_pyramid();
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0, 3 } };
+  parts.points.push_back({ 0, 0.3, 0.8 });
+  parts.discs[0].triangles.insert(parts.discs[0].triangles.end(), { { 6, 5, 9 }, { 7, 6, 9 } });
+  CHECK_FALSE(parts.is_valid());
+}
+
+TEST_CASE("Two discs with a point in common are not valid")
+{
+  const Mesh mesh = subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)));
+  Parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(6) }, true);
+  REQUIRE(parts.is_valid());
+  REQUIRE(parts.discs.size() == 2);
+  const Index first = Index(parts.points.size() - 2), second = first + 1;
+  for(Truncation::Triangle& t : parts.discs[1].triangles) std::replace(t.begin(), t.end(), second, first);
+  parts.points.pop_back();
+  parts.planar.pop_back();
+  CHECK_FALSE(parts.is_valid());
+}
+
+TEST_CASE("A facet with a vertex that is cut off must be cut there")
+{
+  Parts parts = square_pyramid();
+  parts.cut_facets.push_back({ 0, 1, 3 });
+  parts.cores.push_back({ { 0, 1, 3 }, 4 });
+  CHECK_FALSE(parts.is_valid());
+}
+
+TEST_CASE("Facets with a common edge cut it in the same points")
+{
+  // Two edges connect the vertices 0 and 1, between four facets. Both vertices are cut off, and each edge is cut twice.
+  const Index npos = Truncation::npos;
+  Parts parts;
+  parts.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 } };
+  for(int n = 0; n < 8; ++n) parts.points.push_back({ 0.1 * n, 0.5, 0.5 });
+  parts.cut_facets = { { 0, 1, 2 }, { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 1 } };
+  parts.cuts = { { 0, 1, npos, 0.25, 0 }, { 0, 2, npos, 0.25, 0 }, { 0, 1, npos, 0.375, 0 }, { 0, 3, npos, 0.25, 0 },
+                 { 1, 0, npos, 0.25, 0 }, { 1, 2, npos, 0.25, 0 }, { 1, 0, npos, 0.25, 0 },  { 1, 3, npos, 0.25, 0 } };
+  Truncation::Disc disc;
+  disc.center = 0;
+  disc.rim = { 4, 5, 6, 7 };
+  disc.facets = { 0, 1, 2, 3 };
+  disc.triangles = { { 5, 6, 7 }, { 5, 7, 4 } };
+  parts.discs.push_back(disc);
+  disc.center = 1;
+  disc.rim = { 10, 9, 8, 11 };
+  disc.facets = { 1, 0, 3, 2 };
+  disc.triangles = { { 10, 9, 8 }, { 10, 8, 11 } };
+  parts.discs.push_back(disc);
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { -1, 0 }, { 0, 1 }, { 1, 0 }, { 0, -1 } };
+  parts.cores = { { { 2, 5, 4 }, 0 }, { { 2, 8, 9 }, 0 }, { { 9, 10, 6 }, 1 }, { { 9, 6, 5 }, 1 }, { { 9, 5, 2 }, 1 },
+                  { { 3, 7, 6 }, 2 }, { { 3, 6, 10 }, 2 }, { { 3, 10, 11 }, 2 },
+                  { { 3, 11, 8 }, 3 }, { { 3, 8, 4 }, 3 }, { { 3, 4, 7 }, 3 } };
+  Parts same = parts;
+  same.cores.push_back({ { 2, 4, 8 }, 0 });
+  CHECK(same.is_valid());
+  // the first facet has a cut of the other edge, too
+  parts.cores.push_back({ { 2, 4, 6 }, 0 });
+  parts.cores.push_back({ { 2, 6, 8 }, 0 });
+  CHECK_FALSE(parts.is_valid());
 }
 
 TEST_CASE("A disc with a hole is none")
@@ -334,7 +415,9 @@ void check_applied(bool has_point)
     CHECK(Truncation::Point{ p[0], p[1], p[2] } == t.points()[t.cut_facets()[n][0]]);
     CHECK(Truncation::Point{ q[0], q[1], q[2] } == t.points()[t.cut_facets()[n][1]]);
   }
-  const auto truncated = t.apply(mesh, vpm);
+  const auto applied = t.apply(mesh, vpm);
+  REQUIRE(applied);
+  const auto& truncated = *applied;
   CHECK(truncated.patches == 1);
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(CGAL::is_closed(mesh));
@@ -360,7 +443,7 @@ void check_applied(bool has_point)
   // nothing is left to truncate
   const auto again = t.match(mesh, vpm);
   CHECK(std::count(again.begin(), again.end(), boost::graph_traits<FaceGraph>::null_halfedge()) == 4);
-  CHECK(t.apply(mesh, vpm).patches == 0);
+  CHECK(t.apply(mesh, vpm)->patches == 0);
 }
 
 } // namespace
@@ -387,8 +470,158 @@ TEST_CASE("A mesh that does not have all facets of a patch stays as it is")
     }
     const Mesh before = mesh;
     const auto truncated = t.apply(mesh, mesh.points());
-    CHECK(truncated.patches == 0);
-    CHECK(std::count(truncated.facets.begin(), truncated.facets.end(), Mesh::null_face()) == std::ptrdiff_t(t.number_of_new_facets()));
+    REQUIRE(truncated);
+    CHECK(truncated->patches == 0);
+    const std::vector<Mesh::Face_index> none(t.number_of_new_facets(), Mesh::null_face());
+    CHECK(truncated->facets == none);
     CHECK(is_equal(before, mesh));
   }
+}
+
+namespace {
+
+template <typename FaceGraph>
+void check_truncated(const Mesh& start, const std::vector<Mesh::Vertex_index>& centers, std::size_t patches)
+{
+  for(bool has_point : { false, true }) {
+    FaceGraph mesh;
+    CGAL::copy_face_graph(start, mesh);
+    const bool was_closed = CGAL::is_closed(mesh);
+    const Truncation t = truncation_at(start, centers, has_point).assembled();
+    REQUIRE(t.is_valid());
+    const auto truncated = t.apply(mesh, get(CGAL::vertex_point, mesh));
+    REQUIRE(truncated);
+    CHECK(truncated->patches == patches);
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    CHECK(CGAL::is_triangle_mesh(mesh));
+    CHECK(CGAL::is_closed(mesh) == was_closed);
+    CHECK(faces(mesh).size() == start.number_of_faces() - t.cut_facets().size() + t.number_of_new_facets());
+  }
+}
+
+} // namespace
+
+TEST_CASE("Discs may share facets and edges, touch the border, and replace all vertices")
+{
+  const Mesh ball = sphere(1);
+  std::vector<Mesh::Vertex_index> all(ball.vertices().begin(), ball.vertices().end());
+  const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
+  check_truncated<Mesh>(ball, { v, beside }, 1);
+  check_truncated<Mesh>(ball, all, 1);
+  check_truncated<CGAL::Polyhedron_3<Kernel> >(ball, { v, beside }, 1);
+  check_truncated<CGAL::Polyhedron_3<Kernel> >(ball, all, 1);
+  // all facets at the only vertex within have an edge on the border
+  const Mesh roof = [] {
+    Mesh mesh = pyramid(5, 1);
+    for(auto g : std::vector<Mesh::Face_index>(mesh.faces().begin(), mesh.faces().end())) {
+      bool has_apex = false;
+      for(auto u : mesh.vertices_around_face(mesh.halfedge(g))) has_apex = has_apex || u == Mesh::Vertex_index(0);
+      if(!has_apex) CGAL::Euler::remove_face(mesh.halfedge(g), mesh);
+    }
+    mesh.collect_garbage();
+    return mesh;
+  }();
+  REQUIRE(roof.number_of_faces() == 5);
+  Mesh::Vertex_index apex;
+  for(auto u : roof.vertices())
+    if(!roof.is_border(u)) apex = u;
+  check_truncated<Mesh>(roof, { apex }, 1);
+  check_truncated<CGAL::Polyhedron_3<Kernel> >(roof, { apex }, 1);
+}
+
+TEST_CASE("A patch of two discs is found as a whole, or not at all")
+{
+  const Mesh ball = sphere(1);
+  const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
+  const Truncation t = truncation_at(ball, { v, beside }, false).assembled();
+  REQUIRE(t.is_valid());
+  // a corner that only facets of the second disc have
+  Mesh mesh = ball;
+  for(auto u : mesh.vertices_around_target(mesh.halfedge(beside)))
+    if(u != v && !mesh.halfedge(u, v).is_valid()) {
+      mesh.point(u) = CGAL::ORIGIN + 1.01 * (mesh.point(u) - CGAL::ORIGIN);
+      break;
+    }
+  REQUIRE_FALSE(is_equal(mesh, ball));
+  const auto found = t.match(mesh, mesh.points());
+  CHECK(std::count(found.begin(), found.end(), Mesh::null_halfedge()) == std::ptrdiff_t(found.size()));
+}
+
+TEST_CASE("A vertex with the same neighbors in another order, or with more facets, has another patch")
+{
+  const Mesh start = pyramid(5, 1);
+  const Truncation t = truncation_at(start, { Mesh::Vertex_index(0) }, false).assembled();
+  REQUIRE(t.is_valid());
+  const auto is_found = [&](const Mesh& mesh) {
+    const auto found = t.match(mesh, mesh.points());
+    return std::count(found.begin(), found.end(), Mesh::null_halfedge()) == 0;
+  };
+  REQUIRE(is_found(start));
+  // a pentagram around the apex, whose facets turn the same way
+  Mesh star;
+  std::vector<Mesh::Vertex_index> v;
+  for(auto u : start.vertices()) v.push_back(star.add_vertex(start.point(u)));
+  std::vector<Mesh::Vertex_index> ring;
+  auto spoke = start.opposite(start.halfedge(Mesh::Vertex_index(0)));
+  for(; ring.size() < 5; spoke = start.opposite(start.prev(spoke))) ring.push_back(v[start.target(spoke)]);
+  for(int i = 0; i < 5; ++i) star.add_face(v[0], ring[2 * i % 5], ring[2 * (i + 1) % 5]);
+  CHECK(star.degree(v[0]) == 5);
+  CHECK_FALSE(is_found(star));
+  // a fin: one edge is doubled, and there are two facets between both
+  Mesh fin = start;
+  const auto h = fin.halfedge(Mesh::Vertex_index(0)), g = fin.opposite(h);
+  const auto n = fin.next(h), e = fin.add_edge();       // a second edge beside h, and a facet of two edges between them
+  const auto f = fin.face(h), digon = fin.add_face();
+  const auto p = fin.prev(h);
+  fin.set_target(e, fin.target(h));
+  fin.set_target(fin.opposite(e), fin.source(h));
+  fin.set_next(p, e);
+  fin.set_next(e, n);
+  fin.set_face(e, f);
+  fin.set_halfedge(f, e);
+  fin.set_next(h, fin.opposite(e));
+  fin.set_next(fin.opposite(e), h);
+  fin.set_face(h, digon);
+  fin.set_face(fin.opposite(e), digon);
+  fin.set_halfedge(digon, h);
+  CHECK(fin.opposite(h) == g);
+  const auto middle = fin.target(CGAL::Euler::add_center_vertex(h, fin));
+  fin.point(middle) = Point_3(2, 2, 2);
+  REQUIRE(fin.is_valid());
+  REQUIRE(fin.degree(Mesh::Vertex_index(0)) == 7);
+  CHECK_FALSE(is_found(fin));
+}
+
+TEST_CASE("Only triangles that triangulate a polygon cut it")
+{
+  typedef std::vector<std::pair<Truncation::Triangle, std::size_t> > Triangles;
+  const auto is_cut = [](const Triangles& triangles) {
+    Mesh mesh;
+    std::vector<Mesh::Vertex_index> v;
+    for(int i = 0; i < 6; ++i) v.push_back(mesh.add_vertex(Point_3(std::cos(i), std::sin(i), 0)));
+    const auto f = mesh.add_face(std::vector<Mesh::Vertex_index>(v.begin(), v.begin() + 5));
+    std::size_t cut = 0;
+    const auto count = [&](std::size_t, Mesh::Face_index) { ++cut; };
+    const bool is = BS::internal::cut_into_triangles(mesh.halfedge(f), mesh, v, triangles, count);
+    if(is) CHECK(cut == 3);
+    return is;
+  };
+  CHECK(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 4 }, 2 } }));
+  CHECK(is_cut({ { { 2, 4, 1 }, 0 }, { { 4, 0, 1 }, 1 }, { { 3, 4, 2 }, 2 } }));
+  // a triangle is missing; all face the other way; they have another point; they overlap
+  CHECK_FALSE(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 } }));
+  CHECK_FALSE(is_cut({ { { 0, 2, 1 }, 0 }, { { 0, 3, 2 }, 1 }, { { 0, 4, 3 }, 2 } }));
+  CHECK_FALSE(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 5 }, 2 } }));
+  CHECK_FALSE(is_cut({ { { 0, 1, 3 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 4 }, 2 } }));
+}
+
+TEST_CASE("A truncation that is not valid leaves every mesh as it is")
+{
+  Parts parts = square_pyramid();
+  parts.cores.pop_back();
+  Mesh mesh = pyramid(4, 1);
+  const auto truncated = parts.assembled().apply(mesh, mesh.points());
+  REQUIRE(truncated);
+  CHECK(truncated->patches == 0);
+  CHECK(is_equal(mesh, pyramid(4, 1)));
 }

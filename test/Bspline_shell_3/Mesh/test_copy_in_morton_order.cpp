@@ -200,3 +200,22 @@ TEST_CASE("In a copy in Morton's order, facets that follow each other are near e
   // a facet's side is 0.07; two points of the sphere are 4/3 apart, in the mean
   CHECK(way < 0.1 * double(copy.number_of_faces()));
 }
+
+TEST_CASE("A mesh whose copy has more elements than 32 bits can number is recognized")
+{
+  const auto size = [](std::size_t vertices, std::size_t edges) { return BSI::Mesh_size{ vertices, edges }; };
+  const std::size_t half = std::size_t(1) << 31;
+  CHECK(size(0, 0).has_numbers());
+  CHECK(size(2 * half - 2, half - 1).has_numbers());
+  CHECK_FALSE(size(2 * half - 1, 0).has_numbers());
+  CHECK_FALSE(size(0, half).has_numbers());
+  CHECK_FALSE(size(16 * half, 3).has_numbers());
+  // a polygon of n corners gets n - 3 edges within
+  const auto check = [](const Mesh& mesh, std::size_t edges) {
+    CHECK(BSI::triangulated_size(mesh).vertices == mesh.number_of_vertices());
+    CHECK(BSI::triangulated_size(mesh).edges == edges);
+  };
+  check(box(Point_3(0, 0, 0), Point_3(1, 2, 3), false), 12 + 6);
+  check(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), 18);
+  check(sheet({ 0, 1, 2 }, { 0, 1 }, [](double, double) { return 0.; }), 9);
+}

@@ -166,7 +166,7 @@ public:
   Verdict verdict(Claim claim) const { return m_report.verdict(claim); }
   /// places where a claim is not proved; `Certificate_report::number_of_witnesses` tells how many there are
   const std::vector<Certificate_witness>& witnesses() const { return m_report.witnesses; }
-  /// by facet, in the order of `faces(mesh)`
+  /// by facet, in the order of `faces(mesh)`; then those of the closing, and of discs
   const std::vector<Facet_verdict>& facets() const { return m_facets; }
   /// the cover of the shell by boxes, if containment is proved
   const std::optional<Cover>& cover() const { return m_cover; }
@@ -339,6 +339,7 @@ private:
         const auto note = [&](Claim claim, Verdict verdict, const Witness& place) {
           Certificate_witness w = witness(claim, verdict, place.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET);
           w.facet = input.facet_of_origin(triangles[n]);
+          w.part = input.part_of_facet(w.facet);
           w.triangle = std::size_t(triangles[n]);
           w.point = place.point;
           w.value = place.value;
@@ -626,6 +627,7 @@ private:
       const auto t = input.triangle(facet);
       w.point = to_array(CGAL::centroid(t[0], t[1], t[2]));
       w.facet = input.facet_of_origin(facet);
+      w.part = input.part_of_facet(w.facet);
       w.triangle = std::size_t(facet);
       conclude(w);
     }

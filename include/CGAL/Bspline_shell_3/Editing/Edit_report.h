@@ -25,10 +25,14 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Offending_simplices offending_simplices;      ///< where the mesh is not in the shell, before the edit
+  /// Facets and vertices where the mesh is not in the shell, before the edit. The vertex of a tip stands for the
+  /// triangles that replace the tip in the shell.
+  Offending_simplices offending_simplices;
   /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit, ascending, and of the same
-  /// facets, in the same order, in that of the result
+  /// facets, in the same order, in that of the result. If the shell replaces tips of the mesh, the order is another
+  /// one: parts of a facet that was cut have its position, and triangles that replace a tip have `no_facet`.
   std::vector<std::size_t> frozen_facets_before, frozen_facets;
+  static constexpr std::size_t no_facet = std::size_t(-1);      ///< an entry of `frozen_facets_before`
   std::size_t facets_before = 0, facets = 0;    ///< of the mesh
   std::size_t constrained_edges = 0;            ///< of the result; 0 if the mesh was not edited
   Placement_statistics placements;              ///< all that were tried, by verdict

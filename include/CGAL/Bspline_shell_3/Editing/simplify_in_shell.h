@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -115,7 +116,7 @@ public:
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
-    m_state->cost = cost ? CGAL::to_double(*cost) : 0;
+    m_state->cost = cost ? rounded(*cost) : 0;
   }
   template <typename Profile, typename OptionalPoint>
   void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
@@ -206,7 +207,7 @@ public:
     const auto add = [&](const Point& p) {
       const auto cost = (*m_cost)(profile, Place(p));
       if(!cost) return;
-      if(CGAL::to_double(*cost) <= due) others.emplace_back(CGAL::to_double(*cost), p);
+      if(rounded(*cost) <= due) others.emplace_back(rounded(*cost), p);
       else m_state->has_deferred = true;
     };
     if(allowed.are_all) {
@@ -239,7 +240,7 @@ private:
     double least = 0;
     for(const Point& p : places) {
       const auto cost = (*m_cost)(profile, Optional<Point>(p));
-      const double value = cost ? CGAL::to_double(*cost) : std::numeric_limits<double>::infinity();
+      const double value = cost ? rounded(*cost) : std::numeric_limits<double>::infinity();
       if(best && !(value < least)) continue;
       best = p;
       least = value;

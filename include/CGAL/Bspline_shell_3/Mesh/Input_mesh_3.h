@@ -10,11 +10,11 @@
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/copy_in_morton_order.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/FPU.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -128,8 +128,15 @@ public:
   /// what replaces tips of the user's mesh, and is part of this one; null if there is nothing
   const std::shared_ptr<const Shell_truncation_3>& truncation() const { return m_truncation; }
   /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have the numbers that follow, and
-  /// then those of the discs that replace tips.
+  /// then those of the discs that replace tips: `part_of_facet()`.
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
+  /// the part of the surface that a facet of origin belongs to
+  Surface_part part_of_facet(std::size_t facet) const
+  {
+    if(facet < m_user_facets) return Surface_part::MESH;
+    const std::size_t closing = m_closing ? m_closing->triangles().size() : 0;
+    return facet - m_user_facets < closing ? Surface_part::CLOSING : Surface_part::DISC;
+  }
   std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< with those of the closing, and of discs
   /// smallest box around the facets
   Bbox_3 bbox() const { return m_bbox; }
@@ -148,6 +155,8 @@ public:
   /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the numbers that follow, and then
   /// those that replace truncated ones.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
+  /// whether a vertex is one of the user's mesh
+  bool is_of_user(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v] < m_user_vertices; }
 
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
   {
@@ -156,16 +165,11 @@ public:
   }
 
 private:
-  // to_double() of a lazy number depends on its history, to one part in 10^5; the copy must not
-  template <typename NT>
-  static double rounded(const NT& x) { return CGAL::to_double(x); }
-  template <typename ET>
-  static double rounded(const Lazy_exact_nt<ET>& x) { return CGAL::to_double(x.exact()); }
-
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
   Shell_status copy(const FaceGraph& mesh, VertexPointMap vpm);
   template <typename ConcurrencyTag>
   Shell_status check(const Tolerated_defects& tolerated, const Closer& closer, const Truncator& truncator);
+  std::vector<std::size_t> facets_at_border() const;
   Shell_status check_border();
   Shell_status check_fans();
   template <typename ConcurrencyTag>
@@ -175,6 +179,11 @@ private:
   template <typename ConcurrencyTag>
   Shell_status triangulate();
   bool triangulate(Face_index f);
+  Shell_status check_range() const;
+  template <typename ConcurrencyTag>
+  Shell_status check_areas();
+  template <typename ConcurrencyTag>
+  bool is_surface();
   template <typename ConcurrencyTag>
   Shell_status check_intersections();
   void find_components();
@@ -196,6 +205,7 @@ private:
   std::vector<char> m_is_embedded;      // for each vertex, whether its fan certainly is; empty if that is not known
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
+  std::size_t m_user_facets = 0, m_user_vertices = 0;
   std::shared_ptr<const Shell_closing_3> m_closing;
   std::shared_ptr<const Shell_truncation_3> m_truncation;
   bool m_outwards = true;
@@ -211,29 +221,23 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
   points.reserve(vertices(mesh).size());
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
-    std::array<double, 3> point = {};
-    const bool is_finite = std::isfinite(CGAL::to_double(p[0])) && std::isfinite(CGAL::to_double(p[1])) && std::isfinite(CGAL::to_double(p[2]));
-    if(is_finite) point = { rounded(p[0]), rounded(p[1]), rounded(p[2]) };
-    else m_offenders.vertices.push_back(points.size());
+    const std::array<double, 3> point = internal::rounded_coordinates(p);
+    const bool is_finite = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+    if(!is_finite) m_offenders.vertices.push_back(points.size());
     points.push_back(point);
   }
   if(!m_offenders.vertices.empty()) return Shell_status::NOT_FINITE;
 
-  m_number_of_vertices = points.size();
+  if(!internal::triangulated_size(mesh).has_numbers()) return Shell_status::TOO_MANY_FACETS;
+  m_number_of_vertices = m_user_vertices = points.size();
   internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, std::move(points), m_mesh);
   m_origin = std::move(origin.faces);
   m_vertex_origin = std::move(origin.vertices);
-  m_number_of_facets = m_origin.size();
+  m_number_of_facets = m_user_facets = m_origin.size();
   m_bbox = Bbox_3();
   for(auto v : m_mesh.vertices())
     if(!m_mesh.is_isolated(v)) m_bbox += m_mesh.point(v).bbox();
-  // squares of cross products, and determinants, must be far from what a double can hold
-  constexpr double largest = 1e60, smallest = 1e-60;
-  for(int a = 0; a < 3; ++a)
-    if((std::max)(std::abs((m_bbox.min)(a)), std::abs((m_bbox.max)(a))) > largest)
-      return Shell_status::COORDINATES_OUT_OF_RANGE;
-  // a box that is a point has nothing but degenerate facets, which say more
-  return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
+  return check_range();
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES

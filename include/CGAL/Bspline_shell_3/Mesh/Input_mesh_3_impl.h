@@ -50,12 +50,18 @@ Shell_status Input_mesh_3::check(const Tolerated_defects& tolerated, const Close
   return status;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_border()
+CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> Input_mesh_3::facets_at_border() const
 {
-  std::vector<std::size_t> open;
+  std::vector<std::size_t> facets;
   for(auto h : m_mesh.halfedges())
     if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)))
-      open.push_back(m_origin[m_mesh.face(m_mesh.opposite(h))]);
+      facets.push_back(m_origin[m_mesh.face(m_mesh.opposite(h))]);
+  return facets;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_border()
+{
+  std::vector<std::size_t> open = facets_at_border();
   return open.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::OPEN_MESH, open);
 }
 
@@ -72,15 +78,19 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_fans()
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::close(const Closer& closer)
 {
+  // A closing may have as many facets as the mesh, and two for each edge of the border.
+  const std::size_t vertices = m_mesh.number_of_vertices(), edges = m_mesh.number_of_edges();
+  if(!internal::Mesh_size{ 2 * vertices, 4 * edges }.has_numbers()) return Shell_status::TOO_MANY_FACETS;
+  std::vector<std::size_t> at_border = facets_at_border();
   const Closed closed = closer(m_mesh);
   if(closed.status != Shell_status::SUCCESS) {
     std::vector<std::size_t> facets;
     for(Face_index f : closed.offending_facets) facets.push_back(m_origin[f]);
     return refuse_facets(closed.status, facets);
   }
+  if(!closed.closing->match_border(m_mesh, m_mesh.points())) return refuse_facets(Shell_status::OPEN_MESH, at_border);
   const auto attached = closed.closing->attach(m_mesh, m_mesh.points());
-  m_mesh.collect_garbage();       // of an attempt that failed
-  if(!attached) return check_border();      // a closing of another mesh
+  if(!attached) return refuse_facets(Shell_status::NOT_CLOSABLE, at_border);
   m_closing = closed.closing;
   m_origin.resize(m_mesh.number_of_faces());
   for(Face_index f : attached->faces) m_origin[f] = m_number_of_facets++;
@@ -89,8 +99,29 @@ Shell_status Input_mesh_3::close(const Closer& closer)
     m_vertex_origin[v] = m_number_of_vertices++;
     m_bbox += m_mesh.point(v).bbox();
   }
-  const Shell_status status = check_fans();
-  return status == Shell_status::SUCCESS ? triangulate<ConcurrencyTag>() : status;      // degenerate triangles
+  return is_surface<ConcurrencyTag>() ? Shell_status::SUCCESS : refuse_facets(Shell_status::NOT_CLOSABLE, at_border);
+}
+
+// Returns whether the mesh is a closed surface of triangles with an area, and its coordinates are in range, as all
+// later steps require. Every change of the mesh ends with this check.
+template <typename ConcurrencyTag>
+bool Input_mesh_3::is_surface()
+{
+  const bool is = check_range() == Shell_status::SUCCESS && CGAL::is_closed(m_mesh) && CGAL::is_triangle_mesh(m_mesh)
+               && check_fans() == Shell_status::SUCCESS && check_areas<ConcurrencyTag>() == Shell_status::SUCCESS;
+  m_offenders = Offending_simplices();
+  return is;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_range() const
+{
+  // Squares of cross products, and determinants, must be far from overflow and underflow.
+  constexpr double largest = 1e60, smallest = 1e-60;
+  for(int a = 0; a < 3; ++a)
+    if((std::max)(std::abs((m_bbox.min)(a)), std::abs((m_bbox.max)(a))) > largest)
+      return Shell_status::COORDINATES_OUT_OF_RANGE;
+  // If the box is a point, all facets are degenerate: their status is more specific.
+  return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
 }
 
 // Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing about the tips: they are tested.
@@ -105,24 +136,38 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
     const Shell_status status = check_intersections<ConcurrencyTag>();
     if(status != Shell_status::SUCCESS) return status;
   }
-  // the facets of origin of the facets that are cut
-  std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0);
+  // the facets of origin of the facets that are cut, and the vertices that are cut off
+  std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0), centers;
   for(std::size_t n = 0; n < in_mesh.size(); ++n)
     if(in_mesh[n] != Triangle_mesh::null_halfedge()) origin_of_cut[n] = m_origin[m_mesh.face(in_mesh[n])];
+  for(const Shell_truncation_3::Disc& d : truncation->discs()) {
+    auto h = in_mesh[d.facets.front()];
+    if(h == Triangle_mesh::null_halfedge()) continue;
+    const Shell_truncation_3::Triangle& t = truncation->cut_facets()[d.facets.front()];
+    for(int i = 0; t[i] != d.center; ++i) h = m_mesh.next(h);
+    centers.push_back(m_vertex_origin[m_mesh.source(h)]);
+  }
+  // Maps to and from an open mesh find its own facets only.
+  const auto is_of_closing = [&](std::size_t facet) { return part_of_facet(facet) == Surface_part::CLOSING; };
+  if(std::any_of(origin_of_cut.begin(), origin_of_cut.end(), is_of_closing))
+    return refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
   // which elements go where is kept in the mesh
   auto origin = m_mesh.add_property_map<Face_index, std::size_t>("f:origin").first;
   auto vertex_origin = m_mesh.add_property_map<Triangle_mesh::Vertex_index, std::size_t>("v:origin").first;
   for(Face_index f : m_mesh.faces()) origin[f] = m_origin[f];
   for(auto v : m_mesh.vertices()) vertex_origin[v] = m_vertex_origin[v];
   const auto truncated = truncation->apply(m_mesh, m_mesh.points());
-  for(std::size_t n = 0; n < truncated.facets.size(); ++n) {
-    if(truncated.facets[n] == Triangle_mesh::null_face()) continue;
-    origin[truncated.facets[n]] = truncation->disc_of_new_facet(n) == Shell_truncation_3::npos ? origin_of_cut[truncation->cores()[n].facet] : m_number_of_facets++;
+  if(!truncated) return refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
+  for(std::size_t n = 0; n < truncated->facets.size(); ++n) {
+    const Face_index f = truncated->facets[n];
+    if(f == Triangle_mesh::null_face()) continue;      // the mesh does not have its patch
+    const bool is_core = truncation->disc_of_new_facet(n) == Shell_truncation_3::npos;
+    origin[f] = is_core ? origin_of_cut[truncation->cores()[n].facet] : m_number_of_facets++;
   }
-  for(std::size_t n = truncation->number_of_corners(); n < truncated.vertices.size(); ++n)
-    if(truncated.vertices[n] != Triangle_mesh::null_vertex()) {
-      vertex_origin[truncated.vertices[n]] = m_number_of_vertices++;
-      m_bbox += m_mesh.point(truncated.vertices[n]).bbox();
+  for(std::size_t n = truncation->number_of_corners(); n < truncated->vertices.size(); ++n)
+    if(truncated->vertices[n] != Triangle_mesh::null_vertex()) {
+      vertex_origin[truncated->vertices[n]] = m_number_of_vertices++;
+      m_bbox += m_mesh.point(truncated->vertices[n]).bbox();
     }
   m_mesh.collect_garbage();
   m_origin.resize(m_mesh.number_of_faces());
@@ -133,7 +178,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   m_mesh.remove_property_map(vertex_origin);
   m_truncation = std::move(truncation);
   m_is_embedded.clear();      // of the mesh before
-  return Shell_status::SUCCESS;
+  return is_surface<ConcurrencyTag>() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
 }
 
 template <typename ConcurrencyTag>
@@ -146,8 +191,14 @@ Shell_status Input_mesh_3::triangulate()
       if(!CGAL::is_triangle(m_mesh.halfedge(f), m_mesh) && !triangulate(f)) degenerate.push_back(m_origin[f]);
     if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
   }
+  return check_areas<ConcurrencyTag>();
+}
+
+template <typename ConcurrencyTag>
+Shell_status Input_mesh_3::check_areas()
+{
   constexpr std::size_t chunk = 4096;
-  degenerate = internal::collect_from_chunks<ConcurrencyTag, std::size_t>(
+  std::vector<std::size_t> degenerate = internal::collect_from_chunks<ConcurrencyTag, std::size_t>(
     m_mesh.number_of_faces(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
       for(std::size_t n = begin; n < end; ++n)
         if(Polygon_mesh_processing::is_degenerate_triangle_face(Face_index(static_cast<unsigned int>(n)), m_mesh)) found.push_back(m_origin[n]);
@@ -182,13 +233,16 @@ template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_intersections()
 {
   m_is_embedded = embedded_fans<ConcurrencyTag>(m_mesh);
-  std::vector<std::size_t> facets;
+  std::vector<std::size_t> facets, with_closing;
   // overlapping meshes may have a quadratic number of pairs: enough of them is enough
   for(const auto& pair : internal::intersecting_facets<ConcurrencyTag>(m_mesh, m_is_embedded, max_pairs)) {
-    facets.push_back(m_origin[pair.first]);
-    facets.push_back(m_origin[pair.second]);
+    const std::size_t f = m_origin[pair.first], g = m_origin[pair.second];
+    auto& found = f < m_user_facets && g < m_user_facets ? facets : with_closing;
+    found.push_back(f);
+    found.push_back(g);
   }
-  return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::SELF_INTERSECTION, facets);
+  if(!facets.empty()) return refuse_facets(Shell_status::SELF_INTERSECTION, facets);
+  return with_closing.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::NOT_CLOSABLE, with_closing);
 }
 
 // All components must be oriented as the boundary of one volume, or all the other way round. A short segment through one facet of each component ends
@@ -197,7 +251,7 @@ template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_orientation()
 {
   const Crossing_counter_3 counter(m_mesh);
-  std::vector<char> is_known(m_components, 0), is_outward(m_components, 0), is_wrong(m_components, 0);
+  std::vector<char> is_known(m_components, 0), is_outward(m_components, 0);
   std::vector<std::size_t> nesting(m_components, 0);
   for(Face_index f : m_mesh.faces()) {
     const std::size_t c = m_component[f];
@@ -208,15 +262,16 @@ Shell_status Input_mesh_3::check_orientation()
     is_outward[c] = std::find(around->begin(), around->end(), c) == around->end();
     nesting[c] = around->size() - (is_outward[c] ? 0 : 1);
   }
-  std::vector<std::size_t> facets;      // one facet of each component that is unknown, or disagrees
-  for(Face_index f : m_mesh.faces())
-    if(!is_known[m_component[f]]) { facets.push_back(m_origin[f]); is_known[m_component[f]] = 1; }
+  // the first facet of each component; the first facets of the components that are to blame
+  std::vector<std::size_t> first(m_components, m_number_of_facets), facets;
+  for(Face_index f : m_mesh.faces()) first[m_component[f]] = (std::min)(first[m_component[f]], m_origin[f]);
+  for(std::size_t c = 0; c < m_components; ++c)
+    if(!is_known[c]) facets.push_back(first[c]);
   if(!facets.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, facets);
   const auto faces_out = [&](std::size_t c) { return bool(is_outward[c]) == (nesting[c] % 2 == 0); };
   m_outwards = faces_out(m_component[*m_mesh.faces().begin()]);
-  for(std::size_t c = 0; c < m_components; ++c) is_wrong[c] = faces_out(c) != m_outwards;
-  for(Face_index f : m_mesh.faces())
-    if(is_wrong[m_component[f]]) { facets.push_back(m_origin[f]); is_wrong[m_component[f]] = 0; }
+  for(std::size_t c = 0; c < m_components; ++c)
+    if(faces_out(c) != m_outwards) facets.push_back(first[c]);
   return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
 }
 
@@ -319,10 +374,15 @@ Shell_status Input_mesh_3::check_vertices()
   return singular.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::SINGULAR_VERTEX, singular);
 }
 
+// Only facets of the user's mesh are listed. If there are none, its closing is to blame, or its truncation.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_status status, std::vector<std::size_t>& facets)
 {
   std::sort(facets.begin(), facets.end());
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  if(!facets.empty() && facets.front() >= m_user_facets)
+    status = part_of_facet(facets.front()) == Surface_part::CLOSING ? Shell_status::NOT_CLOSABLE
+                                                                    : Shell_status::NOT_TRUNCATABLE;
+  facets.erase(std::lower_bound(facets.begin(), facets.end(), m_user_facets), facets.end());
   m_offenders.facets.swap(facets);
   return status;
 }
@@ -331,6 +391,11 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_vertices(Shell_sta
 {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  if(!vertices.empty() && vertices.front() >= m_user_vertices) {
+    const std::size_t added = m_closing ? m_closing->points().size() - m_closing->number_of_border_points() : 0;
+    status = vertices.front() - m_user_vertices < added ? Shell_status::NOT_CLOSABLE : Shell_status::NOT_TRUNCATABLE;
+  }
+  vertices.erase(std::lower_bound(vertices.begin(), vertices.end(), m_user_vertices), vertices.end());
   m_offenders.vertices.swap(vertices);
   return status;
 }

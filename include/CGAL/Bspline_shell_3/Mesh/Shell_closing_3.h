@@ -9,19 +9,19 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -63,6 +63,7 @@ public:
     : m_points(std::move(points)), m_border(border), m_triangles(std::move(triangles)), m_kinds(std::move(kinds))
   {
     for(std::size_t n = 0; n < (std::min)(m_border, m_points.size()); ++n) m_border_point.emplace(m_points[n], Index(n));
+    m_is_valid = can_close();
   }
 
   const std::vector<Point>& points() const { return m_points; }
@@ -70,9 +71,10 @@ public:
   std::size_t number_of_border_points() const { return m_border; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<Kind>& kinds() const { return m_kinds; }
-  /// whether the triangles can close a mesh: they are between different points, all of which they use; each border point has one edge that leads to
-  /// the next, and all other edges have triangles on both sides
-  bool is_valid() const;
+  /// Returns whether the triangles can close a mesh. Coordinates are finite, and triangles have different corners. Each
+  /// border point has one edge to the next border point, and all other edges have one triangle on either side. The
+  /// triangles at each point form one fan.
+  bool is_valid() const { return m_is_valid; }
   /// the number of the border point with these coordinates, or `npos`
   Index border_point(const Point& p) const
   {
@@ -88,10 +90,12 @@ public:
     std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
   };
 
-  /// closes a mesh: adds vertices and facets.
+  /// closes a mesh: adds vertices and facets. Whether the result is closed is checked.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `HalfedgeListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
-  /// \return nothing, and the mesh as it was, if its border is not that of the closing
+  /// \return nothing, and the mesh as it was, if its border is not that of the closing, or if it has another of its
+  /// edges
+  /// \cgalHeading{Cost} linear in the size of the mesh
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<Attached<FaceGraph> > attach(FaceGraph& mesh, VertexPointMap vpm) const;
 
@@ -111,35 +115,59 @@ public:
   static std::uint64_t key(Index source, Index target) { return std::uint64_t(source) << 32 | target; }
 
 private:
+  bool can_close() const;
+
   std::vector<Point> m_points;
   std::size_t m_border = 0;
   std::vector<Triangle> m_triangles;
   std::vector<Kind> m_kinds;
   std::unordered_map<Point, Index, internal::Hash_coordinates> m_border_point;
+  bool m_is_valid = false;
 };
 
-inline bool Shell_closing_3::is_valid() const
+inline bool Shell_closing_3::can_close() const
 {
-  if(m_border > m_points.size() || m_border_point.size() != m_border || m_kinds.size() != m_triangles.size()) return false;
-  std::vector<char> is_used(m_points.size(), 0);
-  std::unordered_set<std::uint64_t> edges;
+  if(m_points.size() >= npos || m_border > m_points.size() || m_border_point.size() != m_border) return false;
+  if(m_kinds.size() != m_triangles.size()) return false;
+  for(const Point& p : m_points)
+    if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
+  std::vector<std::size_t> corners(m_points.size(), 0);         // number of triangles at each point
+  std::unordered_map<std::uint64_t, Index> third;               // the other corner of an edge's triangle
   for(const Triangle& t : m_triangles)
     for(int i = 0; i < 3; ++i) {
       const Index p = t[i], q = t[(i + 1) % 3];
-      if(p >= m_points.size() || p == q || !edges.insert(key(p, q)).second) return false;
-      is_used[p] = 1;
+      if(p >= m_points.size() || p == q || !third.emplace(key(p, q), t[(i + 2) % 3]).second) return false;
+      ++corners[p];
     }
+  std::vector<Index> next(m_points.size(), npos);               // along the border, or, from an inner point, any edge
   std::vector<int> outgoing(m_border, 0), incoming(m_border, 0);
-  for(std::uint64_t e : edges) {
-    const Index p = Index(e >> 32), q = Index(e & npos);
-    if(edges.count(key(q, p)) > 0) continue;
+  for(const auto& edge : third) {
+    const Index p = Index(edge.first >> 32), q = Index(edge.first & npos);
+    if(third.count(key(q, p)) > 0) {
+      if(p >= m_border) next[p] = q;
+      continue;
+    }
     if(p >= m_border || q >= m_border) return false;
     ++outgoing[p];
     ++incoming[q];
+    next[p] = q;
   }
   const auto is_one = [](int n) { return n == 1; };
-  return std::find(is_used.begin(), is_used.end(), 0) == is_used.end() && std::all_of(outgoing.begin(), outgoing.end(), is_one)
-      && std::all_of(incoming.begin(), incoming.end(), is_one);
+  if(!std::all_of(outgoing.begin(), outgoing.end(), is_one)) return false;
+  if(!std::all_of(incoming.begin(), incoming.end(), is_one)) return false;
+  // All triangles at a point are met on the way around it, from one edge to the next.
+  for(Index p = 0; p < m_points.size(); ++p) {
+    std::size_t met = 0;
+    Index q = next[p];
+    do {
+      const auto edge = third.find(key(p, q));
+      if(edge == third.end()) break;
+      q = edge->second;
+      ++met;
+    } while(q != next[p]);
+    if(met == 0 || met != corners[p]) return false;
+  }
+  return true;
 }
 
 template <typename FaceGraph, typename VertexPointMap>
@@ -162,7 +190,7 @@ Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
     std::array<Index, 2> ends;
     for(int i = 0; i < 2; ++i) {
       const auto& p = get(vpm, i == 0 ? source(h, mesh) : target(h, mesh));
-      ends[i] = border_point({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
+      ends[i] = border_point(internal::rounded_coordinates(p));
       if(ends[i] == npos) return std::nullopt;
     }
     // A border that passes a point twice touches itself.
@@ -191,19 +219,17 @@ std::optional<Shell_closing_3::Attached<FaceGraph> > Shell_closing_3::attach(Fac
   }
   for(const Triangle& t : m_triangles) {
     const auto f = Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertex[t[0]], vertex[t[1]], vertex[t[2]] }, mesh);
-    if(f != Graph_traits::null_face()) {
-      attached.faces.push_back(f);
-      continue;
-    }
-    // The mesh has an edge that the closing has, too. Vertices with facets go with these.
-    std::vector<typename Graph_traits::vertex_descriptor> isolated;
-    for(auto v : attached.vertices)
-      if(halfedge(v, mesh) == Graph_traits::null_halfedge()) isolated.push_back(v);
-    detach(mesh, attached);
-    for(auto v : isolated) remove_vertex(v, mesh);
-    return std::nullopt;
+    if(f == Graph_traits::null_face()) break;       // the mesh has an edge of the closing beside the border
+    attached.faces.push_back(f);
   }
-  return attached;
+  if(attached.faces.size() == m_triangles.size() && CGAL::is_closed(mesh)) return attached;
+  // Vertices with facets are removed with these.
+  std::vector<typename Graph_traits::vertex_descriptor> isolated;
+  for(auto v : attached.vertices)
+    if(halfedge(v, mesh) == Graph_traits::null_halfedge()) isolated.push_back(v);
+  detach(mesh, attached);
+  for(auto v : isolated) remove_vertex(v, mesh);
+  return std::nullopt;
 }
 
 } // namespace Bspline_shells

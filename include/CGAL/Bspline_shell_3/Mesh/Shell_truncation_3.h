@@ -11,7 +11,6 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -117,7 +116,8 @@ public:
   /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in exact arithmetic on the numbers
   /// in `cuts()`; facets with a common edge cut it in the same points; and so the cores and tips are one subdivision of the facets that are cut.
   /// The fan of the tip is mapped onto a polygon that is star-shaped, and so is the disc, triangles being positively oriented in the plane, and
-  /// having no border but the rim.
+  /// having no border but the rim. No two new facets have the same directed edge, so that `apply()` succeeds on every
+  /// mesh that has a patch.
   bool is_valid() const { return m_is_valid; }
 
   /// \name Map
@@ -132,7 +132,7 @@ public:
   std::array<std::array<double, 3>, 3> derivative(const Place& place) const;
   /// @}
 
-  /// what truncating a mesh did
+  /// the result of truncating a mesh
   template <typename FaceGraph>
   struct Truncated
   {
@@ -144,18 +144,19 @@ public:
   };
 
   /// For each facet to be cut, the halfedge of a mesh from its first corner to its second, or null where the mesh does not have all facets of
-  /// the patch.
+  /// the patch. All are null if the truncation is not valid.
   /// \tparam FaceGraph a model of `FaceListGraph`
   template <typename FaceGraph, typename VertexPointMap>
   std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> match(const FaceGraph& mesh, VertexPointMap vpm) const;
 
   /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its parts; other new elements have
-  /// default values.
+  /// default values. The new facets, and that the mesh has no more border than before, are checked.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
-  /// \pre `is_valid()`
+  /// \return nothing if the check fails; the mesh must not be used then
+  /// \cgalHeading{Cost} linear in the size of the mesh
   template <typename FaceGraph, typename VertexPointMap>
-  Truncated<FaceGraph> apply(FaceGraph& mesh, VertexPointMap vpm) const;
+  std::optional<Truncated<FaceGraph> > apply(FaceGraph& mesh, VertexPointMap vpm) const;
 
 private:
   typedef std::pair<Index, Index> Disc_triangle;          // disc, number in it
@@ -177,6 +178,10 @@ private:
   bool are_indices_valid() const;
   bool do_parts_tile_facets() const;
   bool are_discs_valid() const;
+  bool are_edges_unique() const;
+  template <typename FaceGraph>
+  bool is_replaced(const Truncated<FaceGraph>& truncated, const std::vector<char>& is_cut, std::size_t border,
+                   const FaceGraph& mesh) const;
   void index();
   std::array<double, 3> barycentric_in(Index facet, Index point) const;
   const Planar_point& planar(Index point) const { return m_planar[point - number_of_corners()]; }
@@ -195,10 +200,12 @@ private:
 
 namespace internal {
 
-// Cuts a polygonal facet into triangles between its corners; `put(n, f)` is told which facet the n-th one is. The facet stays as one of them.
-// \pre they triangulate the polygon; `vertices` are those of the points
+// Cuts a polygonal facet into triangles between its corners, and calls `put(n, f)` with the facet of the n-th triangle.
+// The facet stays as one of them. Returns false if the triangles do not triangulate the polygon; part of it may be cut
+// then.
+// \pre `vertices` are those of the points, without repetitions
 template <typename FaceGraph, typename Put>
-void cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descriptor in_polygon, FaceGraph& mesh,
+bool cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descriptor in_polygon, FaceGraph& mesh,
                         const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>& vertices,
                         std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t> > triangles, const Put& put)
 {
@@ -210,28 +217,34 @@ void cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descri
     for(std::uint32_t p : t.first) point.emplace(vertices[p], p);
   halfedge_descriptor h = in_polygon;
   do {
-    const std::uint32_t p = point.at(source(h, mesh)), q = point.at(target(h, mesh));
-    to[q] = h;
-    next_corner[p] = q;
+    const auto p = point.find(source(h, mesh)), q = point.find(target(h, mesh));
+    if(p == point.end() || q == point.end()) return false;
+    to[q->second] = h;
+    next_corner[p->second] = q->second;
     h = next(h, mesh);
   } while(h != in_polygon);
+  if(next_corner.size() != point.size() || point.size() != triangles.size() + 2) return false;
   while(triangles.size() > 1) {
     std::size_t ears = 0;
     for(std::size_t n = 0; n < triangles.size() && triangles.size() > 1; ++n)
       for(int i = 0; i < 3; ++i) {
         const std::uint32_t p = triangles[n].first[i], q = triangles[n].first[(i + 1) % 3], r = triangles[n].first[(i + 2) % 3];
-        if(next_corner.at(p) != q || next_corner.at(q) != r) continue;
+        if(next_corner[p] != q || next_corner[q] != r) continue;
         to[r] = Euler::split_face(to[p], to[r], mesh);
         put(triangles[n].second, face(opposite(to[r], mesh), mesh));
         next_corner[p] = r;
+        next_corner[q] = q;       // it is cut off
         triangles.erase(triangles.begin() + std::ptrdiff_t(n--));
         ++ears;
         break;
       }
-    CGAL_assertion(ears > 0);
-    if(ears == 0) return;
+    if(ears == 0) return false;
   }
-  put(triangles.front().second, face(to[triangles.front().first[0]], mesh));
+  const auto& last = triangles.front().first;
+  for(int i = 0; i < 3; ++i)
+    if(next_corner[last[i]] != last[(i + 1) % 3]) return false;
+  put(triangles.front().second, face(to[last[0]], mesh));
+  return true;
 }
 
 } // namespace internal
@@ -243,18 +256,19 @@ Shell_truncation_3::match(const FaceGraph& mesh, VertexPointMap vpm) const
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  std::vector<halfedge_descriptor> result(m_cut_facets.size(), Graph_traits::null_halfedge());
+  if(!is_valid()) return result;
   std::unordered_map<Point, Index, internal::Hash_coordinates> corner_at;
   for(std::size_t n = 0; n < number_of_corners(); ++n) corner_at.emplace(m_points[n], Index(n));
   std::vector<vertex_descriptor> vertex(number_of_corners(), Graph_traits::null_vertex());
   for(vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(vpm, v);
-    const auto found = corner_at.find({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
+    const auto found = corner_at.find(internal::rounded_coordinates(p));
     if(found != corner_at.end() && halfedge(v, mesh) != Graph_traits::null_halfedge()) vertex[found->second] = v;
   }
   std::vector<Index> facets_at(number_of_corners(), 0);
   for(const Triangle& t : m_cut_facets)
     for(Index p : t) ++facets_at[p];
-  std::vector<halfedge_descriptor> result(m_cut_facets.size(), Graph_traits::null_halfedge());
   const std::vector<Index> patch_of = patches();
   std::vector<char> is_there(m_cut_facets.size(), 1);       // by patch
   for(const Disc& d : m_discs) {
@@ -281,14 +295,40 @@ Shell_truncation_3::match(const FaceGraph& mesh, VertexPointMap vpm) const
   return result;
 }
 
+// Returns whether all new facets of the patches are there, between their vertices, and have as many border edges as the
+// facets that were cut.
+template <typename FaceGraph>
+bool Shell_truncation_3::is_replaced(const Truncated<FaceGraph>& truncated, const std::vector<char>& is_cut,
+                                     std::size_t border, const FaceGraph& mesh) const
+{
+  typedef boost::graph_traits<FaceGraph> Graph_traits;
+  for(std::size_t n = 0; n < number_of_new_facets(); ++n) {
+    const Index disc = disc_of_new_facet(n);
+    if(!is_cut[disc == npos ? m_cores[n].facet : m_discs[disc].facets.front()]) continue;
+    if(truncated.facets[n] == Graph_traits::null_face()) return false;
+    const Triangle t = new_facet(n);
+    const auto first = halfedge(truncated.facets[n], mesh);
+    auto h = first;
+    for(int turns = 0; turns < 2 && source(h, mesh) != truncated.vertices[t[0]]; ++turns) h = next(h, mesh);
+    for(int i = 0; i < 3; ++i, h = next(h, mesh)) {
+      if(source(h, mesh) != truncated.vertices[t[i]]) return false;
+      if(!is_border(opposite(h, mesh), mesh)) continue;
+      if(border == 0) return false;
+      --border;
+    }
+    if(source(h, mesh) != truncated.vertices[t[0]]) return false;
+  }
+  return border == 0;
+}
+
 template <typename FaceGraph, typename VertexPointMap>
-Shell_truncation_3::Truncated<FaceGraph> Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
+std::optional<Shell_truncation_3::Truncated<FaceGraph> >
+Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
-  CGAL_precondition(is_valid());
   Truncated<FaceGraph> result;
   result.facets.assign(number_of_new_facets(), Graph_traits::null_face());
   result.vertices.assign(m_points.size(), Graph_traits::null_vertex());
@@ -298,15 +338,21 @@ Shell_truncation_3::Truncated<FaceGraph> Shell_truncation_3::apply(FaceGraph& me
     put(vpm, v, Point_3(m_points[p][0], m_points[p][1], m_points[p][2]));
     result.vertices[p] = v;
   };
-  std::vector<char> is_counted(m_cut_facets.size(), 0);
+  std::vector<char> is_counted(m_cut_facets.size(), 0), is_cut_facet(m_cut_facets.size(), 0);
+  std::size_t border = 0;       // edges of facets that are cut
   const std::vector<Index> patch_of = patches();
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f) {
     if(in_core[f] == Graph_traits::null_halfedge()) continue;
+    is_cut_facet[f] = 1;
     result.patches += is_counted[patch_of[f]] ? 0 : 1;
     is_counted[patch_of[f]] = 1;
     halfedge_descriptor h = in_core[f];
-    for(int i = 0; i < 3; ++i, h = next(h, mesh)) result.vertices[m_cut_facets[f][i]] = source(h, mesh);
+    for(int i = 0; i < 3; ++i, h = next(h, mesh)) {
+      result.vertices[m_cut_facets[f][i]] = source(h, mesh);
+      border += is_border(opposite(h, mesh), mesh) ? 1 : 0;
+    }
   }
+  if(result.patches == 0) return result;
 
   // the halfedge of a facet's polygon that leaves a vertex
   const auto leaving = [&](Index facet, Index center) {
@@ -345,7 +391,8 @@ Shell_truncation_3::Truncated<FaceGraph> Shell_truncation_3::apply(FaceGraph& me
     (disc_of_new_facet(n) == npos ? cores[m_cores[n].facet] : in_disc[disc_of_new_facet(n)]).emplace_back(new_facet(n), n);
   const auto note = [&](std::size_t n, typename Graph_traits::face_descriptor f) { result.facets[n] = f; };
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f)
-    if(in_core[f] != Graph_traits::null_halfedge()) internal::cut_into_triangles(in_core[f], mesh, result.vertices, cores[f], note);
+    if(is_cut_facet[f] && !internal::cut_into_triangles(in_core[f], mesh, result.vertices, cores[f], note))
+      return std::nullopt;
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
     if(!is_there(d)) continue;
@@ -361,7 +408,7 @@ Shell_truncation_3::Truncated<FaceGraph> Shell_truncation_3::apply(FaceGraph& me
           place(p, add_vertex(mesh));
         }
     if(!has_inner_points) {
-      internal::cut_into_triangles(h, mesh, result.vertices, in_disc[n], note);
+      if(!internal::cut_into_triangles(h, mesh, result.vertices, in_disc[n], note)) return std::nullopt;
       continue;
     }
     Euler::remove_face(h, mesh);
@@ -371,6 +418,7 @@ Shell_truncation_3::Truncated<FaceGraph> Shell_truncation_3::apply(FaceGraph& me
       note(t.second, Euler::add_face(corners, mesh));
     }
   }
+  if(!is_replaced(result, is_cut_facet, border, mesh)) return std::nullopt;
   return result;
 }
 

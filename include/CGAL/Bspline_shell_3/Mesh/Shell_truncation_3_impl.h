@@ -66,7 +66,9 @@ Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Tr
   , m_planar(std::move(planar))
 {
   m_is_valid = are_indices_valid() && do_parts_tile_facets() && are_discs_valid();
-  if(m_is_valid) index();
+  if(!m_is_valid) return;
+  index();
+  m_is_valid = are_edges_unique();
 }
 
 // Numbers are in range, and there are no two vertices in the same place.
@@ -213,18 +215,28 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
     std::map<Edge, char> edges;
     for(const Triangle& t : d.triangles) {
       if(CGAL::orientation(at(t[0]), at(t[1]), at(t[2])) != LEFT_TURN) return false;
-      for(int i = 0; i < 3; ++i)
-        if(!edges.emplace(Edge(t[i], t[(i + 1) % 3]), 0).second) return false;
+      for(int i = 0; i < 3; ++i) edges.emplace(Edge(t[i], t[(i + 1) % 3]), 0);
     }
     std::size_t open = 0;
     for(const auto& e : edges) open += edges.count(Edge(e.first.second, e.first.first)) == 0 ? 1 : 0;
     if(open != size) return false;
-    for(std::size_t i = 0; i < size; ++i) {
-      const Edge e(d.rim[i], d.rim[(i + 1) % size]);
-      if(edges.count(e) == 0 || edges.count(Edge(e.second, e.first)) > 0) return false;
-    }
+    for(std::size_t i = 0; i < size; ++i)
+      if(edges.count(Edge(d.rim[i], d.rim[(i + 1) % size])) == 0) return false;
   }
   return true;
+}
+
+// No two new facets have the same directed edge. The cores have every edge of a rim in reverse, as they border on the
+// tips there. So a disc has the edges of its rim on one side only, and its edges cancel but for those.
+CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_edges_unique() const
+{
+  std::vector<std::pair<Index, Index> > edges;
+  for(std::size_t n = 0; n < number_of_new_facets(); ++n) {
+    const Triangle t = new_facet(n);
+    for(int i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::barycentric_in(Index facet, Index point) const

@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_FACET_NORMAL_H
 #define CGAL_BSPLINE_SHELL_3_MESH_FACET_NORMAL_H
 
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
@@ -75,8 +77,8 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
     scale = (std::max)(scale, ET(CGAL::abs(en[a])));
   }
   if(scale == 0) return Facet_normal{ {}, 1 };
-  for(int a = 0; a < 3; ++a) n[a] = CGAL::to_double(ET(en[a] / scale));
-  return normalized(n, 2 * eps);      // to_double() of a number in [-1, 1] errs by at most one unit in the last place
+  for(int a = 0; a < 3; ++a) n[a] = internal::rounded(ET(en[a] / scale));
+  return normalized(n, 2 * eps);      // rounding of a number in [-1, 1] errs by at most one unit in the last place
 }
 
 } // namespace Bspline_shells

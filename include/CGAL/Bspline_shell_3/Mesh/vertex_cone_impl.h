@@ -53,7 +53,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
     g[c] = it->numerator() / it->denominator();
     largest = (std::max)(largest, ET(CGAL::abs(g[c])));
   }
-  for(ET& x : g) x /= largest;     // to_double of the components neither overflows nor vanishes
+  for(ET& x : g) x /= largest;     // rounded components neither overflow nor vanish
   return g;
 }
 
@@ -106,7 +106,7 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
 
   const auto g = exact_cone_direction(fan);
   if(!g) return Result();
-  return Result(unit(Vector_3(CGAL::to_double((*g)[0]), CGAL::to_double((*g)[1]), CGAL::to_double((*g)[2]))));
+  return Result(unit(Vector_3(rounded((*g)[0]), rounded((*g)[1]), rounded((*g)[2]))));
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan)

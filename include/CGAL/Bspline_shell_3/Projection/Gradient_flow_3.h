@@ -8,9 +8,9 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
@@ -116,7 +116,7 @@ public:
   {
     internal::Integral_curve<Shell, internal::Flow_velocity> curve(*m_shell, m_tolerance);
     Arrival arrival;
-    arrival.status = run(curve, { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }, level);
+    arrival.status = run(curve, internal::rounded_coordinates(p), level);
     if(arrival) arrival.point = Point_3(curve.state()[0], curve.state()[1], curve.state()[2]);
     return arrival;
   }
@@ -129,7 +129,7 @@ public:
     internal::Integral_curve<Shell, internal::Flow_velocity_with_differential> curve(*m_shell, m_tolerance);
     const double unit = m_shell->report().unit;
     Flow_differential result;
-    result.status = run(curve, { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]),
+    result.status = run(curve, { internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]),
                                  unit, 0, 0,  0, unit, 0,  0, 0, unit }, level);
     if(result)
       for(int i = 0; i < 3; ++i) {

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
 #include <CGAL/AABB_tree.h>
@@ -381,7 +382,7 @@ Projection_facets_3::normal(const Coordinates& p, const Coordinates& q, const Co
   if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
   const internal::Exact_coordinates exact_normal = cross(internal::exact_difference(q, p), internal::exact_difference(r, p));
   Coordinates result;
-  for(int a = 0; a < 3; ++a) result[a] = CGAL::to_double(exact_normal[a]);
+  for(int a = 0; a < 3; ++a) result[a] = internal::rounded(exact_normal[a]);
   return result;
 }
 
@@ -398,7 +399,7 @@ Projection_facets_3::exact_barycentric(const Facet& f, const Coordinates& p)
   Coordinates result;
   for(int i = 0; i < 3; ++i) {
     const Coordinates &v = f.vertex[(i + 1) % 3], &w = f.vertex[(i + 2) % 3];
-    result[i] = CGAL::to_double(ET(dot(n, cross(exact_difference(w, v), exact_difference(p, v))) / squared));
+    result[i] = internal::rounded(ET(dot(n, cross(exact_difference(w, v), exact_difference(p, v))) / squared));
   }
   return result;
 }

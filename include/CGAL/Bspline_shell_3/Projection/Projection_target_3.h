@@ -13,7 +13,6 @@
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
@@ -60,7 +59,7 @@ public:
       put(m_index, f, Index(m_faces.size()));
       m_faces.push_back(f);
     }
-    for(auto v : vertices(mesh)) m_traced_vertices.push_back(coordinates(get(vpm, v)));
+    for(auto v : vertices(mesh)) m_traced_vertices.push_back(internal::rounded_coordinates(get(vpm, v)));
     std::vector<Facet> facets;
     for(face_descriptor f : m_faces) {
       m_valid = m_valid && is_triangle(halfedge(f, mesh), mesh);
@@ -68,7 +67,7 @@ public:
       Facet facet;
       auto h = halfedge(f, mesh);
       for(int i = 0; i < 3; ++i, h = next(h, mesh)) {
-        facet.vertex[i] = coordinates(get(vpm, source(h, mesh)));
+        facet.vertex[i] = internal::rounded_coordinates(get(vpm, source(h, mesh)));
         for(double c : facet.vertex[i]) m_valid = m_valid && std::isfinite(c);
         const auto neighbor = face(opposite(h, mesh), mesh);
         facet.neighbor[i] = neighbor == Graph_traits::null_face() ? npos : facet_of(neighbor);
@@ -153,9 +152,6 @@ private:
       ++n;
     }
   }
-
-  template <typename Point>
-  static Coordinates coordinates(const Point& p) { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
 
   const TriangleMesh* m_mesh;
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<Index> >::const_type m_index;

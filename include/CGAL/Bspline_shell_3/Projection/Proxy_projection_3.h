@@ -11,9 +11,9 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <vector>
@@ -59,7 +59,7 @@ public:
     Image image = Base::operator()(p, hint);
     const bool is_beyond = image.status == Flow_status::STARTS_OUTSIDE || image.status == Flow_status::LEAVES_SHELL;
     if(!is_beyond || this->target().number_of_facets() == 0) return image;
-    const auto closest = this->target().closest({ CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) });
+    const auto closest = this->target().closest(internal::rounded_coordinates(p));
     const Coordinates x = this->target().point(closest.first, closest.second);
     image.status = Flow_status::SUCCESS;
     image.is_continued = true;

@@ -12,11 +12,11 @@
 #include <CGAL/Bspline_shell_3/Projection/internal/Facet_on_curve.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -118,7 +118,7 @@ public:
       image.status = Flow_status::INVALID_MESH;
       return image;
     }
-    const Coordinates start = { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) };
+    const Coordinates start = internal::rounded_coordinates(p);
     // vertices on the border of an open mesh are on the borders of all that the shell maps it to
     if(m_shell->closing() && m_shell->closing()->border_point(start) != Shell_closing_3::npos)
       if(const auto* corner = m_target->border_corner(start)) {

@@ -13,9 +13,9 @@
 #include <CGAL/Bspline_shell_3/Projection/internal/Outermost_facet_on_curve.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <memory>
@@ -74,7 +74,7 @@ public:
     internal::Curve_hit hit;
     Coordinates innermost;
     image.status = internal::Outermost_facet_on_curve<Shell>(*m_shell, *m_target, m_tolerance)(
-      { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }, hit, innermost);
+      internal::rounded_coordinates(p), hit, innermost);
     if(image.status == Flow_status::LEAVES_SHELL) {
       std::tie(hit.facet, hit.barycentric) = m_target->closest(innermost);
       image.is_continued = true;

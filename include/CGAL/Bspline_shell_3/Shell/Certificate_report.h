@@ -7,12 +7,15 @@
 #define CGAL_BSPLINE_SHELL_3_SHELL_CERTIFICATE_REPORT_H
 
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -111,7 +114,10 @@ struct Certificate_witness
   Claim claim;
   Verdict verdict;
   Reason reason;
-  std::size_t facet = none;             ///< position in `faces(mesh)`
+  /// position in `faces(mesh)`, if `part` is `MESH`. Triangles of the closing have the numbers that follow, then those
+  /// of discs.
+  std::size_t facet = none;
+  Surface_part part = Surface_part::MESH;   ///< the part of the surface that `facet` belongs to
   std::size_t triangle = none;          ///< of the examined mesh, part of the facet
   std::size_t cell = none;              ///< leaf cell of the field
   std::size_t component = none, other_component = none;   ///< of the mesh, in the order of their first facets
@@ -138,6 +144,19 @@ inline const char* name(Certificate_witness::Reason reason)
     case Certificate_witness::CONTAINMENT_NEEDED: return "containment needed";
   }
   return "";
+}
+
+/// \ingroup PkgBsplineShell3Shell
+/// the place of a witness in words: its point, and its facet if it has one. Triangles of the closing and of discs are
+/// not numbered.
+inline std::string place(const Certificate_witness& witness)
+{
+  std::ostringstream out;
+  out << witness.point[0] << " " << witness.point[1] << " " << witness.point[2];
+  if(witness.facet == Certificate_witness::none) return out.str();
+  if(witness.part == Surface_part::MESH) out << ", facet " << witness.facet;
+  else out << ", on a " << name(witness.part) << ", not on a facet of the mesh";
+  return out.str();
 }
 
 /*!
@@ -200,7 +219,8 @@ struct Certificate_report
   /// is not proved
   double least_angle = 0;
   double least_cone_margin = 0;                     ///< smallest cone margin of a vertex (`vertex_cone_margin()`)
-  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact
+  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact. Larger numbers are
+  /// of vertices of the closing and of discs.
   std::vector<std::size_t> singular_vertices;
   std::size_t covers = 0;                           ///< number of components of the cover
   Certificate_statistics statistics;

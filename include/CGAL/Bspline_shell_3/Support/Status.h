@@ -30,7 +30,8 @@ enum class Shell_status
   NON_MANIFOLD,                ///< an edge has more than two facets, or the facets at a vertex do not form one fan
   NOT_ORIENTABLE,              ///< the facets cannot be oriented so that neighbors agree
   OPEN_MESH,                   ///< an edge has only one facet
-  NOT_CLOSABLE,                ///< the mesh is open, and what would close it intersects the mesh or itself, or winds twice around a vertex
+  NOT_CLOSABLE,                ///< the mesh is open, and the triangles that would close it intersect the mesh or each
+                               ///< other, wind twice around a vertex, have an edge of its interior, or have no area
   DEGENERATE_FACET,            ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,           ///< two facets meet elsewhere than in common vertices and edges
   INCONSISTENT_ORIENTATION,    ///< the components of the mesh do not bound one volume, or the mesh bounds none
@@ -44,7 +45,9 @@ enum class Shell_status
   MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh
   UNSOUND_ARITHMETIC,          ///< nothing can be proved in this build (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
-  CANCELED                     ///< the visitor asked to stop
+  CANCELED,                    ///< the visitor asked to stop
+  NOT_TRUNCATABLE,             ///< the mesh with discs in place of its tips is not closed, or has a degenerate facet
+  TOO_MANY_FACETS              ///< the mesh has more vertices or edges than can be numbered
 };
 
 /// \ingroup PkgBsplineShell3Support
@@ -109,6 +112,31 @@ inline const char* message(Shell_status status)
              "CGAL::CGAL does.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
+    case Shell_status::NOT_TRUNCATABLE:
+      return "The truncation of the shell does not fit the mesh at the listed vertices: build a shell of this mesh.";
+    case Shell_status::TOO_MANY_FACETS:
+      return "The mesh has more vertices or edges than can be numbered (2^31): simplify it, or split it.";
+  }
+  return "";
+}
+
+/// \ingroup PkgBsplineShell3Support
+/// the part of the examined surface that a facet belongs to
+enum class Surface_part : unsigned char
+{
+  MESH,         ///< the user's mesh
+  CLOSING,      ///< the triangles that close an open mesh (`Shell_closing_3`)
+  DISC          ///< the triangles that replace tips of the mesh (`Shell_truncation_3`)
+};
+
+/// \ingroup PkgBsplineShell3Support
+/// one facet of the part, in words
+inline const char* name(Surface_part part)
+{
+  switch(part) {
+    case Surface_part::MESH:    return "facet";
+    case Surface_part::CLOSING: return "triangle that closes the mesh";
+    case Surface_part::DISC:    return "triangle that replaces a tip";
   }
   return "";
 }

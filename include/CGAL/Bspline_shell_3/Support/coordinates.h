@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_COORDINATES_H
 
+#include <CGAL/number_utils.h>
+
 #include <boost/container_hash/hash.hpp>
 
 #include <array>
@@ -14,6 +16,9 @@
 #include <type_traits>
 
 namespace CGAL {
+
+template <typename ET> class Lazy_exact_nt;
+
 namespace Bspline_shells {
 namespace internal {
 
@@ -35,6 +40,22 @@ auto cross(const U& u, const V& v)
 
 template <typename Vector>
 double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+// Returns the double that stands for a number of the user. All code rounds numbers in this way, as proofs hold for the
+// rounded mesh: to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
+template <typename NT>
+double rounded(const NT& x) { return CGAL::to_double(x); }
+template <typename ET>
+double rounded(const Lazy_exact_nt<ET>& x)
+{
+  const auto known = x.approx();
+  // A lazy number that is infinite, or not a number, has no exact value.
+  return known.inf() < known.sup() ? CGAL::to_double(x.exact()) : known.inf();
+}
+
+// Rounds the coordinates of a point or vector.
+template <typename Vector>
+std::array<double, 3> rounded_coordinates(const Vector& v) { return { rounded(v[0]), rounded(v[1]), rounded(v[2]) }; }
 
 struct Hash_coordinates
 {

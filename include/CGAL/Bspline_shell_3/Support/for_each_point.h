@@ -6,10 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_POINT_H
 
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ bool for_each_point(std::size_t size, const PointOf& point, Visitor& visitor, co
   for_each_chunk<ConcurrencyTag>(size, 1024, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       const auto p = point(n);
-      points[n] = { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) };
+      points[n] = rounded_coordinates(p);
     }
   });
   const Morton_order order = morton_order<ConcurrencyTag>(points);

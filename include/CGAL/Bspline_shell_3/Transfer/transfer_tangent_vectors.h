@@ -10,13 +10,13 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
 #include <CGAL/Bspline_shell_3/Transfer/internal/Tangent_field.h>
 #include <CGAL/Bspline_shell_3/Transfer/internal/attribute_samples.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
   std::vector<Eigen::Vector3d> result;
   for(auto simplex : range) {
     const auto& v = get(vectors, simplex);
-    result.emplace_back(CGAL::to_double(v[0]), CGAL::to_double(v[1]), CGAL::to_double(v[2]));
+    result.emplace_back(rounded(v[0]), rounded(v[1]), rounded(v[2]));
   }
   return result;
 }

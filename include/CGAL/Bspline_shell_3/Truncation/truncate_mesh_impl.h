@@ -104,13 +104,11 @@ private:
     std::sort(m_report.vertices.begin(), m_report.vertices.end(), [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   }
 
-  // whether the vertex is on the border of an open mesh, or beyond
+  // whether the vertex is on the border of an open mesh
   bool closes(Vertex_index v) const
   {
-    if(!m_input.closing()) return false;
-    const std::size_t open = m_input.number_of_facets_of_origin() - m_input.closing()->triangles().size();
     for(Face_index f : m_mesh.faces_around_target(m_mesh.halfedge(v)))
-      if(m_input.facet_of_origin(f) >= open) return true;
+      if(m_input.part_of_facet(m_input.facet_of_origin(f)) == Surface_part::CLOSING) return true;
     return false;
   }
 
@@ -130,6 +128,7 @@ private:
       if(!is_tip[n]) continue;
       Tip tip(m_mesh, vertices[n]);
       if(!vertex_cone(m_mesh, vertices[n])) tip.margin = 0;
+      if(!m_input.is_of_user(vertices[n])) continue;
       if(closes(vertices[n])) note(tip, Outcome::ON_BORDER);
       else if(tip.largest_margin() < least_gain * tip.margin) note(tip, Outcome::FOLDED_EDGE);
       else m_tips.push_back(std::move(tip));
@@ -206,16 +205,22 @@ private:
     discs.swap(kept);
   }
 
-  // the tips whose new facets intersect others
+  // the tips whose new facets intersect others; all, if the truncation does not fit the mesh
   std::unordered_set<std::size_t> intersecting_tips(const Shell_truncation_3& truncation) const
   {
     Mesh truncated(m_mesh);
     const auto applied = truncation.apply(truncated, truncated.points());
+    std::unordered_set<std::size_t> tips;
+    // vertices of a mesh with self-intersections may share places
+    if(!applied || std::count(applied->facets.begin(), applied->facets.end(), Mesh::null_face()) > 0) {
+      for(std::size_t n = 0; n < m_tips.size(); ++n) tips.insert(n);
+      return tips;
+    }
     std::unordered_map<Face_index, std::size_t> number;
     std::vector<Face_index> range;
-    for(std::size_t n = 0; n < applied.facets.size(); ++n) {
-      number.emplace(applied.facets[n], n);
-      range.push_back(applied.facets[n]);
+    for(std::size_t n = 0; n < applied->facets.size(); ++n) {
+      number.emplace(applied->facets[n], n);
+      range.push_back(applied->facets[n]);
     }
     std::unordered_set<Face_index> cut, near;
     std::vector<Face_index> boxed;
@@ -229,7 +234,6 @@ private:
       if(cut.count(f) == 0 && near.insert(f).second) range.push_back(f);
     std::vector<std::pair<Face_index, Face_index> > pairs;
     Polygon_mesh_processing::self_intersections<Sequential_tag>(range, truncated, std::back_inserter(pairs));
-    std::unordered_set<std::size_t> tips;
     for(const auto& pair : pairs)
       for(Face_index f : { pair.first, pair.second }) {
         const auto found = number.find(f);

@@ -41,13 +41,20 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
+// whether a mesh is closed, or has the border of the shell's closing
+template <typename TriangleMesh, typename VertexPointMap, typename Shell>
+bool has_border_of_shell(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
+{
+  return CGAL::is_closed(mesh) || (shell.closing() && shell.closing()->match_border(mesh, vpm));
+}
+
 // whether a mesh is one that can be edited in a shell, as far as that is cheap to tell
 template <typename TriangleMesh, typename VertexPointMap, typename Shell>
 Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
 {
   if(!shell) return Edit_status::NO_SHELL;
   if(faces(mesh).begin() == faces(mesh).end() || !CGAL::is_triangle_mesh(mesh)) return Edit_status::NOT_TRIANGULATED;
-  if(!CGAL::is_closed(mesh) && !(shell.closing() && shell.closing()->match_border(mesh, vpm))) return Edit_status::OPEN_MESH;
+  if(!has_border_of_shell(mesh, vpm, shell)) return Edit_status::OPEN_MESH;
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
     if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) return Edit_status::NOT_FINITE;
@@ -254,46 +261,94 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
     result.locations.push_back(image.location);
 }
 
-// Replaces the tips of a mesh that a shell replaces. \return whether it has any
-// \param vertices in the order of `vertices(mesh)`; those that vanish are replaced by vertices nearby
-template <typename TriangleMesh, typename VertexPointMap>
-bool truncate(const Shell_truncation_3& truncation, TriangleMesh& mesh, VertexPointMap vpm,
-              std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices)
+// Truncates a mesh as its shell does, and stores where the elements of the truncated mesh were before.
+template <typename TriangleMesh>
+class Mesh_truncated_for_edit
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  const auto in_mesh = truncation.match(mesh, vpm);
-  std::unordered_map<vertex_descriptor, std::size_t> disc_of;
-  for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
-    const auto& disc = truncation.discs()[d];
-    const std::size_t f = disc.facets.front();
-    if(in_mesh[f] == boost::graph_traits<TriangleMesh>::null_halfedge()) continue;
-    auto h = prev(in_mesh[f], mesh);      // to the first corner
-    for(int i = 0; i < 3; ++i, h = next(h, mesh))
-      if(truncation.cut_facets()[f][i] == disc.center) disc_of.emplace(target(h, mesh), d);
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+public:
+  // Returns false if the truncation fails; the mesh must not be used then.
+  // \param all in the order of `vertices(mesh)`; vertices that vanish are replaced by vertices nearby
+  template <typename VertexPointMap>
+  bool truncate(const Shell_truncation_3& truncation, TriangleMesh& mesh, VertexPointMap vpm,
+                std::vector<vertex_descriptor>& all)
+  {
+    const auto in_mesh = truncation.match(mesh, vpm);
+    const auto none_there = boost::graph_traits<TriangleMesh>::null_halfedge();
+    const auto is_there = [&](std::size_t f) { return in_mesh[f] != none_there; };
+    std::unordered_map<vertex_descriptor, std::size_t> disc_of;       // by center
+    for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
+      const std::size_t f = truncation.discs()[d].facets.front();
+      if(!is_there(f)) continue;
+      auto h = in_mesh[f];
+      for(int i = 0; truncation.cut_facets()[f][i] != truncation.discs()[d].center; ++i) h = next(h, mesh);
+      disc_of.emplace(source(h, mesh), d);
+    }
+    if(disc_of.empty()) return true;
+    for(face_descriptor f : faces(mesh)) m_facets.emplace(f, m_facets.size());
+    for(vertex_descriptor v : vertices(mesh)) m_vertices.emplace(v, m_vertices.size());
+    std::vector<std::size_t> cut(in_mesh.size(), none), center(truncation.discs().size(), none);
+    for(std::size_t f = 0; f < in_mesh.size(); ++f)
+      if(is_there(f)) cut[f] = m_facets.at(face(in_mesh[f], mesh));
+    for(const auto& pair : disc_of) center[pair.second] = m_vertices.at(pair.first);
+    const auto truncated = truncation.apply(mesh, vpm);
+    if(!truncated) return false;
+    for(vertex_descriptor& v : all) {
+      const auto found = disc_of.find(v);
+      if(found != disc_of.end()) v = truncated->vertices[truncation.discs()[found->second].rim.front()];
+    }
+    for(std::size_t n = 0; n < truncated->facets.size(); ++n) {
+      const face_descriptor f = truncated->facets[n];
+      if(f == boost::graph_traits<TriangleMesh>::null_face()) continue;
+      const auto d = truncation.disc_of_new_facet(n);
+      m_facets[f] = d == Shell_truncation_3::npos ? cut[truncation.cores()[n].facet] : none;
+      if(d == Shell_truncation_3::npos) continue;
+      m_center_of_facet[f] = center[d];
+      for(auto p : truncation.new_facet(n)) m_vertices[truncated->vertices[p]] = center[d];
+    }
+    return true;
   }
-  if(disc_of.empty()) return false;
-  const auto truncated = truncation.apply(mesh, vpm);
-  for(vertex_descriptor& v : vertices) {
-    const auto found = disc_of.find(v);
-    if(found != disc_of.end()) v = truncated.vertices[truncation.discs()[found->second].rim.front()];
-  }
-  return true;
-}
 
-// Numbers of elements of a range, replaced by those that they had in another; elements that it did not have are left out.
-template <typename Range, typename Descriptor>
-void renumber(const Range& now, const std::vector<Descriptor>& before, std::vector<std::size_t>& numbers)
-{
-  std::unordered_map<Descriptor, std::size_t> number;
-  for(std::size_t n = 0; n < before.size(); ++n) number.emplace(before[n], n);
-  const std::vector<Descriptor> elements(now.begin(), now.end());
-  std::vector<std::size_t> renumbered;
-  for(std::size_t n : numbers) {
-    const auto found = number.find(elements[n]);
-    if(found != number.end()) renumbered.push_back(found->second);
+  bool is_truncated() const { return !m_facets.empty(); }
+
+  // Positions in `faces(mesh)` before, of facets at positions now. Parts of a facet have its position, and triangles of
+  // discs `no_facet`.
+  std::vector<std::size_t> facets_before(const TriangleMesh& mesh, const std::vector<std::size_t>& positions) const
+  {
+    const std::vector<face_descriptor> now(faces(mesh).begin(), faces(mesh).end());
+    std::vector<std::size_t> result;
+    for(std::size_t n : positions) result.push_back(m_facets.at(now[n]));
+    return result;
   }
-  numbers.swap(renumbered);
-}
+
+  // The same of places that are to blame, each once. Discs are named by the vertices that they replace.
+  Offending_simplices before(const TriangleMesh& mesh, const Offending_simplices& now) const
+  {
+    const std::vector<face_descriptor> facets(faces(mesh).begin(), faces(mesh).end());
+    const std::vector<vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+    Offending_simplices result = now;
+    result.facets.clear();
+    result.vertices.clear();
+    for(std::size_t n : now.facets) {
+      const std::size_t before = m_facets.at(facets[n]);
+      if(before != none) result.facets.push_back(before);
+      else result.vertices.push_back(m_center_of_facet.at(facets[n]));
+    }
+    for(std::size_t n : now.vertices) result.vertices.push_back(m_vertices.at(all[n]));
+    for(auto* numbers : { &result.facets, &result.vertices }) {
+      std::sort(numbers->begin(), numbers->end());
+      numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = Edit_report::no_facet;
+
+  std::unordered_map<face_descriptor, std::size_t> m_facets, m_center_of_facet;
+  std::unordered_map<vertex_descriptor, std::size_t> m_vertices;
+};
 
 // Opens a mesh again that was closed for an edit, also when an exception ends that.
 template <typename TriangleMesh>
@@ -374,34 +429,31 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   };
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<std::array<double, 3> > traced;       // points of the shell from which vertices are located
-  bool is_truncated = false;
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> facets_before;
+  Mesh_truncated_for_edit<TriangleMesh> truncated;
   if(shell.truncation()) {
-    facets_before.assign(faces(mesh).begin(), faces(mesh).end());
     if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
       traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
-    is_truncated = truncate(*shell.truncation(), mesh, vpm, all);
+    if(!truncated.truncate(*shell.truncation(), mesh, vpm, all)) return undone(Edit_status::NOT_IN_SHELL);
   }
+  const bool is_truncated = truncated.is_truncated();
 
   const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell, proofs);
   Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
+  if(is_truncated) result.offending_simplices = truncated.before(mesh, result.offending_simplices);
   if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
   lap(result.check_seconds);
   const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
   CGAL_assertion(!freezes || proofs == Facet_proofs::ALL);
-  if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size())) {
-    if(!is_truncated) return Edit_status::NOT_IN_SHELL;
-    renumber(faces(mesh), facets_before, result.offending_simplices.facets);
-    renumber(vertices(mesh), all, result.offending_simplices.vertices);
-    return undone(Edit_status::NOT_IN_SHELL);
-  }
+  if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size()))
+    return is_truncated ? undone(Edit_status::NOT_IN_SHELL) : Edit_status::NOT_IN_SHELL;
   const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
+  result.frozen_facets_before = frozen_before.positions();
+  if(is_truncated) result.frozen_facets_before = truncated.facets_before(mesh, result.frozen_facets_before);
 
   if(!CGAL::is_closed(mesh)) {
     if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
     for(auto f : closed.faces()) frozen.close(f);
   }
-  result.frozen_facets_before = frozen_before.positions();
   const Edit_status edited = edit(oracle, frozen, all);
   lap(result.edit_seconds);
   if(edited != Edit_status::SUCCESS) return undone(edited);
@@ -414,9 +466,11 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
   const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
   result.certificate = certificate.report();
-  // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must still be accepted.
+  // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must
+  // still be accepted, and the mesh must have the border that it had.
   const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
-  const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted);
+  const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted
+                                       && has_border_of_shell(mesh, vpm, shell));
   lap(result.certificate_seconds);
   if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
   // not compiled for those who do not ask

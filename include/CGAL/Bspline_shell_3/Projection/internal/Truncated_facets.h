@@ -84,7 +84,8 @@ public:
         if(side == edges.end() || beyond == npos || m_traced_of[beyond] == npos) continue;
         traced[side->second.first].neighbor[side->second.second] = m_traced_of[beyond];
         for(int j = 0; j < 3; ++j)
-          if(facets[beyond].neighbor[j] == m_cut[n].facet && facets[beyond].vertex[j] == m_truncation->points()[t[(i + 1) % 3]])
+          // At one edge only: two common edges have a center, at which all facets are cut.
+          if(facets[beyond].neighbor[j] == m_cut[n].facet)
             traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
       }
     m_facets = Projection_facets_3(std::move(traced));

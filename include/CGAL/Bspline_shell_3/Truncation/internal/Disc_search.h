@@ -173,8 +173,8 @@ private:
     for(std::size_t i = 0; i < tip.size(); ++i) tip.facets[i] = star.add_face(tip.vertex, tip.link[i], tip.link[(i + 1) % tip.size()]);
     const Shell_truncation_3 truncation = assemble_truncation(star, { tip }, { disc });
     if(!truncation.is_valid()) return false;
-    truncation.apply(star, star.points());
-    return !Polygon_mesh_processing::does_self_intersect<Sequential_tag>(star);
+    const auto truncated = truncation.apply(star, star.points());
+    return truncated && truncated->patches == 1 && !Polygon_mesh_processing::does_self_intersect<Sequential_tag>(star);
   }
 
   const Tip& m_tip;

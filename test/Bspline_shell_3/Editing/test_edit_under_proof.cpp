@@ -1,0 +1,149 @@
+// edit_under_proof.h: edits that break a promise are undone; reports name facets and vertices of the user's mesh.
+#include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
+#include "frozen_facets.h"
+#include "truncations.h"
+
+#include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
+#include <CGAL/bspline_shell_3.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace P = CGAL::Bspline_shells::parameters;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef BS::Edit_status Status;
+typedef BS::Edit_result<BS::Edit_report, Mesh> Result;
+typedef std::vector<std::size_t> Positions;
+
+// a shell of the unit sphere, with room around it
+const Shell& shell()
+{
+  static const Shell shell = [] {
+    const Shell tight = CGAL::bspline_shell_3(sphere(2), P::resolution(12));
+    return Shell(tight.field(), BS::Level_range{ tight.inner_level() - 0.1, tight.outer_level() + 0.1 },
+                 std::vector<char>(tight.field().number_of_cells(), 1), tight.facet_ranges(), tight.report());
+  }();
+  return shell;
+}
+
+template <typename Edit, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, const CGAL_NP_CLASS& np)
+{
+  result.facets_before = mesh.number_of_faces();
+  return BS::internal::edit_and_certify<CGAL::Sequential_tag>(
+    mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), shell,
+    BS::Facet_proofs::ALL, np, result, [&](const auto&, const auto&, const auto&) { edit(mesh); return Status::SUCCESS; });
+}
+
+const auto nothing = [](Mesh&) {};
+
+const Mesh::Vertex_index out(7);
+
+// a sphere with a vertex in its middle, beyond the shell
+Mesh dented()
+{
+  Mesh mesh = sphere(2);
+  mesh.point(out) = CGAL::ORIGIN;
+  return mesh;
+}
+
+Positions facets_at(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  Positions positions;
+  for(auto f : mesh.faces_around_target(mesh.halfedge(v))) positions.push_back(std::size_t(f));
+  std::sort(positions.begin(), positions.end());
+  return positions;
+}
+
+// a vertex that is not near the dent
+Mesh::Vertex_index far(const Mesh& mesh)
+{
+  const Vector_3 n = sphere(2).point(out) - CGAL::ORIGIN;
+  return *std::min_element(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v, auto w) {
+    return (mesh.point(v) - CGAL::ORIGIN) * n < (mesh.point(w) - CGAL::ORIGIN) * n;
+  });
+}
+
+} // namespace
+
+TEST_CASE("With frozen facets, an edit must keep them, leave all others in the shell, and close the mesh")
+{
+  REQUIRE(shell());
+  const Mesh start = dented();
+  const auto status = [&](const auto& edit) {
+    Mesh mesh = start;
+    Result result;
+    const Status status = run(mesh, shell(), result, edit, P::freeze_rejected_facets(true));
+    CHECK(result.frozen_facets_before == facets_at(start, out));
+    CHECK(result.offending_simplices.facets == facets_at(start, out));
+    if(status == Status::NOT_CERTIFIED) {
+      CHECK(is_equal(mesh, start));
+      CHECK(result.facets == start.number_of_faces());
+      CHECK(result.frozen_facets.empty());
+    }
+    return status;
+  };
+  CHECK(status(nothing) == Status::EDITED_EXCEPT_FROZEN);
+  // a vertex within the shell, and one beyond it
+  const auto scaled = [](double s) { return [s](Mesh& m) { m.point(far(m)) = CGAL::ORIGIN + s * (m.point(far(m)) - CGAL::ORIGIN); }; };
+  CHECK(status(scaled(1.02)) == Status::EDITED_EXCEPT_FROZEN);
+  CHECK(status(scaled(3)) == Status::NOT_CERTIFIED);
+  // the frozen vertex is moved, and stays beyond the shell
+  CHECK(status([](Mesh& m) { m.point(out) = Point_3(0, 0, 0.1); }) == Status::NOT_CERTIFIED);
+  CHECK(status([](Mesh& m) { CGAL::Euler::remove_face(m.halfedge(far(m)), m); }) == Status::NOT_CERTIFIED);
+  CHECK(status([](Mesh& m) { CGAL::Euler::remove_face(m.halfedge(out), m); }) == Status::NOT_CERTIFIED);
+}
+
+TEST_CASE("Fans that wind twice are found before an edit, and frozen")
+{
+  const Mesh folded = sliced_sphere(25, 12, 2);
+  Mesh mesh = folded;
+  Result result;
+  CHECK(run(mesh, shell(), result, nothing, CGAL::parameters::default_values()) == Status::NOT_IN_SHELL);
+  CHECK(result.offending_simplices.vertices == Positions{ 0, 1 });
+  CHECK(result.offending_simplices.facets.empty());
+  Result frozen;
+  CHECK(run(mesh, shell(), frozen, nothing, P::freeze_rejected_facets(true)) == Status::EDITED_EXCEPT_FROZEN);
+  CHECK(frozen.frozen_facets.size() == 50);
+}
+
+TEST_CASE("Where the shell truncates the mesh, facets and vertices are those of the mesh before")
+{
+  const Mesh start = dented();
+  const Mesh::Vertex_index tip = far(start);
+  Truncation_parts parts = truncation_at(start, { tip }, true);
+  for(bool is_disc_rejected : { false, true }) {
+    if(is_disc_rejected) parts.points.back() = { 0, 0, 0 };
+    Shell truncating = shell();
+    truncating.set_truncation(parts.shared());
+    REQUIRE(truncating.truncation()->is_valid());
+    for(bool freezes : { false, true }) {
+      CAPTURE(is_disc_rejected, freezes);
+      Mesh mesh = start;
+      Result result;
+      const Status status = run(mesh, truncating, result, nothing, P::freeze_rejected_facets(freezes));
+      CHECK(status == (freezes ? Status::EDITED_EXCEPT_FROZEN : Status::NOT_IN_SHELL));
+      CHECK(result.offending_simplices.facets == facets_at(start, out));
+      CHECK(result.offending_simplices.vertices == (is_disc_rejected ? Positions{ std::size_t(tip) } : Positions()));
+      if(!freezes) {
+        CHECK(is_equal(mesh, start));
+        continue;
+      }
+      Positions named = result.frozen_facets_before;
+      CHECK(result.frozen_facets.size() == named.size());
+      std::sort(named.begin(), named.end());
+      const auto end = std::lower_bound(named.begin(), named.end(), std::size_t(BS::Edit_report::no_facet));
+      CHECK(std::size_t(named.end() - end) == (is_disc_rejected ? parts.discs[0].triangles.size() : 0));
+      named.erase(end, named.end());
+      CHECK(named == facets_at(start, out));
+    }
+  }
+}

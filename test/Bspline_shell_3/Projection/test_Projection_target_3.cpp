@@ -1,0 +1,128 @@
+// Projection_target_3.h, Truncated_facets.h: the facets of a truncated mesh, their neighbors, and places of the mesh on them.
+#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
+#include "truncations.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+typedef BS::Projection_target_3<Mesh> Target;
+typedef Target::Coordinates Coordinates;
+
+// facets begin at all corners
+Mesh ball()
+{
+  Mesh mesh = sphere(1);
+  for(auto f : mesh.faces())
+    for(std::size_t n = 0; n < std::size_t(f) % 3; ++n) mesh.set_halfedge(f, mesh.next(mesh.halfedge(f)));
+  return mesh;
+}
+
+const std::vector<Mesh::Vertex_index>& centers()
+{
+  static const std::vector<Mesh::Vertex_index> centers = [] {
+    const Mesh mesh = ball();
+    const Mesh::Vertex_index v(0);
+    return std::vector<Mesh::Vertex_index>{ v, mesh.source(mesh.halfedge(v)), Mesh::Vertex_index(7) };
+  }();
+  return centers;
+}
+
+double distance(const Coordinates& p, const Coordinates& q)
+{
+  return std::sqrt(CGAL::squared_distance(Point_3(p[0], p[1], p[2]), Point_3(q[0], q[1], q[2])));
+}
+
+} // namespace
+
+TEST_CASE("Traced facets are neighbors across each of their edges")
+{
+  const Mesh mesh = ball();
+  for(bool has_point : { false, true }) {
+    const auto truncation = truncation_at(mesh, centers(), has_point).shared();
+    REQUIRE(truncation->is_valid());
+    const Target target(mesh, mesh.points(), truncation);
+    REQUIRE(target.is_valid());
+    const BS::Projection_facets_3& facets = target.traced_facets();
+    const std::size_t expected = mesh.number_of_faces() - truncation->cut_facets().size() + truncation->number_of_new_facets();
+    CHECK(facets.number_of_facets() == expected);
+    std::size_t right = 0;
+    for(Target::Index f = 0; f < facets.number_of_facets(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Target::Index g = facets.neighbor(f, i);
+        REQUIRE(g != Target::npos);
+        for(int j = 0; j < 3; ++j)
+          if(facets.neighbor(g, j) == f && facets.vertex(g, j) == facets.vertex(f, (i + 1) % 3)
+             && facets.vertex(g, (j + 1) % 3) == facets.vertex(f, i)) ++right;
+      }
+    CHECK(right == 3 * facets.number_of_facets());
+  }
+}
+
+TEST_CASE("Places of the mesh are traced to the truncated mesh, and back")
+{
+  const Mesh mesh = ball();
+  const Target target(mesh, mesh.points(), truncation_at(mesh, centers(), true).shared());
+  std::size_t moved = 0;
+  for(Target::Index f = 0; f < mesh.number_of_faces(); ++f)
+    for(int i = 0; i <= 12; ++i)
+      for(int j = 0; i + j <= 12; ++j) {
+        const Coordinates barycentric = { i / 12., j / 12., 1 - (i + j) / 12. };
+        const auto back = target.untraced(target.traced({ f, barycentric }));
+        CHECK(distance(target.point(back.first, back.second), target.point(f, barycentric)) < 1e-14);
+        moved += distance(target.traced_point(f, barycentric), target.point(f, barycentric)) > 1e-14 ? 1 : 0;
+      }
+  CHECK(moved > 50);
+}
+
+TEST_CASE("Vertices that are cut off are traced from the middles of their discs, the others from where they are")
+{
+  const Mesh mesh = ball();
+  const auto truncation = truncation_at(mesh, centers(), true).shared();
+  const Target target(mesh, mesh.points(), truncation);
+  const std::size_t first = truncation->points().size() - centers().size();
+  for(auto v : mesh.vertices()) {
+    Coordinates expected = { mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() };
+    for(std::size_t n = 0; n < centers().size(); ++n)
+      if(v == centers()[n]) expected = truncation->points()[first + n];
+    CHECK(distance(target.traced_vertices()[std::size_t(v)], expected) < 1e-14);
+  }
+}
+
+TEST_CASE("Tips of meshes with lazy coordinates are found by the rounded coordinates")
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
+  typedef CGAL::Surface_mesh<Lazy_kernel::Point_3> Lazy_mesh;
+  const Mesh mesh = ball();
+  const auto truncation = truncation_at(mesh, centers(), true).shared();
+  // all coordinates have their values, with wide enclosures
+  const Lazy_kernel::FT large = Lazy_kernel::FT(1e9) / 3;
+  const auto wide = [&](double x) { return Lazy_kernel::FT((x + large) - large); };
+  Lazy_mesh lazy;
+  for(auto v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    lazy.add_vertex({ wide(p.x()), wide(p.y()), wide(p.z()) });
+  }
+  for(auto f : mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(v);
+    lazy.add_face(corners);
+  }
+  const BS::Projection_target_3<Lazy_mesh> target(lazy, lazy.points(), truncation);
+  REQUIRE(target.is_valid());
+  const Target of_doubles(mesh, mesh.points(), truncation);
+  CHECK(target.traced_facets().number_of_facets() == of_doubles.traced_facets().number_of_facets());
+  for(auto v : mesh.vertices()) {
+    const bool is_cut = std::find(centers().begin(), centers().end(), v) != centers().end();
+    const Coordinates p = { mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() };
+    CHECK((target.traced_vertices()[std::size_t(v)] == p) == !is_cut);
+  }
+}
