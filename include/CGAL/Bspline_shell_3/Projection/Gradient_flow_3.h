@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_GRADIENT_FLOW_3_H
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
@@ -100,8 +101,9 @@ public:
 
   /// \pre `shell` outlives this object
   /// \param shell a shell
-  /// \param tolerance of the tracing, user units; 0 stands for the default. The error of each step is estimated to be a tenth of it at most; what
-  ///        many steps add up to, and what curves make of it that diverge, is not bounded.
+  /// \param tolerance of the tracing, user units; 0 stands for the default. The end is at most this far from the exact
+  ///        one. That is an estimate: the errors of the steps are followed along the curve to first order. Curves that
+  ///        diverge are traced in shorter steps. If `double`s do not suffice, the status is `TOO_MANY_STEPS`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance * shell.report().unit)
   {}
@@ -114,10 +116,11 @@ public:
   template <typename Point>
   Arrival trace(const Point& p, double level) const
   {
-    internal::Integral_curve<Shell, internal::Flow_velocity> curve(*m_shell, m_tolerance);
     Arrival arrival;
-    arrival.status = run(curve, internal::rounded_coordinates(p), level);
-    if(arrival) arrival.point = Point_3(curve.state()[0], curve.state()[1], curve.state()[2]);
+    typedef internal::Flow_velocity Velocity;
+    Traced<Velocity::State> end;
+    arrival.status = run<Velocity>(internal::rounded_coordinates(p), level, end);
+    if(arrival) arrival.point = Point_3(end.state[0], end.state[1], end.state[2]);
     return arrival;
   }
 
@@ -126,31 +129,44 @@ public:
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {
-    internal::Integral_curve<Shell, internal::Flow_velocity_with_differential> curve(*m_shell, m_tolerance);
+    typedef internal::Flow_velocity_with_differential Velocity;
+    Traced<Velocity::State> end;
     const double unit = m_shell->report().unit;
     Flow_differential result;
-    result.status = run(curve, { internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]),
-                                 unit, 0, 0,  0, unit, 0,  0, 0, unit }, level);
+    result.status = run<Velocity>({ internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]),
+                                           unit, 0, 0,  0, unit, 0,  0, 0, unit }, level, end);
     if(result)
       for(int i = 0; i < 3; ++i) {
-        result.velocity[i] = curve.derivative()[i];
-        for(int j = 0; j < 3; ++j) result.matrix(i, j) = curve.state()[3 + 3*j + i] / unit;
+        result.velocity[i] = end.derivative[i];
+        for(int j = 0; j < 3; ++j) result.matrix(i, j) = end.state[3 + 3*j + i] / unit;
       }
     return result;
   }
 
 private:
-  template <typename Curve>
-  static Flow_status run(Curve& curve, const typename Curve::State& start, double level)
+  template <typename State>
+  struct Traced
   {
-    Flow_status status = curve.start(start);
-    if(!std::isfinite(level)) return Flow_status::NOT_FINITE;
-    while(status == Flow_status::SUCCESS && curve.value() != level) status = curve.step(level);
-    // what errors of steps may add up to, and not more, as beside a critical point
-    constexpr double most = 10;
-    if(status == Flow_status::SUCCESS && curve.drift(curve.state(), level) * curve.speed() > most * curve.tolerance())
-      return Flow_status::TOO_MANY_STEPS;
-    return status;
+    State state, derivative;
+    internal::Image_error error;
+  };
+
+  template <typename Velocity>
+  Flow_status run(const typename Velocity::State& start, double level, Traced<typename Velocity::State>& result) const
+  {
+    typedef Traced<typename Velocity::State> Result;
+    return internal::keep_tolerance(m_tolerance, result, [&](double step_tolerance, Result& end) {
+      internal::Integral_curve<Shell, Velocity> curve(*m_shell, m_tolerance, step_tolerance);
+      Flow_status status = curve.start(start);
+      if(!std::isfinite(level)) return Flow_status::NOT_FINITE;
+      while(status == Flow_status::SUCCESS && curve.value() != level) status = curve.step(level);
+      if(status != Flow_status::SUCCESS) return status;
+      // The value of the field at the end gives the error along the curve.
+      const internal::Curve_error error = curve.error();
+      const double along = curve.drift(curve.state(), level) * curve.speed();
+      end = { curve.state(), curve.derivative(), { error.at_end() + along, error.at_start() } };
+      return status;
+    });
   }
 
   const Shell* m_shell;

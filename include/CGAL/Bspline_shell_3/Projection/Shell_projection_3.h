@@ -45,6 +45,14 @@ struct Projected_point
   Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});      ///< facet and barycentric coordinates
   Point_3 point;                       ///< in user coordinates
   double value = 0;                    ///< of the field at the image: the parameter along the curve
+  /// \name Estimated errors
+  /// In user units, to first order; 0 where no curve was traced.
+  /// @{
+  double error = 0;                    ///< distance from the exact image; at most the tolerance
+  /// Distance of the point from the exact curve through the image: how far from it the way back ends, across the curve.
+  /// More than the tolerance only where curves approach each other so much that `double`s do not distinguish them.
+  double error_of_way_back = 0;
+  /// @}
   /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between a polygon soup and its proxy
   /// do so (`Soup_projection_3`, `Proxy_projection_3`).
   bool is_continued = false;
@@ -88,8 +96,8 @@ public:
   /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell
   /// \param target the mesh to project to, prepared; may be shared
-  /// \param tolerance of the tracing, as for `Gradient_flow_3`, and how far an image may be from the end of the curve that was traced; user units; 0
-  ///        stands for the default of `Gradient_flow_3`
+  /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the end of
+  ///        the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target))
     , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance * shell.report().unit)
@@ -147,6 +155,8 @@ public:
     image.location = { m_target->face_of(place.first), place.second };
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
+    image.error = hit.error.at_image;
+    image.error_of_way_back = hit.error.at_start;
     image.is_snapped = hit.is_beyond_border;
     return image;
   }

@@ -49,6 +49,8 @@ public:
 private:
   typedef Integral_curve<Shell, Flow_velocity> Curve;
 
+  Flow_status trace(const Coordinates& start, Index near, double step_tolerance, Hit& hit) const;
+
   // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
   // iteration. Fails if that is not during the step; `s` is then a guess of where.
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
@@ -84,7 +86,6 @@ private:
       while(true) {
         if(!(dot(m_facets->normal(facet), curve.derivative()) > 0)) return false;
         if(pass_plane(curve, facet, hit.value, x)) break;
-        if(++moves >= max_moves) return false;
         const double goal = curve.value() + overshoot * (hit.value - curve.value());
         if(curve.step(goal) != Flow_status::SUCCESS && !pass_plane(curve, facet, hit.value, x)) return false;
       }
@@ -105,11 +106,13 @@ private:
   bool settle(Curve& curve, Hit& hit) const
   {
     double goal = hit.value;
-    for(int i = 0; i < 50; ++i) {
+    constexpr int most_corrections = 50;        // more than Newton's method ever takes
+    for(int corrections = 0; corrections < most_corrections;) {
       const double low = (std::min)(curve.begin(), curve.value()), high = (std::max)(curve.begin(), curve.value());
       if(goal >= low && goal <= high) curve.cut(goal);
       else if(curve.step(goal) != Flow_status::SUCCESS) return false;
       if(curve.value() != goal) continue;
+      ++corrections;
       Coordinates x = curve.state();
       const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
       goal += ds;
@@ -118,6 +121,9 @@ private:
       const auto position = m_facets->position(hit.facet, x);
       hit.value = goal;
       hit.barycentric = position.nearest;
+      const Curve_error error = curve.error();
+      const double slope = dot(m_facets->normal(hit.facet), curve.derivative()) / (norm(m_facets->normal(hit.facet)) * curve.speed());
+      hit.error = { error.at_end() / slope, error.at_start() };
       hit.is_beyond_border = position.outside > 0 && m_facets->neighbor(hit.facet, position.edge) == Projection_facets_3::npos;
       const Coordinates image = m_facets->point(hit.facet, position.nearest);
       const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
@@ -152,14 +158,14 @@ private:
   }
 
   // along the whole curve through a point, all facets near it
-  Flow_status search(const Coordinates& start, Hit& best) const
+  Flow_status search(const Coordinates& start, double step_tolerance, Hit& best) const
   {
     if(find_facet_at(start, best)) return Flow_status::SUCCESS;
     best = Hit();
     bool wrong_way = false;
     Flow_status failure = Flow_status::LEAVES_SHELL;
     for(const double direction : { 1., -1. }) {
-      Curve curve(*m_shell, m_tolerance);
+      Curve curve(*m_shell, m_tolerance, step_tolerance);
       curve.start(start);
       Flow_status status = Flow_status::SUCCESS;
       while(status == Flow_status::SUCCESS && best.outside > 0) {
@@ -170,7 +176,7 @@ private:
       if(status != Flow_status::LEAVES_SHELL) failure = status;
     }
     if(best.facet != Projection_facets_3::npos) {
-      Curve curve(*m_shell, m_tolerance);
+      Curve curve(*m_shell, m_tolerance, step_tolerance);
       curve.start(start);
       const bool is_inside = best.outside <= 0;
       if(settle(curve, best)) return Flow_status::SUCCESS;
@@ -198,9 +204,9 @@ private:
 };
 
 template <typename Shell>
-Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index near, Hit& hit) const
+Flow_status Facet_on_curve<Shell>::trace(const Coordinates& start, Index near, double step_tolerance, Hit& hit) const
 {
-  Curve curve(*m_shell, m_tolerance);
+  Curve curve(*m_shell, m_tolerance, step_tolerance);
   const Flow_status status = curve.start(start);
   if(status != Flow_status::SUCCESS) return status;
   // the facet that the tangent meets, over edges or by the tree
@@ -216,7 +222,15 @@ Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index ne
   }
   const Index facet = m_facets->facet_on_line(x, tangent, below, above, margin);
   if(facet != Projection_facets_3::npos && walk(curve, facet, hit) && settle(curve, hit)) return Flow_status::SUCCESS;
-  return search(start, hit);
+  return search(start, step_tolerance, hit);
+}
+
+template <typename Shell>
+Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index near, Hit& hit) const
+{
+  return keep_tolerance(m_tolerance, hit, [&](double step_tolerance, Hit& result) {
+    return trace(start, near, step_tolerance, result);
+  });
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES

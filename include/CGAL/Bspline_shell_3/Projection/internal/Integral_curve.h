@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_INTEGRAL_CURVE_H
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
@@ -89,10 +90,12 @@ class Integral_curve
 public:
   typedef typename Velocity::State State;
 
-  // `tolerance`, in user units: of a step, and of what is in the shell
-  Integral_curve(const Shell& shell, double tolerance)
-    : m_shell(&shell), m_tolerance(tolerance), m_velocity{ shell.field().cell(0) }
+  // `tolerance`: by how much the curve may leave the shell. `step_tolerance`: the curve's share of it, in steps' errors. Both are in
+  // user units.
+  Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
+    : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance), m_velocity{ shell.field().cell(0) }
   {}
+  Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
   // begins a curve. State and value are valid after success only.
   Flow_status start(const State& x)
@@ -106,6 +109,8 @@ public:
     m_end_s = m_velocity.evaluate(m_end, m_end_dx);
     if(!is_gradient_certain())
       return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
+    m_begin_s = m_end_s;
+    m_error = Curve_error(divergence(m_velocity.cell, m_end));
     begin_step();
     m_step_size = std::numeric_limits<double>::infinity();
     m_step_error = 1;
@@ -169,6 +174,13 @@ public:
     const double tolerance = m_tolerance / speed();
     return s <= threshold(true, x) + tolerance && s >= threshold(false, x) - tolerance;
   }
+  // what the errors of all steps amount to
+  Curve_error error() const
+  {
+    Curve_error error = m_error;
+    if(m_end_s != m_begin_s) error.add_step(m_end_s - m_begin_s, error_of_step(), divergence(m_velocity.cell, m_end));
+    return error;
+  }
   // how far f at a point of it is from `s`, which it is where the curve is exact
   double drift(const State& x, double s) const { return std::abs(m_velocity.cell.value(x) - s); }
   // @}
@@ -214,8 +226,16 @@ private:
     m_next_cell = Field::npos;
   }
 
+  // the estimated error of the last step, and its rounding, user units
+  double error_of_step() const
+  {
+    const double largest = (std::max)({ std::abs(m_end[0]), std::abs(m_end[1]), std::abs(m_end[2]) });
+    return m_step_error * m_step_tolerance / steps_per_curve + std::numeric_limits<double>::epsilon() * largest;
+  }
+
   void begin_step()
   {
+    m_error = error();
     m_begin = m_end;
     m_begin_dx = m_end_dx;
     m_begin_s = m_end_s;
@@ -242,7 +262,7 @@ private:
       State errors;
       m_stepper.do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, ds, errors);
       m_step_error = 0;
-      for(double error : errors) m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_tolerance));
+      for(double error : errors) m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_step_tolerance));
       const bool accepted = !(m_step_error > 1);
       if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
         m_step_size = std::abs(ds);
@@ -314,7 +334,7 @@ private:
   }
 
   const Shell* m_shell;
-  double m_tolerance;
+  double m_tolerance, m_step_tolerance;
   Velocity m_velocity;
   Stepper m_stepper;
   Cell_index m_cell = Field::npos;                  // of the last step
@@ -324,6 +344,7 @@ private:
   struct { State x, dx; double s; } m_stepped;      // where the last step of the method ended, before it was cut
   double m_step_size = 0;                           // of the last step, as a difference of f
   double m_step_error = 0;                          // of that step, as a part of what is allowed
+  Curve_error m_error;                              // of the steps before the last one
   int m_steps = 0;
   bool m_has_left = false;                          // the shell
 };

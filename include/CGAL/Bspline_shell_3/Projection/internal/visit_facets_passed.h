@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_VISIT_FACETS_PASSED_H
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Bbox_3.h>
@@ -26,6 +27,7 @@ struct Curve_hit
   Projection_facets_3::Coordinates barycentric = {};
   double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
   bool is_beyond_border = false;      // by less than the tolerance
+  Image_error error;
 };
 
 inline constexpr double crossing_precision = 1e-3;     // of the tolerance: where planes are passed
