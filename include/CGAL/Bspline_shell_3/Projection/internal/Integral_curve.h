@@ -72,6 +72,17 @@ struct Flow_velocity_with_differential
   }
 };
 
+// About a unit in the last place of the coordinates in a shell. The coordinates of all cells differ from the first one's
+// by a few boxes at most.
+template <typename Shell>
+double coordinate_rounding(const Shell& shell)
+{
+  const std::array<double, 3> corner = shell.field().cell(0).corner();
+  double largest = 0;
+  for(double x : corner) largest = (std::max)(largest, std::abs(x));
+  return std::numeric_limits<double>::epsilon() * (largest + shell.report().unit);
+}
+
 // Steps along an integral curve of a shell's field.
 //
 // A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest where the
@@ -91,7 +102,8 @@ public:
 
   // `tolerance`, in user units: of a step, and of what is in the shell
   Integral_curve(const Shell& shell, double tolerance)
-    : m_shell(&shell), m_tolerance(tolerance), m_velocity{ shell.field().cell(0) }
+    : m_shell(&shell), m_tolerance(tolerance)
+    , m_crossing_precision((std::max)(1e-3 * tolerance, 4 * coordinate_rounding(shell))), m_velocity{ shell.field().cell(0) }
   {}
 
   // begins a curve. State and value are valid after success only.
@@ -115,6 +127,8 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
+  // of the places where planes are passed: a thousandth of the tolerance, or what the rounding of coordinates allows
+  double crossing_precision() const { return m_crossing_precision; }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
   double value() const { return m_end_s; }          // of f
@@ -314,7 +328,7 @@ private:
   }
 
   const Shell* m_shell;
-  double m_tolerance;
+  double m_tolerance, m_crossing_precision;
   Velocity m_velocity;
   Stepper m_stepper;
   Cell_index m_cell = Field::npos;                  // of the last step
