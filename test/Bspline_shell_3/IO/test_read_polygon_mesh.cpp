@@ -312,7 +312,7 @@ TEST_CASE("reading: an STL text is told from a binary file by its length, whatev
 TEST_CASE("reading: an OBJ file may have continued lines, relative and compound indices, and more values than needed")
 {
   const std::string f = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-  for(const std::string& text : {
+  for(const std::string& text : std::vector<std::string>{
         OBJ(), "v 0 0 \\\n 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 \\\n2\nf 1 2 4\nf 2 \\\n 3 \\\n 4\nf 3 1 4\n",
         "v 0 0 \\\r\n 0\r\nv 2.5 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 2 3 4\r\nf 3 1 4\r\n",
         "# in C:\\\nv 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\n" + f,

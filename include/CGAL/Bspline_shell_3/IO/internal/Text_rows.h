@@ -44,7 +44,7 @@ public:
       const std::size_t end = std::min(m_text.find('\n', m_begin), m_text.size());
       std::string_view line = m_text.substr(m_begin, end - m_begin);
       m_begin = end + 1;
-      if(m_comment != '\0') line = line.substr(0, line.find(m_comment));
+      if(m_comment != '\0') line = line.substr(0, comment_in(line));
       while((line = line.substr(std::min(line.find_first_not_of(spaces), line.size()))) != "") {
         words.push_back(line.substr(0, line.find_first_of(spaces)));
         line.remove_prefix(words.back().size());
@@ -59,6 +59,14 @@ public:
   std::size_t line() const { return line_at(m_text, std::max(position(), std::size_t(1)) - 1); }
 
 private:
+  // "1.#INF" is a number
+  std::size_t comment_in(std::string_view line) const
+  {
+    std::size_t position = line.find(m_comment);
+    while(position != line.npos && position > 0 && line[position - 1] == '.') position = line.find(m_comment, position + 1);
+    return position;
+  }
+
   static constexpr const char* spaces = " \t\r\v\f";
   std::string_view m_text;
   std::size_t m_begin;
