@@ -6,6 +6,7 @@
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
