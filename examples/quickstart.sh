@@ -3,7 +3,7 @@
 #   bash examples/quickstart.sh [MESH] [FACETS]
 # Installs what is missing, builds, runs, and says where the results are. MESH is OFF, OBJ, PLY or STL, also if it is open or no surface
 # at all; without it, the elephant of the Debian package libcgal-demo is used. FACETS: how many are to be left; by default, as few as the shell allows.
-# If there is no result, the exit code is that of simplify_and_transfer, whose usage explains it.
+# The exit code is that of simplify_and_transfer, whose usage explains it. Results of an earlier run stay if a run fails.
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
@@ -37,26 +37,30 @@ fi
 name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
-rm -f "results/$name"_{mesh,simplified,detail,inner,outer,places}.ply "results/$name"{,_simplified}.json "results/$name.png"
-status=0
+begin=$(mktemp) status=0
+trap 'rm -f "$begin" "results/$name.new.png"' EXIT
 "$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name" || status=$?
-draw() {
-  xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "results/$name" "results/$name.png" 2>"$build/render.log" &&
-    [ -s "results/$name.png" ]
+draw() {      # PREFIX
+  xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "results/$name.new.png" \
+    2>"$build/render.log" && [ -s "results/$name.new.png" ] && mv "results/$name.new.png" "$1.png"
 }
-if [ "$status" -ne 0 ]; then
-  if [ -s "results/${name}_places.ply" ]; then
-    echo "results/${name}_places.ply has the places where the proof fails, in results/${name}_mesh.ply."
-    if draw; then echo "results/$name.png shows them."; fi
-  fi
+# 4 and 7: all files are there that there can be, and what is wrong is said already
+if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
+  for prefix in "results/$name.failed" "results/$name"; do
+    if [ "${prefix}_places.ply" -nt "$begin" ]; then
+      echo "${prefix}_places.ply has the places where the proof fails, in ${prefix}_mesh.ply."
+      if draw "$prefix"; then echo "$prefix.png shows them."; fi
+    fi
+  done
   exit "$status"
 fi
-if draw; then
+if draw "results/$name"; then
   picture="
   results/$name.png              before and after, and a cut: inner surface blue, meshes black and green, outer surface red"
 else
   picture="
   (no picture: see $build/render.log)"
+  rm -f "results/$name.png"       # of an earlier run
 fi
 cat <<END
 Results:
@@ -68,3 +72,4 @@ Results:
   results/${name}_inner.ply        inner bounding surface of the shell
   results/${name}_outer.ply        outer bounding surface$picture
 END
+exit "$status"

@@ -2,10 +2,10 @@
 // after: edges of the curve where both surfaces meet are collapsed along the curve, which moves by no more than a thousandth of the box and still
 // separates the colors.
 #include "curve_filter.h"
+#include "example_files.h"
 #include "operand_labels.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -16,9 +16,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
-#include <vector>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
 bool write(const char* name, Mesh& mesh)
@@ -26,25 +24,26 @@ bool write(const char* name, Mesh& mesh)
   const Labels labels = labels_of(mesh);
   auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   for(Mesh::Face_index f : mesh.faces()) colors[f] = labels[f] == 0 ? CGAL::IO::Color(224, 164, 88) : CGAL::IO::Color(92, 142, 173);
-  return CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::use_binary_mode(false));
+  return save(name, mesh);
 }
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  Boolean operation = Boolean::UNION;
-  if(!arguments.empty())
-    if(const auto last = operation_of(arguments.back())) {
-      operation = *last;
-      arguments.pop_back();
-    }
-  Mesh first, second;
-  if(arguments.empty() || BS::read_triangle_mesh(arguments[0], first) != BS::Shell_status::SUCCESS
-     || (arguments.size() > 1 && BS::read_triangle_mesh(arguments[1], second) != BS::Shell_status::SUCCESS)) {
-    std::cerr << "Usage: boolean_colors MESH [MESH, default: the first one, turned and moved] [union | intersection | difference]\n";
-    return EXIT_FAILURE;
+  std::string first_file, second_file, name;
+  const auto code = Arguments("Usage: boolean_colors MESH [MESH, default: the first one, turned and moved] "
+                              "[union | intersection | difference]\n")
+                      .required(first_file).optional(second_file).optional(name).read(argc, argv);
+  if(code) return *code;
+  if(name.empty() && operation_of(second_file)) name.swap(second_file);
+  const auto known = operation_of(name);
+  if(!name.empty() && !known) {
+    std::cerr << "There is no operation " << name << "." << std::endl;
+    return Arguments::wrong_usage;
   }
-  if(arguments.size() == 1) {
+  const Boolean operation = known.value_or(Boolean::UNION);
+  Mesh first, second;
+  if(!read_mesh(first_file, first) || (!second_file.empty() && !read_mesh(second_file, second))) return EXIT_FAILURE;
+  if(second_file.empty()) {
     second = first;
     place(second, first);
   }
@@ -95,9 +94,5 @@ int main(int argc, char** argv)
     others += coarse_labels[f] != carried[f] ? 1 : 0;
   }
   std::cout << others << " facets have most of their image on the other solid\n";
-  if(!write("boolean.ply", mesh) || !write("boolean_colors.ply", coarse)) {
-    std::cerr << "A result cannot be written." << std::endl;
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return write("boolean.ply", mesh) && write("boolean_colors.ply", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <iomanip>
 
@@ -19,16 +18,9 @@ const char* const usage =
   "Usage: build_shell MESH [--resolution CELLS] [--paper] [--output PREFIX]\n"
   "  CELLS cells along the longest side of the mesh's box (80); --paper: all cells of the box and all\n"
   "  terms of the paper's energy. Writes PREFIX_{inner,outer,mesh}.ply; PREFIX is shell if not given.\n"
+  "  Results of an earlier run are replaced at the end, and stay if the run fails.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted,\n"
   "  the other files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
-
-// whether all of the text is a positive number
-bool read_positive(const char* text, double& number)
-{
-  char* end;
-  number = std::strtod(text, &end);
-  return *end == '\0' && std::isfinite(number) && number > 0;
-}
 
 // from blue below zero through white to red above; the level farther from zero has the full color
 CGAL::IO::Color color(double f, double inner, double outer)
@@ -39,61 +31,51 @@ CGAL::IO::Color color(double f, double inner, double outer)
   return f < 0 ? CGAL::IO::Color(fade, fade, 255) : CGAL::IO::Color(255, fade, fade);
 }
 
-int main(int argc, char** argv)
+struct Options
 {
   std::string file, output = "shell";
   double resolution = 80;
-  bool paper = false, usable = true;
-  for(int i = 1; i < argc; ++i) {
-    const std::string arg = argv[i];
-    if(arg == "--resolution" && i + 1 < argc) usable = read_positive(argv[++i], resolution) && usable;
-    else if(arg == "--output" && i + 1 < argc) output = argv[++i];
-    else if(arg == "--paper") paper = true;
-    else if(file.empty() && arg[0] != '-') file = arg;
-    else usable = false;
-  }
-  if(file.empty() || !usable) {
-    std::cerr << usage;
-    return WRONG_USAGE;
-  }
+  bool paper = false;
+};
 
-  const std::string inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", mesh_file = output + "_mesh.ply";
-  if(const int code = prepare_results(file, { inner_file, outer_file, mesh_file })) return code;
-
+// Computes everything, and writes what there is. Returns the exit code.
+int run(const Options& options, const Results& results)
+{
   Mesh mesh;
   BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
-  if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
+  const BS::Shell_status read = BS::read_polygon_mesh(options.file, mesh, offenders);
+  if(read != BS::Shell_status::SUCCESS) return refuse(read, message(read), offenders, options.file);
 
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
   Step_printer printer;
   const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh,
-    BS::parameters::resolution(resolution)
-                   .dense_grid(paper)
-                   .energy_weights(paper ? BS::Energy_weights::paper() : BS::Energy_weights())
+    BS::parameters::resolution(options.resolution)
+                   .dense_grid(options.paper)
+                   .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
                    .memory_limit(0.8 * memory)
                    .visitor(std::ref(printer)));
   printer.clear();
-  if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
+  if(!shell) return refuse(shell.status(), shell.message(), shell.report().offending_simplices, options.file);
 
   CGAL::Real_timer timer;
   timer.start();
-  const int inner = write_surface(inner_file, shell, shell.inner_threshold());
-  const int outer = write_surface(outer_file, shell, shell.outer_threshold());
+  const int inner = write_surface(results.pending("_inner.ply"), shell, shell.inner_threshold());
+  const int outer = write_surface(results.pending("_outer.ply"), shell, shell.outer_threshold());
   auto f_map = mesh.add_property_map<Mesh::Vertex_index, double>("v:f", 0).first;
   auto color_map = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
   for(auto v : mesh.vertices()) {
     f_map[v] = shell.field().value(mesh.point(v)).value_or(0);
     color_map[v] = color(f_map[v], shell.inner_level(), shell.outer_level());
   }
-  if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
+  const bool has_mesh = write_mesh(results.pending("_mesh.ply"), mesh);
+  if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
   const double output_seconds = timer.time();
 
   const BS::Shell_report& r = shell.report();
   struct rusage used;
   getrusage(RUSAGE_SELF, &used);
   const auto row = [](const std::string& what) -> std::ostream& { return std::cout << std::left << std::setw(22) << what; };
-  row("mesh") << file << "\n";
+  row("mesh") << options.file << "\n";
   row("facets, components") << r.triangles << ", " << r.components << "\n";
   row("resolution") << r.gamma << " cells per box side\n";
   row("cells") << r.cells << "\n";
@@ -106,4 +88,15 @@ int main(int argc, char** argv)
   row("seconds: total") << r.total_seconds() + output_seconds << "\n";
   row("peak memory") << used.ru_maxrss / 1024 << " MB\n";
   return (std::max)(inner, outer);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
+                      .option("--resolution", options.resolution).flag("--paper", options.paper).read(argc, argv);
+  if(code) return *code;
+  const Results results(options.output, { "_inner.ply", "_outer.ply", "_mesh.ply" });
+  if(const int refused = results.prepare(options.file)) return refused;
+  return results.finish(run(options, results));
 }

@@ -1,6 +1,7 @@
 // Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the same
 // shell is certified by the same object, and single facets are tested before a mesh is changed.
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -14,18 +15,18 @@
 #include <iostream>
 #include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  double resolution;
+  const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution).read(argc, argv);
+  if(code) return *code;
   Mesh mesh;
-  if(argc < 3 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: certify_shell MESH RESOLUTION\n";
-    return EXIT_FAILURE;
-  }
-  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(std::atof(argv[2])));
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(resolution));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

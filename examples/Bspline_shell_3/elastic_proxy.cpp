@@ -3,16 +3,15 @@
 // one-to-one map between both. Without TetGen (AGPL) or Gmsh (GPL), this example is not built.
 #include "Neo_hookean_solid.h"
 #include "bend_ends.h"
+#include "example_files.h"
 #include "tetrahedralize.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
@@ -21,7 +20,6 @@
 #include <utility>
 #include <vector>
 
-namespace BS = CGAL::Bspline_shells;
 typedef Surface Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef Neo_hookean_solid<> Solid;
@@ -39,17 +37,22 @@ bool write_displaced(const char* file, Mesh& mesh, const Solid::Vectors& u)
     const auto d = u.col(Eigen::Index(v));
     mesh.point(v) = mesh.point(v) + CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3(d[0], d[1], d[2]);
   }
-  return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::use_binary_mode(false).stream_precision(17));
+  return save(file, mesh);
 }
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  double edges = 20, degrees = 45;
+  int element_order = 1;
+  const auto code = Arguments("Usage: elastic_proxy MESH [EDGES along the longest side of the box, default 20] "
+                              "[ANGLE in degrees, default 45] [ORDER of elements, 1 or 2, default 1]\n")
+                      .required(file).optional(edges).optional(degrees).optional(element_order).read(argc, argv);
+  if(code) return *code;
+  const double angle = degrees * std::acos(-1.) / 180;
+  const Element_order order = element_order == 2 ? Element_order::QUADRATIC : Element_order::LINEAR;
   Mesh mesh;
-  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS)
-    return failed("Usage: elastic_proxy MESH [EDGES along the longest side of the box, default 20] [ANGLE in degrees, default 45] "
-                  "[ORDER of elements, 1 or 2, default 1]");
-  const double edges = argc > 2 ? std::atof(argv[2]) : 20, angle = (argc > 3 ? std::atof(argv[3]) : 45) * std::acos(-1.) / 180;
-  const Element_order order = argc > 4 && std::atoi(argv[4]) == 2 ? Element_order::QUADRATIC : Element_order::LINEAR;
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
 
   if(!CGAL::is_closed(mesh)) return failed("The mesh is open: there is nothing to be filled.");
 
@@ -98,6 +101,6 @@ int main(int argc, char** argv)
   std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length() << " of the longest side of the box\n";
   if(!write_VTK("solid.vtk", tetrahedra, result.displacements, "displacement") || !write_displaced("bent.ply", mesh, u)
      || !write_displaced("bent_proxy.ply", proxy, result.displacements))
-    return failed("bent.ply, bent_proxy.ply and solid.vtk cannot be written.");
+    return failed("Not all of bent.ply, bent_proxy.ply and solid.vtk are written.");
   return EXIT_SUCCESS;
 }

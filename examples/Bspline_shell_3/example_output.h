@@ -1,11 +1,11 @@
-// What the examples that write a shell share: messages, progress, and files that are complete or not there.
+// What the examples that write a shell share: messages, progress, and results that take their places together.
 #ifndef EXAMPLE_OUTPUT_H
 #define EXAMPLE_OUTPUT_H
 
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
-#include <CGAL/Bspline_shell_3/IO/write_file.h>
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
-#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
@@ -26,14 +26,15 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-// what both programs return if they cannot go on
-enum Exit_code { WRONG_USAGE = 2, CANNOT_WRITE = 3, NO_SURFACE = 4, NOT_CERTIFIED = 5, NOT_SIMPLIFIED = 6, POINTS_LOST = 7, NO_SHELL = 10 };
+// what the programs return, if not 0
+enum Exit_code { WRONG_USAGE = Arguments::wrong_usage, CANNOT_WRITE = 3, NO_SURFACE = 4, NOT_CERTIFIED = 5,
+                 NOT_SIMPLIFIED = 6, POINTS_LOST = 7, NO_SHELL = 10 };
 
 // names the steps in one line of a terminal, and is quiet in a pipe
 struct Step_printer : BS::Default_shell_visitor
@@ -53,32 +54,74 @@ struct Step_printer : BS::Default_shell_visitor
   const bool on_terminal = isatty(STDERR_FILENO);
 };
 
-// says what is wrong, and where
-template <typename Status>
-void complain(Status status, const BS::Offending_simplices& offenders)
+inline int refuse(BS::Shell_status status, const std::string& message, const BS::Offending_simplices& offenders,
+                  const std::string& file)
 {
-  std::cerr << message(status) << std::endl;
-  const auto list = [](const char* what, const std::vector<std::size_t>& simplices) {
-    if(simplices.empty()) return;
-    std::cerr << what << ":";
-    for(std::size_t i = 0; i < (std::min)(simplices.size(), std::size_t(10)); ++i) std::cerr << " " << simplices[i];
-    std::cerr << (simplices.size() > 10 ? " ... (" + std::to_string(simplices.size()) + ")" : "") << std::endl;
-  };
-  list("facets", offenders.facets);
-  list("vertices", offenders.vertices);
-}
-
-inline int refuse(BS::Shell_status status, const BS::Offending_simplices& offenders)
-{
-  complain(status, offenders);
+  complain(message, offenders, file);
   return NO_SHELL + int(status);
 }
 
-inline int cannot_write(const std::string& file)
+// The files of a run: PREFIX and an ending. They are written under other names, and take their places together at the
+// end. So no run that fails removes results of an earlier one, or mixes with them.
+class Results
 {
-  std::cerr << "Cannot write " << file << std::endl;
-  return CANNOT_WRITE;
-}
+public:
+  Results(std::string prefix, std::vector<std::string> endings)
+    : m_prefix(std::move(prefix)), m_endings(std::move(endings))
+  {}
+  ~Results() { for(const std::string& ending : m_endings) std::remove(pending(ending).c_str()); }
+  Results(const Results&) = delete;
+  Results& operator=(const Results&) = delete;
+
+  // Returns 0, or the exit code if a result would replace the mesh, or cannot be written. This is better known before
+  // the long computation than after it.
+  int prepare(const std::string& mesh_file) const
+  {
+    for(const std::string& ending : m_endings) {
+      std::error_code error;
+      if(std::filesystem::equivalent(m_prefix + ending, mesh_file, error)) {
+        std::cerr << "The result would replace the mesh " << mesh_file << ": choose another PREFIX" << std::endl;
+        return WRONG_USAGE;
+      }
+      const bool is_folder = std::filesystem::is_directory(m_prefix + ending, error);
+      const bool is_writable = !is_folder && std::ofstream(pending(ending)).is_open();
+      std::remove(pending(ending).c_str());
+      if(!is_written(is_writable, m_prefix + ending)) return CANNOT_WRITE;
+    }
+    return 0;
+  }
+
+  // where a result is until it takes its place
+  std::string pending(const std::string& ending) const { return m_prefix + ".new" + ending; }
+
+  // Moves the files that were written to their places, and returns the exit code. With success, also in part, they
+  // replace all results of an earlier run. Otherwise these stay as they are, and the files are named PREFIX.failed.
+  int finish(int code) const
+  {
+    const auto any_exists = [&](const std::string& prefix) {
+      std::error_code error;
+      const auto exists = [&](const std::string& ending) { return std::filesystem::exists(prefix + ending, error); };
+      return std::any_of(m_endings.begin(), m_endings.end(), exists);
+    };
+    if(!any_exists(m_prefix + ".new")) return code;
+    const bool has_results = code == 0 || code == NO_SURFACE || code == POINTS_LOST;
+    const bool is_beside = !has_results && any_exists(m_prefix);
+    const std::string prefix = m_prefix + (is_beside ? ".failed" : "");
+    for(const std::string& ending : m_endings) {
+      const std::string place = prefix + ending;
+      std::error_code error;
+      if(!std::filesystem::exists(pending(ending), error)) std::remove(place.c_str());
+      else if(!is_written(std::rename(pending(ending).c_str(), place.c_str()) == 0, place)) code = CANNOT_WRITE;
+    }
+    if(is_beside)
+      std::cerr << "Results of an earlier run are kept. Those of this run begin with " << prefix << std::endl;
+    return code;
+  }
+
+private:
+  std::string m_prefix;
+  std::vector<std::string> m_endings;
+};
 
 // the first places where a claim is not proved
 inline void list_witnesses(const BS::Certificate_report& certificate)
@@ -102,7 +145,10 @@ inline bool report_obstacles(const BS::Shell_report& report, const std::string& 
     if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
   }
   if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
-  return places.empty() || BS::write_file(file, [&](std::ostream& out) { out.precision(17); return CGAL::IO::write_PLY(out, places); });
+  return places.empty() || write_result(file, [&](std::ostream& out) {
+    out.precision(17);
+    return CGAL::IO::write_PLY(out, places);
+  });
 }
 
 // what had to be done to polygons before they were a mesh, if anything
@@ -120,33 +166,20 @@ inline void print_repairs(const BS::Soup_repairs& repairs)
   if(repairs.turned_components) std::cout << "repaired      components turned inside out, to bound a volume\n";
 }
 
-// Removes results of an older run: they must not pass for those of a run that fails. Returns what is to be returned if one of them is
-// the mesh itself or cannot be written, which is better known before the long computation than after it; otherwise 0.
-inline int prepare_results(const std::string& mesh_file, const std::vector<std::string>& results)
-{
-  for(const std::string& result : results) {
-    std::error_code error;
-    if(std::filesystem::equivalent(result, mesh_file, error)) {
-      std::cerr << "The result would replace the mesh " << mesh_file << ": choose another PREFIX" << std::endl;
-      return WRONG_USAGE;
-    }
-  }
-  for(const std::string& result : results) {
-    std::remove(result.c_str());
-    const std::string partial = result + ".part";
-    const bool writable = std::ofstream(partial).is_open();
-    std::remove(partial.c_str());
-    if(!writable) return cannot_write(result);
-  }
-  return 0;
-}
-
 inline bool write_mesh(const std::string& file, const Mesh& mesh)
 {
-  return BS::write_file(file, [&](std::ostream& out) {
+  return write_result(file, [&](std::ostream& out) {
     CGAL::IO::set_binary_mode(out);
     return CGAL::IO::write_PLY(out, mesh);
   });
+}
+
+// why there is a proxy: what the polygons are not, and where
+inline void print_reason(const BS::Shell_of_soup_3& found)
+{
+  std::cout << "no mesh       " << found.mesh_message() << "\n";
+  list_places(std::cout, "              facets", found.offending_simplices.facets);
+  list_places(std::cout, "              vertices", found.offending_simplices.vertices);
 }
 
 // One of the two bounding surfaces. Returns 0, or what is to be returned. Where a threshold varies, parts of its level set that are no
@@ -162,7 +195,7 @@ int write_surface(const std::string& file, const Shell& shell, const typename Sh
     std::cerr << "No " << file << ". " << message(status) << std::endl;
     return NO_SURFACE;
   }
-  return write_mesh(file, surface) ? 0 : cannot_write(file);
+  return write_mesh(file, surface) ? 0 : CANNOT_WRITE;
 }
 
 #endif // EXAMPLE_OUTPUT_H

@@ -1,7 +1,8 @@
 // Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good triangles in the mesh's shell,
 // and the distances are carried back along the integral curves. The proxy keeps the vertex that distances are from.
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -15,8 +16,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
@@ -38,17 +39,17 @@ void print_errors(const char* name, const Mesh& mesh, Distance distance, Distanc
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  double edges = 100;
+  int number = 0;
+  const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES along the longest side of the box, default 100] "
+                                        "[SOURCE, a vertex, default 0]\n")
+                                .required(file).optional(edges).optional(number);
+  if(const auto code = arguments.read(argc, argv)) return *code;
   Mesh mesh;
-  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: heat_geodesics MESH [EDGES along the longest side of the box, default 100] [SOURCE, a vertex, default 0]\n";
-    return EXIT_FAILURE;
-  }
-  const double edges = argc > 2 ? std::atof(argv[2]) : 100;
-  const Mesh::Vertex_index source(argc > 3 ? Mesh::size_type(std::strtoul(argv[3], nullptr, 10)) : 0);
-  if(!(edges > 0) || !mesh.has_valid_index(source)) {
-    std::cerr << "There is no such vertex, or no such number of edges." << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
+  const Mesh::Vertex_index source(Mesh::size_type(number));
+  if(!mesh.has_valid_index(source)) return *arguments.wrong("There is no vertex " + std::to_string(number) + ".");
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
@@ -90,10 +91,5 @@ int main(int argc, char** argv)
   for(Mesh::Vertex_index v : mesh.vertices()) exact[v] = paths.shortest_distance_to_source_points(v).first;
   print_errors("on the mesh itself:     ", mesh, direct, exact);
   print_errors("on a proxy, and back:   ", mesh, distance, exact);
-  if(!CGAL::IO::write_polygon_mesh("heat_geodesics.ply", mesh, CGAL::parameters::use_binary_mode(false))
-     || !CGAL::IO::write_polygon_mesh("heat_geodesics_proxy.ply", proxy, CGAL::parameters::use_binary_mode(false))) {
-    std::cerr << "heat_geodesics.ply cannot be written." << std::endl;
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return save("heat_geodesics.ply", mesh) && save("heat_geodesics_proxy.ply", proxy) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

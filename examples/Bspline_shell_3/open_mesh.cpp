@@ -1,7 +1,8 @@
 // Simplifies an open mesh. Its shell is that of a closed one, but caps and back sheets are seen nowhere: the border stays, bit for bit, and the map
 // between the meshes is one-to-one.
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -9,28 +10,19 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-bool write(const char* name, const Mesh& mesh)
-{
-  std::ofstream out(name);
-  out.precision(17);
-  return bool(out << mesh);
-}
-
 int main(int argc, char** argv)
 {
+  std::string file;
+  if(const auto code = Arguments("Usage: open_mesh MESH\n").required(file).read(argc, argv)) return *code;
   Mesh mesh;
-  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: open_mesh MESH\n";
-    return EXIT_FAILURE;
-  }
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
@@ -59,5 +51,6 @@ int main(int argc, char** argv)
   // the mesh as it was certified, to look at
   Mesh closed = mesh;
   if(shell.closing() && !shell.closing()->attach(closed, closed.points())) return EXIT_FAILURE;
-  return lost == 0 && moved == 0 && write("simplified.off", coarse) && write("closed.off", closed) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool are_saved = save("simplified.off", coarse) && save("closed.off", closed);
+  return lost == 0 && moved == 0 && are_saved ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -15,7 +15,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh, moved;
   Shell shell;
-  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+  if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
   // points in space, once
   std::vector<Kernel::Point_3> points;

@@ -1,7 +1,8 @@
 // Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its vertices over to the result. That
 // cannot intersect itself, and the map between it and the mesh before is one-to-one: both are proved.
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -12,21 +13,22 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  double edges = 50, thickness = 0.01;
+  const auto code = Arguments("Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] "
+                              "[THICKNESS, of the box, default 0.01]\n  Writes remeshed.ply.\n")
+                      .required(file).optional(edges).optional(thickness).read(argc, argv);
+  if(code) return *code;
   Mesh mesh;
-  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] [THICKNESS, of the box, default 0.01]\n";
-    return EXIT_FAILURE;
-  }
-  const double edges = argc > 2 ? std::atof(argv[2]) : 50;
-  const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
@@ -53,13 +55,7 @@ int main(int argc, char** argv)
   auto wave_now = mesh.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   const BS::Shell_map_3<Shell, Mesh> map(shell, before, mesh);
   const BS::Transfer_report transfer = BS::transfer_vertex_attribute(map, wave, wave_now);
-  if(!transfer) {
-    std::cerr << transfer.failures.size() << " vertices have no value: " << message(transfer.failures[0].second) << std::endl;
-    return EXIT_FAILURE;
-  }
-  if(!CGAL::IO::write_polygon_mesh("remeshed.ply", mesh, CGAL::parameters::use_binary_mode(false))) {
-    std::cerr << "remeshed.ply cannot be written." << std::endl;
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  if(!transfer)
+    std::cerr << transfer.failures.size() << " vertices have no value: " << message(transfer.failures[0].second) << "\n";
+  return save("remeshed.ply", mesh) && transfer ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,7 +2,8 @@
 #ifndef SECOND_MESH_H
 #define SECOND_MESH_H
 
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/Transfer_report.h>
@@ -12,9 +13,11 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
@@ -44,23 +47,19 @@ inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
   return false;
 }
 
-// reads a mesh, builds its shell and another mesh in it; if one of these fails, says why
-inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
+// Reads a mesh, builds its shell and another mesh in it. Returns the exit code, if the program is to end.
+inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
 {
-  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: " << argv[0] << " MESH" << std::endl;
-    return false;
-  }
+  std::string file;
+  const auto code = Arguments("Usage: " + std::string(argv[0]) + " MESH\n").required(file).read(argc, argv);
+  if(code) return code;
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02).time_limit(60.));
-  if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
-    return false;
-  }
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
-    return false;
+    return EXIT_FAILURE;
   }
-  return move_in_shell(shell, mesh, moved);
+  return move_in_shell(shell, mesh, moved) ? std::nullopt : std::optional<int>(EXIT_FAILURE);
 }
 
 // says what was not transferred, if anything

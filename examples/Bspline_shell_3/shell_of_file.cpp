@@ -9,8 +9,7 @@
 
 #include <CGAL/IO/Color.h>
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -24,11 +23,13 @@ const char* const usage =
   "                                grey: hidden from the proxy\n"
   "    PREFIX_places.ply           without a proof, points that stand in the way\n"
   "    PREFIX.json                 what was done, and why\n"
-  "  Exit codes: 0 certified; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted; 5 not certified;\n"
-  "  10 + the status (Status.h) if there is no shell.\n";
+  "  Files take their places together at the end. If the run fails (3, 5, 10 or more), results of an earlier run stay,\n"
+  "  and the files of this one are named PREFIX.failed.\n"
+  "  Exit codes: 0 certified; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the\n"
+  "  other files are written; 5 not certified; 10 + the status (Status.h) if there is no shell.\n";
 
 // the polygons as a mesh, and what becomes of their points
-bool write_soup(const std::string& file, const BS::Soup_proxy_3& proxy, const BS::Soup_shares& shares)
+bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS::Soup_shares& shares)
 {
   Mesh soup = proxy.soup().mesh();
   auto color = soup.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
@@ -40,62 +41,58 @@ bool write_soup(const std::string& file, const BS::Soup_proxy_3& proxy, const BS
   }
   std::cout << "carried       " << 100 * shares.carried << " % of the area; " << 100 * shares.continued << " % continued to the nearest point, "
             << 100 * shares.hidden << " % hidden\n";
-  return write_mesh(file, soup);
+  return write_mesh(results.pending("_soup.ply"), soup);
 }
 
-int main(int argc, char** argv)
+struct Options
 {
   std::string file, output = "shell";
   double thickness = 0.01, limit = 60;
-  bool is_usable = true;
-  for(int i = 1; i < argc; ++i) {
-    const std::string arg = argv[i];
-    const bool has_value = i + 1 < argc;
-    const auto positive = [&](double& x) {
-      char* end;
-      x = std::strtod(argv[++i], &end);
-      is_usable = is_usable && *end == '\0' && end != argv[i] && std::isfinite(x) && x > 0;
-    };
-    if(arg == "--thickness" && has_value) positive(thickness);
-    else if(arg == "--time-limit" && has_value) positive(limit);
-    else if(arg == "--output" && has_value) output = argv[++i];
-    else if(file.empty() && arg[0] != '-') file = arg;
-    else is_usable = false;
-  }
-  if(file.empty() || !is_usable) {
-    std::cerr << usage;
-    return WRONG_USAGE;
-  }
-  const std::string shell_file = output + ".shell", mesh_file = output + "_mesh.ply", inner_file = output + "_inner.ply",
-                    outer_file = output + "_outer.ply", soup_file = output + "_soup.ply", places_file = output + "_places.ply",
-                    report_file = output + ".json";
-  if(const int code = prepare_results(file, { shell_file, mesh_file, inner_file, outer_file, soup_file, places_file, report_file })) return code;
+};
 
+// Computes everything, and writes what there is. Returns the exit code.
+int run(const Options& options, const Results& results)
+{
   BS::Polygon_soup soup;
   BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_soup(file, soup, offenders);
-  if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
+  const BS::Shell_status read = BS::read_polygon_soup(options.file, soup, offenders);
+  if(read != BS::Shell_status::SUCCESS) return refuse(read, message(read), offenders, options.file);
   Step_printer printer;
   const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
-    soup, BS::parameters::relative_thickness(thickness).time_limit(limit).visitor(std::ref(printer)));
+    soup, BS::parameters::relative_thickness(options.thickness).time_limit(options.limit).visitor(std::ref(printer)));
   printer.clear();
   const BS::Soup_shares shares = found.proxy ? BS::sample_soup_shares(found.proxy->map()) : BS::Soup_shares();
-  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, shares, file); })) return cannot_write(report_file);
-  if(!found) return refuse(found.status(), found.offending_simplices);
+  const auto write_report = [&](std::ostream& out) { return BS::write_report(out, found, shares, options.file); };
+  if(!write_result(results.pending(".json"), write_report)) return CANNOT_WRITE;
+  if(!found) return refuse(found.status(), found.message(), found.offending_simplices, options.file);
 
   print_repairs(found.repairs);
-  if(found.proxy) std::cout << "no mesh       " << found.mesh_message() << "\n";
+  if(found.proxy) print_reason(found);
   const BS::Shell_report& report = found.shell().report();
   std::cout << "shell         of " << found.mesh().number_of_faces() << " facets, " << name(found.kind()) << "; " << report.cells << " cells\n"
             << "thickness     " << 100 * found.shell().relative_thickness() << " % of the box, less on " << 100 * report.narrowed_area
             << " % of the mesh\n" << found.message() << std::endl;
-  if(!write_mesh(mesh_file, found.mesh())) return cannot_write(mesh_file);
-  if(found.proxy && !write_soup(soup_file, *found.proxy, shares)) return cannot_write(soup_file);
-  if(BS::write_shell(shell_file, found.shell()) != BS::Shell_file_status::SUCCESS) return cannot_write(shell_file);
+  if(!write_mesh(results.pending("_mesh.ply"), found.mesh())) return CANNOT_WRITE;
+  if(found.proxy && !write_soup(results, *found.proxy, shares)) return CANNOT_WRITE;
+  const bool has_shell = BS::write_shell(results.pending(".shell"), found.shell()) == BS::Shell_file_status::SUCCESS;
+  if(!is_written(has_shell, results.pending(".shell"))) return CANNOT_WRITE;
   if(!found.is_certified()) {
     list_witnesses(report.certificate);
-    return report_obstacles(report, places_file) ? int(NOT_CERTIFIED) : cannot_write(places_file);
+    return report_obstacles(report, results.pending("_places.ply")) ? NOT_CERTIFIED : CANNOT_WRITE;
   }
-  return (std::max)(write_surface(inner_file, found.shell(), found.shell().inner_threshold()),
-                    write_surface(outer_file, found.shell(), found.shell().outer_threshold()));
+  const int inner = write_surface(results.pending("_inner.ply"), found.shell(), found.shell().inner_threshold());
+  const int outer = write_surface(results.pending("_outer.ply"), found.shell(), found.shell().outer_threshold());
+  return inner == CANNOT_WRITE || outer == CANNOT_WRITE ? int(CANNOT_WRITE) : (std::max)(inner, outer);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
+                      .option("--thickness", options.thickness).option("--time-limit", options.limit).read(argc, argv);
+  if(code) return *code;
+  const Results results(options.output, { ".json", ".shell", "_mesh.ply", "_inner.ply", "_outer.ply", "_soup.ply",
+                                          "_places.ply" });
+  if(const int refused = results.prepare(options.file)) return refused;
+  return results.finish(run(options, results));
 }

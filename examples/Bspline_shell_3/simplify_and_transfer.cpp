@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <iomanip>
 #include <locale>
@@ -32,16 +31,21 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 
 const char* const usage =
-  "Usage: simplify_and_transfer FILE [--facets FACETS] [--output PREFIX] [--time-limit SECONDS] [--memory-limit MB] [--threads N]\n"
-  "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
-  "  simplified if not given. mesh is that of the file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why.\n"
-  "  detail is the simplified mesh, cut into small triangles that show the color of every point. PREFIX_simplified.json has the\n"
-  "  numbers of facets, and how far points arrive from where they started, there and back. The limits, by default 60 s and\n"
-  "  4000 MB, are those of the shell; N is by default the number of processors.\n"
-  "  If the shell is not certified, writes PREFIX_{mesh,places}.ply instead: the mesh, and points that stand in the way.\n"
-  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
-  "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
-  "  (Status.h) if the mesh is refused or the shell fails.\n";
+  "Usage: simplify_and_transfer FILE [--facets FACETS] [--thickness T] [--output PREFIX] [--time-limit SECONDS]\n"
+  "                             [--memory-limit MB] [--threads N]\n"
+  "  Simplifies to FACETS facets, or as far as the shell allows. The thickness T of the shell is a part of the longest\n"
+  "  side of the box, by default 0.01: the thicker, the fewer facets it allows.\n"
+  "  Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is simplified if not given. mesh is that of the\n"
+  "  file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why. detail is the simplified mesh,\n"
+  "  cut into small triangles that show the color of every point. PREFIX_simplified.json has the numbers of facets, and\n"
+  "  how far points arrive from where they started, there and back. The limits, by default 60 s and 4000 MB, are those\n"
+  "  of the shell; N is by default the number of processors.\n"
+  "  If the shell is not certified, writes PREFIX_{mesh,places}.ply: the mesh, and points that stand in the way.\n"
+  "  Files take their places together at the end. If the run fails (3, 5, 6, 10 or more), results of an earlier run\n"
+  "  stay, and the files of this one are named PREFIX.failed.\n"
+  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other\n"
+  "  files are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way, all\n"
+  "  files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
 
 // Stripes around the point where the largest sum of coordinates is, and its distance.
 void add_attributes(Mesh& mesh)
@@ -93,15 +97,17 @@ Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::s
   return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
 }
 
-// Gives the vertices of the target what the source has where their curves meet it. Returns whether all of them got it, or says why not.
+// Gives the vertices of the target the source's values where their curves meet it. Prints and returns how many get none.
 template <typename Value>
-bool carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
+std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
   const BS::Transfer_report report = BS::transfer_vertex_attribute(map, attribute<Value>(source, name), attribute<Value>(target, name));
-  if(!report)
-    std::cerr << report.failures.size() << " points are lost, the first at vertex " << report.failures[0].first << ": "
-              << message(report.failures[0].second) << std::endl;
-  return bool(report);
+  if(!report) {
+    const auto& [vertex, status] = report.failures[0];
+    std::cerr << name << ": " << report.failures.size() << " points are lost, the first at "
+              << target.point(Mesh::Vertex_index(Mesh::size_type(vertex))) << ": " << message(status) << std::endl;
+  }
+  return report.failures.size();
 }
 
 struct Round_trip
@@ -128,79 +134,55 @@ void travel(const Map_& map, Round_trip& trip)
   }
 }
 
-int main(int argc, char** argv)
+struct Options
 {
   std::string file, output = "simplified";
   std::size_t facets = 0, threads = 0;
-  double seconds = 60, megabytes = 4000;
-  bool usable = true;
-  for(int i = 1; i < argc; ++i) {
-    const std::string arg = argv[i];
-    const bool has_value = i + 1 < argc;
-    const auto number = [&](std::size_t& n) {
-      char* end;
-      n = std::strtoul(argv[++i], &end, 10);
-      usable = usable && *end == '\0' && n > 0 && argv[i][0] != '-';
-    };
-    const auto positive = [&](double& x) {
-      char* end;
-      x = std::strtod(argv[++i], &end);
-      usable = usable && *end == '\0' && std::isfinite(x) && x > 0;
-    };
-    if(arg == "--facets" && has_value) number(facets);
-    else if(arg == "--threads" && has_value) number(threads);
-    else if(arg == "--time-limit" && has_value) positive(seconds);
-    else if(arg == "--memory-limit" && has_value) positive(megabytes);
-    else if(arg == "--output" && has_value) output = argv[++i];
-    else if(file.empty() && arg[0] != '-') file = arg;
-    else usable = false;
-  }
-  if(file.empty() || !usable) {
-    std::cerr << usage;
-    return WRONG_USAGE;
-  }
-  const std::string mesh_file = output + "_mesh.ply", simplified_file = output + "_simplified.ply", detail_file = output + "_detail.ply",
-                    inner_file = output + "_inner.ply", outer_file = output + "_outer.ply", places_file = output + "_places.ply",
-                    report_file = output + ".json", simplified_report_file = output + "_simplified.json";
-  if(const int code = prepare_results(file, { mesh_file, simplified_file, detail_file, inner_file, outer_file, places_file, report_file,
-                                              simplified_report_file })) return code;
-#ifdef CGAL_LINKED_WITH_TBB
-  std::optional<tbb::global_control> control;
-  if(threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  double thickness = 0.01, seconds = 60, megabytes = 4000;
+};
 
+// Computes everything, and writes what there is. Returns the exit code.
+int run(const Options& options, const Results& results)
+{
   BS::Polygon_soup soup;
   BS::Offending_simplices offenders;
-  const BS::Shell_status read = BS::read_polygon_soup(file, soup, offenders);
-  if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
+  const BS::Shell_status read = BS::read_polygon_soup(options.file, soup, offenders);
+  if(read != BS::Shell_status::SUCCESS) return refuse(read, message(read), offenders, options.file);
 
   // a shell in which the map between meshes is proved to be one-to-one
   Step_printer printer;
   CGAL::Real_timer timer;
   timer.start();
   const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
-    soup, BS::parameters::time_limit(seconds).memory_limit(1e6 * megabytes).visitor(std::ref(printer)));
+    soup, BS::parameters::relative_thickness(options.thickness).time_limit(options.seconds)
+                         .memory_limit(1e6 * options.megabytes).visitor(std::ref(printer)));
   const Shell& shell = found.shell();
   Mesh mesh = found.mesh();
   printer.clear();
   const BS::Soup_shares shares = found.proxy ? BS::sample_soup_shares(found.proxy->map()) : BS::Soup_shares();
-  if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, shares, file); })) return cannot_write(report_file);
-  if(!shell) return refuse(found.status(), found.offending_simplices);
+  const auto write_report = [&](std::ostream& out) { return BS::write_report(out, found, shares, options.file); };
+  if(!write_result(results.pending(".json"), write_report)) return CANNOT_WRITE;
+  if(!shell) return refuse(found.status(), found.message(), found.offending_simplices, options.file);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
-    if(!report_obstacles(shell.report(), places_file)) return cannot_write(places_file);
-    if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
-    return NOT_CERTIFIED;
+    const bool has_places = report_obstacles(shell.report(), results.pending("_places.ply"));
+    return write_mesh(results.pending("_mesh.ply"), mesh) && has_places ? NOT_CERTIFIED : CANNOT_WRITE;
   }
   const double shell_seconds = timer.time();
+  add_attributes(mesh);
+  const bool has_mesh = write_mesh(results.pending("_mesh.ply"), mesh);
+  const int inner = write_surface(results.pending("_inner.ply"), shell, shell.inner_threshold());
+  const int outer = write_surface(results.pending("_outer.ply"), shell, shell.outer_threshold());
+  if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
-  Mesh coarse = mesh;
-  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)));
+  Mesh coarse = found.mesh();
+  const BS::Facet_count_stop_predicate stop(options.facets);
+  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop));
   printer.clear();
   if(!simplified) {
-    complain(simplified.status, simplified.offending_simplices);
+    complain(message(simplified.status), simplified.offending_simplices);
     if(simplified.status == BS::Edit_status::NOT_CERTIFIED) list_witnesses(simplified.certificate);
     return NOT_SIMPLIFIED;
   }
@@ -208,45 +190,59 @@ int main(int argc, char** argv)
 
   // what the mesh carries, to the vertices of the coarse mesh, and to many points of its facets
   timer.reset();
-  add_attributes(mesh);
   Mesh detail = coarse;
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
   const Map to_coarse(shell, mesh, coarse), to_detail(shell, mesh, detail);
-  if(!carry_over<double>(to_coarse, mesh, coarse, "v:distance") || !carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
-     || !carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color"))
-    return POINTS_LOST;
+  const std::size_t lost = carry_over<double>(to_coarse, mesh, coarse, "v:distance")
+                         + carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
+                         + carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color");
   const double transfer_seconds = timer.time();
   Round_trip trip;
   travel(to_coarse, trip);
   travel(to_coarse.inverse(), trip);
 
-  if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
-  if(!write_mesh(simplified_file, coarse)) return cannot_write(simplified_file);
-  if(!write_mesh(detail_file, detail)) return cannot_write(detail_file);
   const auto write_simplified_report = [&](std::ostream& out) {
     out.imbue(std::locale::classic());
     out << "{\n  \"facets_before\": " << simplified.facets_before << ",\n  \"facets\": " << simplified.facets << ",\n  \"seconds\": "
-        << simplified.total_seconds() << ",\n  \"round_trip\": { \"points\": " << trip.points << ", \"lost\": " << trip.lost
-        << ", \"farthest\": " << trip.farthest << " }\n}\n";
+        << simplified.total_seconds() << ",\n  \"lost\": " << lost << ",\n  \"round_trip\": { \"points\": "
+        << trip.points << ", \"lost\": " << trip.lost << ", \"farthest\": " << trip.farthest << " }\n}\n";
     return bool(out);
   };
-  if(!BS::write_file(simplified_report_file, write_simplified_report)) return cannot_write(simplified_report_file);
-  const int inner = write_surface(inner_file, shell, shell.inner_threshold());
-  const int outer = write_surface(outer_file, shell, shell.outer_threshold());
+  if(!write_mesh(results.pending("_simplified.ply"), coarse) || !write_mesh(results.pending("_detail.ply"), detail)
+     || !write_result(results.pending("_simplified.json"), write_simplified_report)) return CANNOT_WRITE;
 
   const auto row = [](const char* what) -> std::ostream& { return std::cout << std::left << std::setw(14) << what; };
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
-  if(found.proxy) row("no mesh") << found.mesh_message() << "\n";
+  if(found.proxy) print_reason(found);
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
   row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells << " cells; "
                << shell_seconds << " s\n";
   row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
                     << " %; certified; " << simplified.total_seconds() << " s\n";
-  if(facets > 0 && simplified.facets > facets) row("") << "the shell allows no fewer\n";
+  if(options.facets > 0 && simplified.facets > options.facets) row("") << "the shell allows no fewer\n";
   row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
-                      << " points; none is lost; " << transfer_seconds << " s\n";
+                      << " points; " << (lost > 0 ? std::to_string(lost) + " are lost" : "none is lost") << "; "
+                      << transfer_seconds << " s\n";
   row("round trip") << trip.points << " points, " << trip.lost << " lost; at most " << trip.farthest / shell.report().unit
-                        << " of the box from where they started\n";
-  return (std::max)(inner, outer);
+                    << " of the box from where they started\n";
+  return lost > 0 ? int(POINTS_LOST) : (std::max)(inner, outer);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
+                      .option("--facets", options.facets).option("--thickness", options.thickness)
+                      .option("--time-limit", options.seconds).option("--memory-limit", options.megabytes)
+                      .option("--threads", options.threads).read(argc, argv);
+  if(code) return *code;
+  const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
+                                          "_simplified.ply", "_detail.ply", "_simplified.json" });
+  if(const int refused = results.prepare(options.file)) return refused;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> control;
+  if(options.threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+#endif
+  return results.finish(run(options, results));
 }

@@ -1,29 +1,31 @@
 // Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the map between it and
 // the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that they were collapsed into.
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  std::size_t facets = 0;
+  double thickness = 0.01;
+  const auto code = Arguments("Usage: simplify_mesh MESH [FACETS, default: as few as the shell allows] "
+                              "[THICKNESS, of the box, default 0.01]\n  Writes simplified.off.\n")
+                      .required(file).optional(facets).optional(thickness).read(argc, argv);
+  if(code) return *code;
   Mesh mesh;
-  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: simplify_mesh MESH [FACETS, default: as few as the shell allows] [THICKNESS, of the box, default 0.01]\n";
-    return EXIT_FAILURE;
-  }
-  const std::size_t facets = argc > 2 ? std::size_t(std::atol(argv[2])) : 0;
-  const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
@@ -39,8 +41,6 @@ int main(int argc, char** argv)
   const Mesh::Vertex_index v = result.images[0];
   std::cout << "\nthe first vertex is now at " << mesh.point(v) << "\nno point is farther than " << result.certificate.displacement_bound
             << " from its image\nseconds: " << result.edit_seconds << " (collapses) " << result.certificate_seconds << " (certificate)\n";
-  std::ofstream out("simplified.off");
-  out.precision(17);
-  out << mesh;
-  return EXIT_SUCCESS;
+  mesh.collect_garbage();
+  return save("simplified.off", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,8 @@
 // Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell is that of a truncated mesh, but
 // the map is one-to-one from the mesh as it is.
+#include "example_files.h"
+
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -11,28 +12,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
+#include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-bool write(const char* name, const Mesh& mesh)
-{
-  std::ofstream out(name);
-  out.precision(17);
-  return bool(out << mesh);
-}
-
 int main(int argc, char** argv)
 {
+  std::string file;
+  if(const auto code = Arguments("Usage: singular_vertex MESH\n").required(file).read(argc, argv)) return *code;
   Mesh mesh;
-  if(argc < 2 || BS::read_triangle_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS) {
-    std::cerr << "Usage: singular_vertex MESH\n";
-    return EXIT_FAILURE;
-  }
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.03).time_limit(60.));
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
@@ -64,5 +56,6 @@ int main(int argc, char** argv)
   Mesh truncated = mesh;
   if(shell.truncation()) shell.truncation()->apply(truncated, truncated.points());
   truncated.collect_garbage();
-  return write("truncated_mesh.off", truncated) && write("simplified_truncated_mesh.off", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool are_saved = save("truncated_mesh.off", truncated) && save("simplified_truncated_mesh.off", coarse);
+  return are_saved ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // What is no surface, as it intersects itself, has gaps, or faces both ways, gets a clean proxy with a certified shell. The proxy is
 // simplified in it, and gets the parts and texture coordinates of the polygons; what it computes goes back to them.
 #include "broken_models.h"
+#include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
@@ -9,15 +10,11 @@
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_soup_proxy_3.h>
 
-#include <CGAL/IO/PLY.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 
-namespace BS = CGAL::Bspline_shells;
 typedef BS::Soup_proxy_3::Mesh Mesh;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_2 Vector_2;
 
@@ -42,12 +39,11 @@ struct Texture_of_corner
 
 int main(int argc, char** argv)
 {
-  const std::string name = argc > 1 ? argv[1] : "figure";
+  std::string name = "figure";
+  const Arguments arguments = Arguments("Usage: soup_proxy [balls | figure | part]\n").optional(name);
+  if(const auto code = arguments.read(argc, argv)) return *code;
   const Broken_model model = name == "balls" ? two_balls() : name == "figure" ? figure() : name == "part" ? machine_part() : Broken_model();
-  if(model.soup.polygons.empty()) {
-    std::cerr << "Usage: soup_proxy balls|figure|part\n";
-    return EXIT_FAILURE;
-  }
+  if(model.soup.polygons.empty()) return *arguments.wrong("There is no model " + name + ".");
   const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(model.soup.points, model.soup.polygons);
   std::cout << proxy.message() << "\n";
   if(!proxy.is_certified()) return EXIT_FAILURE;
@@ -85,6 +81,5 @@ int main(int argc, char** argv)
   std::cout << heights.transferred << " points of the polygons have a value from the proxy, " << heights.continued.size()
             << " of them from its nearest point" << std::endl;
 
-  std::ofstream out("proxy.ply");
-  return parts && corners && heights && CGAL::IO::write_PLY(out, coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return save("proxy.ply", coarse) && parts && corners && heights ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,8 @@
 #ifndef TETRAHEDRALIZE_H
 #define TETRAHEDRALIZE_H
 
+#include <CGAL/Bspline_shell_3/IO/write_file.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -20,7 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <exception>
-#include <fstream>
+#include <ostream>
 #include <set>
 #include <string>
 #include <utility>
@@ -65,17 +67,19 @@ inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
 template <typename Vectors>
 bool write_VTK(const std::string& file, const Tetrahedra& tetrahedra, const Vectors& vectors, const std::string& name)
 {
-  std::ofstream out(file);
-  out.precision(17);
-  out << "# vtk DataFile Version 3.0\ntetrahedra\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << tetrahedra.points.size() << " double\n";
-  for(const Tetrahedra::Point& p : tetrahedra.points) out << p << "\n";
-  out << "CELLS " << tetrahedra.cells.size() << " " << 5 * tetrahedra.cells.size() << "\n";
-  for(const auto& [a, b, c, d] : tetrahedra.cells) out << "4 " << a << " " << b << " " << c << " " << d << "\n";
-  out << "CELL_TYPES " << tetrahedra.cells.size() << "\n";
-  for(std::size_t n = 0; n < tetrahedra.cells.size(); ++n) out << "10\n";
-  out << "POINT_DATA " << tetrahedra.points.size() << "\nVECTORS " << name << " double\n";
-  for(std::size_t n = 0; n < tetrahedra.points.size(); ++n) out << vectors.col(n).transpose() << "\n";
-  return bool(out.flush());
+  return CGAL::Bspline_shells::write_file(file, [&](std::ostream& out) {
+    out.precision(17);
+    out << "# vtk DataFile Version 3.0\ntetrahedra\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+        << tetrahedra.points.size() << " double\n";
+    for(const Tetrahedra::Point& p : tetrahedra.points) out << p << "\n";
+    out << "CELLS " << tetrahedra.cells.size() << " " << 5 * tetrahedra.cells.size() << "\n";
+    for(const auto& [a, b, c, d] : tetrahedra.cells) out << "4 " << a << " " << b << " " << c << " " << d << "\n";
+    out << "CELL_TYPES " << tetrahedra.cells.size() << "\n";
+    for(std::size_t n = 0; n < tetrahedra.cells.size(); ++n) out << "10\n";
+    out << "POINT_DATA " << tetrahedra.points.size() << "\nVECTORS " << name << " double\n";
+    for(std::size_t n = 0; n < tetrahedra.points.size(); ++n) out << vectors.col(n).transpose() << "\n";
+    return bool(out);
+  });
 }
 
 // what both generators do last

@@ -1,9 +1,9 @@
 // The smoothest field of directions on a mesh (1 vectors, 2 lines, 4 crosses) is carried to the mesh simplified in its shell, and back. Says whether
 // the simplified mesh has the same singularities at the same places, and by which angles the field differs there and back.
 #include "direction_field.h"
+#include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -57,17 +57,20 @@ bool write(const std::string& file, Mesh& mesh, Vectors field, const std::vector
   }
   const auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:singularity", 0).first;
   for(const Singularity& s : singularities) index[s.vertex] = s.index;
-  return CGAL::IO::write_polygon_mesh(file, mesh, CGAL::parameters::use_binary_mode(false));
+  return save(file, mesh);
 }
 
 int main(int argc, char** argv)
 {
+  std::string file;
+  int directions = 4, facets = 0;
+  const Arguments arguments = Arguments("Usage: transfer_direction_field MESH [DIRECTIONS, default 4] "
+                                        "[FACETS, default: as few as the shell allows]\n")
+                                .required(file).optional(directions).optional(facets);
+  if(const auto code = arguments.read(argc, argv)) return *code;
+  if(directions < 1) return *arguments.wrong("DIRECTIONS cannot be 0.");
   Mesh mesh;
-  const int directions = argc > 2 ? std::atoi(argv[2]) : 4, facets = argc > 3 ? std::atoi(argv[3]) : 0;
-  if(argc < 2 || BS::read_polygon_mesh(argv[1], mesh) != BS::Shell_status::SUCCESS || directions < 1 || facets < 0) {
-    std::cerr << "Usage: transfer_direction_field MESH [DIRECTIONS, default 4] [FACETS, default: as few as the shell allows]\n";
-    return EXIT_FAILURE;
-  }
+  if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   if(!CGAL::is_closed(mesh)) {
     std::cerr << "The mesh is not closed." << std::endl;
     return EXIT_FAILURE;
@@ -109,9 +112,7 @@ int main(int argc, char** argv)
             << "sum of indices: " << sum_of_indices(before) << "/" << directions << " before, " << sum_of_indices(after) << "/" << directions
             << " now\n"
             << "there and back: " << angles << " degrees in the mean\n";
-  if(!write("direction_field.ply", mesh, field, before) || !write("direction_field_simplified.ply", coarse, there, after)) {
-    std::cerr << "direction_field.ply cannot be written." << std::endl;
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  const bool are_written = write("direction_field.ply", mesh, field, before)
+                        && write("direction_field_simplified.ply", coarse, there, after);
+  return are_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

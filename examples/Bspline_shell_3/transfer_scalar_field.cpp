@@ -12,7 +12,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh, moved;
   Shell shell;
-  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+  if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
   auto height = mesh.add_property_map<Mesh::Vertex_index, double>("v:height").first;
   auto color = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
@@ -34,9 +34,5 @@ int main(int argc, char** argv)
   for(Mesh::Vertex_index v : moved.vertices()) largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
   const double bound = shell.thickness() / shell.report().certificate.least_gradient;
   std::cout << "heights are those of points at most " << bound << " away, and differ by up to " << largest << std::endl;
-  if(!CGAL::IO::write_polygon_mesh("transfer_scalar_field.ply", moved, CGAL::parameters::use_binary_mode(false))) {
-    std::cerr << "transfer_scalar_field.ply cannot be written." << std::endl;
-    return EXIT_FAILURE;
-  }
-  return largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;
+  return save("transfer_scalar_field.ply", moved) && largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,7 +14,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh, moved;
   Shell shell;
-  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+  if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
   // a wind that blows along the x-axis, as it goes along the surface
   Vectors wind = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wind").first,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
 
@@ -29,19 +28,19 @@ void wrap_around_axis(const Mesh& mesh, Texture_coordinates uv)
 
 bool write(const char* name, const Mesh& mesh, Texture_coordinates uv)
 {
-  std::ofstream out(name);
-  out.precision(17);
-  for(Mesh::Vertex_index v : mesh.vertices()) out << "v " << mesh.point(v) << "\n";
-  std::size_t n = 0;
-  for(Mesh::Face_index f : mesh.faces()) {
-    const auto corners = mesh.halfedges_around_face(mesh.halfedge(f));
-    for(Mesh::Halfedge_index h : corners) out << "vt " << uv[h] << "\n";
-    out << "f";
-    for(Mesh::Halfedge_index h : corners) out << " " << std::size_t(mesh.target(h)) + 1 << "/" << ++n;
-    out << "\n";
-  }
-  if(!out) std::cerr << name << " cannot be written." << std::endl;
-  return bool(out);
+  return write_result(name, [&](std::ostream& out) {
+    out.precision(17);
+    for(Mesh::Vertex_index v : mesh.vertices()) out << "v " << mesh.point(v) << "\n";
+    std::size_t n = 0;
+    for(Mesh::Face_index f : mesh.faces()) {
+      const auto corners = mesh.halfedges_around_face(mesh.halfedge(f));
+      for(Mesh::Halfedge_index h : corners) out << "vt " << uv[h] << "\n";
+      out << "f";
+      for(Mesh::Halfedge_index h : corners) out << " " << std::size_t(mesh.target(h)) + 1 << "/" << ++n;
+      out << "\n";
+    }
+    return bool(out);
+  });
 }
 
 // the longest edge in the texture
@@ -58,7 +57,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh, moved;
   Shell shell;
-  if(!begin_example(argc, argv, mesh, shell, moved)) return EXIT_FAILURE;
+  if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
   Texture_coordinates uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first,
                       uv_on_moved = moved.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;

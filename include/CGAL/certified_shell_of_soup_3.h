@@ -7,6 +7,7 @@
 #define CGAL_CERTIFIED_SHELL_OF_SOUP_3_H
 
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
+#include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -64,6 +65,15 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   result.seconds = timer.time();
   if(result.shell_of_mesh.is_certified() || result.mesh_status == BS::Shell_status::CANCELED || result.mesh_status == BS::Shell_status::INVALID_PARAMETER
      || result.mesh_status == BS::Shell_status::UNSOUND_ARITHMETIC) return result;
+  switch(result.mesh_status) {
+    case BS::Shell_status::NON_MANIFOLD:
+    case BS::Shell_status::NOT_ORIENTABLE:
+    case BS::Shell_status::NOT_CLOSABLE:
+    case BS::Shell_status::SELF_INTERSECTION:
+      result.near_duplicates = BS::number_of_near_duplicates(soup.points);
+      break;
+    default: break;
+  }
   auto proxy = std::make_shared<const BS::Soup_proxy_3>(
     certified_soup_proxy_3<ConcurrencyTag>(soup.points, soup.polygons, limited((std::max)(limit / 3, limit - timer.time()))));
   result.proxy_status = proxy->status();

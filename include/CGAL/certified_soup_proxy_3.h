@@ -114,9 +114,12 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
       auto shell = certified_bspline_shell_3<ConcurrencyTag>(wrap, limited);
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
     } else {
-      double reach = (std::min)(8 * report.offset, deepest);
-      if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value) reach = (std::max)(thickness, reach);
-      else if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::relative_thickness_t>::value) reach = (std::max)(relative_thickness * unit, reach);
+      double asked = 0, reach = (std::min)(8 * report.offset, deepest);
+      if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value) asked = thickness;
+      else if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::relative_thickness_t>::value)
+        asked = relative_thickness * unit;
+      report.is_thicker_than_asked = asked > 0 && reach > asked;
+      reach = (std::max)(asked, reach);
       auto shell = certified_bspline_shell_3<ConcurrencyTag>(
         wrap, BS::Named_parameters<double, tags::thickness_t, typename Limited::Pack>(reach, limited));
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);

@@ -1,4 +1,4 @@
-"""shell_of_file writes what it says, for files of all kinds and formats; what it refuses gets a sentence, an exit code, and no files.
+"""shell_of_file writes what it says, for files of all kinds and formats. Refusals name the file and harm no earlier result.
 
 Usage: shell_of_file_test.py SHELL_OF_FILE MESHES     (MESHES: the folder of CGAL's meshes)
 """
@@ -7,9 +7,10 @@ import os
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
 program, meshes = sys.argv[1:]
-UNREADABLE, EMPTY, NOT_FINITE = 10 + 3, 10 + 5, 10 + 6
+STATUS = 10      # and the position of the status in Status.h
 WRONG_USAGE, CANNOT_WRITE = 2, 3
 
 
@@ -65,22 +66,46 @@ with tempfile.TemporaryDirectory() as folder:
     assert all(verdict == "proved" for verdict in result["claims"].values()), result
     assert "off_soup.ply" in files("off"), files("off")
 
-    # refused, each with a sentence, and without files of an older run
+    # refused, each with a sentence that names the file and the line; results of an earlier run stay
+    def contents():
+        return {name: (Path(folder) / name).read_bytes() for name in files("stl")}
+
+    before = contents()
     ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face %d\n" \
           "property list uchar int vertex_indices\nend_header\n%s 0 0\n1 0 0\n0 1 0\n"
-    for name, text, code in (("missing.off", None, UNREADABLE), ("broken.off", "OFF\n3 1 0\n0 0 0\n", UNREADABLE), ("text.txt", "no mesh", UNREADABLE),
-                             ("empty.off", "OFF\n0 0 0\n", EMPTY), ("points.ply", ply % (0, "0"), EMPTY), ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", NOT_FINITE)):
-        write(path("old.json"), "{}")
-        done = run(path(name) if text is None else write(path(name), text), path("old"))
-        assert done.returncode in (code, UNREADABLE if name == "nan.ply" else code), (name, done)
-        assert done.stderr.strip().endswith(".") or "vertices:" in done.stderr, done
-        assert files("old") == [], (name, files("old"))
+    codes = {}
+    for name, text, said in (("missing.off", None, "missing.off: There is no such file"),
+                             ("broken.off", "OFF\n3 1 0\n0 0 0\n", "broken.off, line 3: "),
+                             ("text.txt", "no mesh", "text.txt: The format"),
+                             ("none.stl", "", "none.stl: The file is empty"),
+                             ("empty.off", "OFF\n0 0 0\n", "no facet"), ("points.ply", ply % (0, "0"), "no facet"),
+                             ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", "nan.ply, line 10: ")):
+        done = run(path(name) if text is None else write(path(name), text), path("stl"))
+        codes[name] = done.returncode
+        assert done.returncode > STATUS and said in done.stderr and "Traceback" not in done.stderr, (name, done)
+        assert contents() == before, name
+    assert "vertices: 0" in done.stderr, done
+    assert codes["empty.off"] == codes["points.ply"] and len(set(codes.values())) == len(codes) - 1, codes
     degenerate = write(path("line.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
     done = run(degenerate, path("line"))
-    assert done.returncode > 10 and report("line")["status"] == "refused" and files("line") == ["line.json"], (done, files("line"))
+    assert done.returncode > STATUS and report("line")["status"] == "refused", done
+    assert files("line") == ["line.json"], files("line")
+    done = run(degenerate, path("stl"))
+    assert contents() == before and report("stl.failed")["status"] == "refused" and "stl.failed" in done.stderr, done
 
     # wrong usage
     for options in (["--thickness", "0"], ["--thickness", "x"], ["--time-limit", "-1"], ["--nonsense"]):
-        assert run(path("cube.stl"), path("x"), *options).returncode == WRONG_USAGE
+        done = run(path("cube.stl"), path("stl"), *options)
+        assert done.returncode == WRONG_USAGE and options[0] in done.stderr and done.stdout == "", done
+    done = run(path("cube.stl"), path("stl"), "--help")
+    assert done.returncode == 0 and done.stdout.startswith("Usage:") and done.stderr == "", done
     assert run(path("cube.stl"), path("no/such/folder/x")).returncode == CANNOT_WRITE
-    assert files("x") == []
+    os.mkdir(path("taken_mesh.ply"))
+    assert run(path("cube.stl"), path("taken")).returncode == CANNOT_WRITE and files("taken") == ["taken_mesh.ply"]
+    assert contents() == before
+    assert not [name for name in os.listdir(folder) if ".new" in name or ".part" in name], os.listdir(folder)
+
+    # a run that succeeds replaces all results of the earlier one
+    write(path("stl_places.ply"), "")
+    done = run(path("cube.stl"), path("stl"), "--thickness", "0.02")
+    assert done.returncode == 0 and files("stl") == sorted(before) and contents() != before, (done, files("stl"))

@@ -8,6 +8,7 @@ wrong with a mesh ends up in its record: this script fails only if it cannot wri
 import json
 import multiprocessing
 import os
+import re
 import resource
 import shutil
 import signal
@@ -20,7 +21,7 @@ from pathlib import Path
 import data_set
 
 PARTS = "mesh", "simplified", "detail", "inner", "outer", "places"
-OUTCOMES = {2: "wrong usage", 3: "a file cannot be written", 5: "not certified", 6: "not simplified", 7: "points are lost"}
+OUTCOMES = {2: "wrong usage", 3: "a file cannot be written", 5: "not certified", 6: "not simplified"}
 DRAWING_SECONDS, ATTEMPTS = 120, 2
 THUMBNAIL = 320, 120
 
@@ -122,17 +123,17 @@ def first_line(log):
         return next((line.strip() for line in text if line.strip()), "")
 
 
-def outcome(code, over, log, options):
-    """In two or three words, which are counted, and in a sentence."""
-    said = first_line(log)
+def outcome(code, over, log, file, options):
+    """In two or three words, which are counted, and in a sentence, which does not name the file."""
+    said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
     if over:
         return "time limit", f"It was ended after {options['time_limit']} s."
     if "std::bad_alloc" in log.read_text(encoding="utf-8", errors="replace"):
         return "memory limit", f"It needs more than {options['memory_limit']} MB."
     if code < 0:
         return "crashed", f"It ended with {signal.Signals(-code).name}. {said}".strip()
-    if code in (0, 4):
-        return "done", "" if code == 0 else "A bounding surface could not be extracted."
+    if code in (0, 4, 7):
+        return "done", {0: "", 4: "A bounding surface could not be extracted.", 7: said}[code]
     return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"It ended with {code}."
 
 
@@ -168,9 +169,10 @@ def make(name, file, options, folder, draw):
                        "--memory-limit", str(options["memory_limit"] / 1.5)]
             command += ["--facets", str(options["facets"])] if options["facets"] else []
             code, over, spent = run(command, options["time_limit"], options["memory_limit"], log)
-            record["outcome"], record["reason"] = outcome(code, over, log, options)
+            record["outcome"], record["reason"] = outcome(code, over, log, file, options)
             record |= {"exit": code, **spent}
-            is_drawable = code in (0, 5) and any(Path(f"{prefix}_{part}.ply").exists() for part in ("outer", "places"))
+            has_surface = any(Path(f"{prefix}_{part}.ply").exists() for part in ("outer", "places"))
+            is_drawable = code in (0, 5, 7) and has_surface
             if options["pictures"] and is_drawable:
                 start = time.monotonic()
                 record["picture"] = draw(prefix, picture, options["memory_limit"], log)

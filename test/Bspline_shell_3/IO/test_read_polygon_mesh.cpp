@@ -115,6 +115,36 @@ bool is_tetrahedron(const std::string& name, const std::string& text)
       && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh);
 }
 
+// the same tetrahedron as OBJ, GOCAD and STL
+std::string OBJ() { return "v 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"; }
+
+std::string GOCAD()
+{
+  return "GOCAD TSurf 1\nTFACE\nVRTX 7 0 0 0\nVRTX 8 2.5 0 0\nPVRTX 9 0 1 0 5 5\nVRTX 10 0 0 1\n"
+         "TRGL 7 9 8\nTRGL 7 8 10\nTRGL 8 9 10\nTRGL 9 7 10\nEND\n";
+}
+
+std::string STL(const std::string& first = "solid\n", const std::string& normal = "0 0 1")
+{
+  const char* const points[] = { "0 0 0", "2.5 0 0", "0 1 0", "0 0 1" };
+  std::string text = first;
+  for(const auto& t : { std::array<int, 3>{ 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }) {
+    text += "facet normal " + normal + "\nouter loop\n";
+    for(int v : t) text += std::string("vertex ") + points[v] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid\n";
+}
+
+// the file holds the tetrahedron, whatever the order of its vertices
+bool is_tetrahedron_STL(const std::string& name, const std::string& text)
+{
+  const Temporary_file file(name, text);
+  Mesh mesh;
+  return read_polygon_mesh(file.name, mesh) == Shell_status::SUCCESS && mesh.number_of_vertices() == 4
+      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh) && CGAL::Polygon_mesh_processing::volume(mesh) == Approx(2.5 / 6);
+}
+
 } // namespace
 
 TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
@@ -155,17 +185,17 @@ TEST_CASE("reading: what is no mesh has a status, and the mesh stays as it was")
 {
   Offending_simplices offenders;
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
-  CHECK(read_polygon_mesh("no_such_file.off", mesh, offenders) == Shell_status::UNREADABLE_FILE);
+  CHECK(read_polygon_mesh("no_such_file.off", mesh, offenders) == Shell_status::MISSING_FILE);
   CHECK(mesh.number_of_faces() == 12);
-  CHECK(read("read_bad.off", "this is no mesh", offenders) == Shell_status::UNREADABLE_FILE);
-  CHECK(read("read_bad.xyzzy", "OFF\n0 0 0\n", offenders) == Shell_status::UNREADABLE_FILE);
-  CHECK(read("read_bad.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n", offenders) == Shell_status::UNREADABLE_FILE);
+  CHECK(read("read_bad.off", "this is no mesh", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_bad.xyzzy", "OFF\n0 0 0\n", offenders) == Shell_status::UNSUPPORTED_FILE);
+  CHECK(read("read_bad.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n", offenders) == Shell_status::MALFORMED_FILE);
   CHECK(read("read_bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", offenders) != Shell_status::SUCCESS);
   CHECK(read("read_bad.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", offenders) == Shell_status::EMPTY_MESH);
   CHECK(read("read_bad.off", "OFF\n0 0 0\n", offenders) == Shell_status::EMPTY_MESH);
 }
 
-TEST_CASE("reading: an STL file without facets is empty if it says so, and unreadable otherwise")
+TEST_CASE("reading: an STL file without facets is empty if it says so, and malformed otherwise")
 {
   Offending_simplices offenders;
   const std::string header(80, ' '), spaces(200, ' '), zero(4, '\0');
@@ -173,13 +203,143 @@ TEST_CASE("reading: an STL file without facets is empty if it says so, and unrea
                                   std::string("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
                                   "this is no mesh" + spaces, "solid ground" + spaces, header, header + "\1" }) {
     CAPTURE(text);
-    CHECK(read("read_none.stl", text, offenders) == Shell_status::UNREADABLE_FILE);
-    CHECK(read("read_none.STL", text, offenders) == Shell_status::UNREADABLE_FILE);
+    CHECK(read("read_none.stl", text, offenders) == Shell_status::MALFORMED_FILE);
+    CHECK(read("read_none.STL", text, offenders) == Shell_status::MALFORMED_FILE);
   }
   for(const std::string& text : { std::string("solid none\nendsolid none\n"), "none" + header.substr(4) + zero }) {
     CAPTURE(text);
     CHECK(read("read_empty.stl", text, offenders) == Shell_status::EMPTY_MESH);
   }
+}
+
+TEST_CASE("reading: files that are missing, unreadable, empty, malformed or of another format are told apart")
+{
+  Offending_simplices offenders;
+  Mesh mesh;
+  CHECK(read_polygon_mesh("", mesh) == Shell_status::MISSING_FILE);
+  CHECK(read_polygon_mesh("no_such_folder/mesh.off", mesh) == Shell_status::MISSING_FILE);
+  CHECK(read_polygon_mesh("no_such_file.xyzzy", mesh) == Shell_status::MISSING_FILE);
+  CHECK(read_polygon_mesh(".", mesh) == Shell_status::UNREADABLE_FILE);
+  for(const char* extension : { "off", "obj", "ply", "stl", "ts" }) {
+    const std::string name = std::string("read_kinds.") + extension;
+    CAPTURE(name);
+    {
+      const Temporary_file file(name);
+      std::ofstream(name).flush();
+      CHECK(read_polygon_mesh(name, mesh) == Shell_status::EMPTY_FILE);
+    }
+    CHECK(read(name, "\nthis is no mesh", offenders) == Shell_status::MALFORMED_FILE);
+  }
+  const std::string text = "OFF\n4 4 0\n" + vertex_rows() + facet_rows();
+  CHECK(read("read_kinds.txt", text, offenders) == Shell_status::UNSUPPORTED_FILE);
+  CHECK(read("read_kinds", text, offenders) == Shell_status::UNSUPPORTED_FILE);
+}
+
+TEST_CASE("reading: the line where a text is malformed is named")
+{
+  Offending_simplices offenders;
+  const std::string v = vertex_rows(), f = facet_rows();
+  const auto line = [&](const std::string& name, std::string text, const std::string& old, const std::string& by) {
+    CHECK(read(name, text.replace(text.find(old), old.size(), by), offenders) == Shell_status::MALFORMED_FILE);
+    return offenders.line;
+  };
+  CHECK(line("read_line.off", "# counts\nOFF\n4 4 0\n" + v + f, "0 1 0", "0 one 0") == 6);
+  CHECK(line("read_line.off", "OFF\n4 4 0\n\n" + v + f, "3 2 0 3\n", "3 2 0") == 11);
+  CHECK(line("read_line.ply", PLY(xyz, indices, v + f), "0 1 0", "0 one 0") == 13);
+  CHECK(line("read_line.obj", OBJ(), "0 1 0", "0 one 0") == 3);
+  CHECK(line("read_line.obj", OBJ(), "f 1 3 2", "f 1 3 x") == 5);
+  CHECK(line("read_line.obj", OBJ(), "f 1 3 2", "f 1 0 2") == 5);
+  CHECK(line("read_line.stl", STL(), "endfacet", "vertex 0 0 0") == 8);
+  CHECK(line("read_line.ts", GOCAD(), "0 1 0", "0 one 0") == 5);
+  const std::string wrong = "OFF\n4 4 0\n" + v + facet_rows(" \n3 0 1 9\n");
+  CHECK(read("read_line.off", wrong, offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3 });
+}
+
+TEST_CASE("reading: coordinates that are infinite or not a number are named, by vertex and line, in every format")
+{
+  Offending_simplices offenders;
+  const auto check = [&](const std::string& name, std::string text, std::size_t line, std::size_t vertex,
+                         const std::string& old, const std::string& by) {
+    CAPTURE(name, by);
+    CHECK(read(name, text.replace(text.find(old), old.size(), by), offenders) == Shell_status::NOT_FINITE);
+    CHECK(offenders.vertices == std::vector<std::size_t>{ vertex });
+    CHECK(offenders.line == line);
+  };
+  const std::string v = vertex_rows(), f = facet_rows(), off = "OFF\n4 4 0\n" + v + f;
+  for(const char* word : { "nan", "NaN", "-nan", "nan(ind)", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "1e999" }) {
+    check("read_nan.off", off, 5, 2, "0 1 0", std::string("0 ") + word + " 0");
+    check("read_nan.ply", PLY(xyz, indices, v + f), 13, 2, "0 1 0", std::string("0 ") + word + " 0");
+    check("read_nan.obj", OBJ(), 3, 2, "0 1 0", std::string("0 ") + word + " 0");
+    check("read_nan.ts", GOCAD(), 5, 2, "0 1 0", std::string("0 ") + word + " 0");
+    check("read_nan.stl", STL(), 5, 1, "0 1 0", std::string("0 ") + word + " 0");
+  }
+  check("read_nan.off", "4OFF\n4 4 0\n" + vertex_rows(" 1\n") + f, 5, 2, "0 1 0 1", "0 1 0 0");
+  std::string data = binary_PLY(false);
+  data.replace(data.find("end_header\n") + 11 + 12 * 2, 4, std::string("\0\0\x80\x7f", 4));       // infinity
+  CHECK(read("read_nan.ply", data, offenders) == Shell_status::NOT_FINITE);
+  CHECK(offenders.vertices == std::vector<std::size_t>{ 2 });
+  CHECK(offenders.line == 0);
+}
+
+TEST_CASE("reading: coordinates may have a sign, and be too small for doubles")
+{
+  CHECK(is_tetrahedron("read_signs.off", "OFF\n4 4 0\n+0 -0 0\n+2.5 0. 1e-999\n.0 1.0E0 0\n0 0 +1\n" + facet_rows()));
+}
+
+TEST_CASE("reading: an STL text is told from a binary file by its length, whatever its first line is")
+{
+  for(const char* first : { "solid\n", "solid a name\n", "Solid\n", "SOLID name\n", "solid\tname\n", " solid name\n",
+                            "\xEF\xBB\xBFsolid name\n", "# made by hand\nsolid\n", "solidname\n", "solid facet normal\n",
+                            "solid name\r\n", "" })
+    CHECK(is_tetrahedron_STL("read_first.stl", STL(first)));
+  std::string upper = STL();
+  for(char& c : upper) if(c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+  CHECK(is_tetrahedron_STL("read_upper.stl", upper));
+  std::string indented = STL();
+  for(std::size_t i = 0; (i = indented.find('\n', i)) != std::string::npos; i += 3) indented.replace(i, 1, "\r\n\t");
+  CHECK(is_tetrahedron_STL("read_tabs.stl", indented));
+  CHECK(is_tetrahedron_STL("read_normals.stl", STL("solid\n", "nan nan nan")));
+
+  // cut short, or with bytes behind its end
+  Offending_simplices offenders;
+  std::string binary = std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  CHECK(read("read_short.stl", binary.substr(0, 133), offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_long.stl", binary + " ", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(offenders.line == 0);
+}
+
+TEST_CASE("reading: an OBJ file may have continued lines, relative and compound indices, and more values than needed")
+{
+  const std::string f = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  for(const std::string& text : std::vector<std::string>{
+        OBJ(), "v 0 0 \\\n 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 \\\n2\nf 1 2 4\nf 2 \\\n 3 \\\n 4\nf 3 1 4\n",
+        "v 0 0 \\\r\n 0\r\nv 2.5 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 2 3 4\r\nf 3 1 4\r\n",
+        "# in C:\\\nv 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\n" + f,
+        "v 0 0 0 1 0.5 0.5 0.5\nv 2.5 0 0 1\nv 0 1 0 # a point\nv 0 0 1\n" + f,
+        "\tv\t0\t0\t0\n v  2.5 0 0\nv 0 1 0\nv 0 0 1\n" + f,
+        "mtllib none.mtl\no one\ng two\nv 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvn nan 0 1\nusemtl none\ns off\n"
+        "f 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\nf 2/1 3/1 4/1\nl 1 2\nf -2/-1 -4/-1 -1/-1\n",
+        "\xEF\xBB\xBFv 0 0 0\nv 2.5 0 0\nv 0 1 0\nf 1 -1 2\nv 0 0 1\nf 1 2 -1\nf 2 3 4\nf 3 1 4" }) {
+    CAPTURE(text);
+    CHECK(is_tetrahedron("read_variants.obj", text));
+  }
+  Offending_simplices offenders;
+  CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nf 1 2 -3\nv 0 1 0\n", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_variants.obj", "v 0 0 0\nv 1 \\\n0 0\nv 0 \\\nx 0\n", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(offenders.line == 5);       // where the line that is continued ends
+  CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(offenders.facets == std::vector<std::size_t>{ 0 });
+}
+
+TEST_CASE("reading: a GOCAD surface, whose vertices have names and may refer to others")
+{
+  CHECK(is_tetrahedron("read_gocad.ts", GOCAD()));
+  std::string text = GOCAD();
+  CHECK(is_tetrahedron("read_gocad.ts", text.replace(text.find("TRGL 7 9 8"), 10, "ATOM 11 9\nTRGL 7 11 8")));
+  Offending_simplices offenders;
+  text.replace(text.find("TRGL 7 11"), 9, "TRGL 7 12");
+  CHECK(read("read_gocad.ts", text, offenders) == Shell_status::MALFORMED_FILE);
 }
 
 TEST_CASE("reading: an OFF file may have white space, comments and blank lines anywhere, and no keyword")
@@ -202,8 +362,8 @@ TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
     CHECK(is_tetrahedron("read_free.off", text));
   }
   Offending_simplices offenders;
-  CHECK(read("read_free.off", "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" ") + " 1", offenders) == Shell_status::UNREADABLE_FILE);
-  CHECK(read("read_free.off", "OFF 4 5 6 " + vertex_rows(" ") + facet_rows(" "), offenders) == Shell_status::UNREADABLE_FILE);
+  CHECK(read("read_free.off", "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" ") + " 1", offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_free.off", "OFF 4 5 6 " + vertex_rows(" ") + facet_rows(" "), offenders) == Shell_status::MALFORMED_FILE);
 }
 
 TEST_CASE("reading: an OFF file may lack the number of edges")
@@ -230,23 +390,25 @@ TEST_CASE("reading: what an OFF file has besides positions and facets is skipped
   }
 }
 
-TEST_CASE("reading: an OFF file that is not whole, or no text, or of another dimension is unreadable")
+TEST_CASE("reading: an OFF file that is not whole, or no text, is malformed")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows(), whole = "OFF\n4 4 0\n" + v + f;
+  for(const std::string& text : { std::string("OFF BINARY\n\0\0\0\4", 15),
+                                  "nOFF\n4\n4 4 0\n" + vertex_rows(" 0\n") + f })
+    CHECK(read("read_other.off", text, offenders) == Shell_status::UNSUPPORTED_FILE);
   const auto replaced = [&](const std::string& old, const std::string& by) {
     std::string text = whole;
     return text.replace(text.find(old), old.size(), by);
   };
   for(const std::string& text : {
-        std::string("OFF"), std::string("OFF\n4"), std::string("4"), std::string("#"), std::string(" \n"), std::string("OFF BINARY\n\0\0\0\4", 15),
-        "nOFF\n4\n4 4 0\n" + vertex_rows(" 0\n") + f, "4OFF\n4 4 0\n" + v + f, "OFF\n-4 4 0\n" + v + f,
+        std::string("OFF"), std::string("OFF\n4"), std::string("4"), std::string("#"), std::string(" \n"), "4OFF\n4 4 0\n" + v + f, "OFF\n-4 4 0\n" + v + f,
         replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
         replaced("4 4 0", "2000000000 4 0"), replaced("4 4 0", "4 2000000000 0"), replaced("4 4 0", "4 1e300 0"),
         replaced("3 0 2 1", "900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"), replaced("3 0 2 1", "3 0 -2 1"),
         replaced("3 0 2 1", "3 0 2.5 1"), replaced("3 0 2 1", "3 0 4 1"), replaced("3 0 2 1", "3 0 nan 1") }) {
     CAPTURE(text);
-    CHECK(read("read_broken.off", text, offenders) == Shell_status::UNREADABLE_FILE);
+    CHECK(read("read_broken.off", text, offenders) == Shell_status::MALFORMED_FILE);
   }
 }
 
@@ -291,10 +453,11 @@ TEST_CASE("reading: a PLY file with triangle strips is refused by name, even if 
   CHECK(is_tetrahedron("read_strips.ply", PLY(xyz, indices, data, "element tristrips 0\nproperty list int int vertex_indices\n")));
 }
 
-TEST_CASE("reading: a PLY text that is not whole is unreadable")
+TEST_CASE("reading: a PLY text that is not whole is malformed")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows(), whole = PLY(xyz, indices, v + f);
+  CHECK(read("read_other.ply", PLY(xyz, indices, v + f, "", "text"), offenders) == Shell_status::UNSUPPORTED_FILE);
   const auto replaced = [&](const std::string& old, const std::string& by) {
     std::string text = whole;
     return text.replace(text.find(old), old.size(), by);
@@ -302,13 +465,13 @@ TEST_CASE("reading: a PLY text that is not whole is unreadable")
   for(const std::string& text : {
         replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
         replaced("end_header\n", ""), replaced("property float z\n", ""), replaced("float z", "float h"), replaced("vertex_indices", "corners"),
-        replaced("uchar int", "uchar"), replaced("uchar int", "float int"), replaced("float z", "real z"), replaced("ascii", "text"),
+        replaced("uchar int", "uchar"), replaced("uchar int", "float int"), replaced("float z", "real z"),
         replaced("format ascii 1.0\n", ""), replaced("vertex 4", "vertex 4000000000000"), replaced("face 4", "face 4000000000000"),
         replaced("vertex 4", "vertex -4"), replaced("vertex 4", "vertex 3"), replaced("3 0 2 1", "1900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"),
         replaced("3 0 2 1", "3 0 -2 1"), replaced("3 0 2 1", "3 0 4 1"), replaced(indices, ""), replaced("ply", "PLY"),
         replaced("property float x", "property list uchar float x"), replaced(indices, "property int vertex_indices\n") }) {
     CAPTURE(text);
-    CHECK(read("read_broken.ply", text, offenders) == Shell_status::UNREADABLE_FILE);
+    CHECK(read("read_broken.ply", text, offenders) == Shell_status::MALFORMED_FILE);
   }
 }
 
@@ -320,15 +483,17 @@ TEST_CASE("reading: binary PLY data are read with all their properties, and not 
     CHECK(is_tetrahedron("read_binary.ply", whole));
     const std::size_t data = whole.find("end_header\n") + 11;
     for(std::size_t size = data; size < whole.size(); ++size)
-      if(read("read_binary.ply", whole.substr(0, size), offenders) != Shell_status::UNREADABLE_FILE) FAIL(size - data);
+      if(read("read_binary.ply", whole.substr(0, size), offenders) != Shell_status::MALFORMED_FILE) FAIL(size - data);
     for(int length : { -2, 1900000000 })
-      CHECK(read("read_binary.ply", binary_PLY(is_big_endian, length), offenders) == Shell_status::UNREADABLE_FILE);
-    for(const char* type : { "int", "int64", "list uchar float" }) {
+      CHECK(read("read_binary.ply", binary_PLY(is_big_endian, length), offenders) == Shell_status::MALFORMED_FILE);
+    const auto status = [&](const char* old, const char* by) {
       std::string text = whole;
-      CHECK(read("read_binary.ply", text.replace(text.find("float x"), 5, type), offenders) == Shell_status::UNREADABLE_FILE);
-    }
-    std::string text = whole;
-    CHECK(read("read_binary.ply", text.replace(text.find("uchar flag"), 5, "int64"), offenders) == Shell_status::UNREADABLE_FILE);
+      return read("read_binary.ply", text.replace(text.find(old), 5, by), offenders);
+    };
+    CHECK(status("float x", "int") == Shell_status::UNSUPPORTED_FILE);
+    CHECK(status("float x", "int64") == Shell_status::UNSUPPORTED_FILE);
+    CHECK(status("uchar flag", "int64") == Shell_status::UNSUPPORTED_FILE);
+    CHECK(status("float x", "list uchar float") == Shell_status::MALFORMED_FILE);
   }
 }
 

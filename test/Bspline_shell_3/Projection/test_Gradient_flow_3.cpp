@@ -230,7 +230,7 @@ TEST_CASE("Gradient flow: neither scale nor place matter")
     }
 }
 
-TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box")
+TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box near the origin")
 {
   const Uniform_shell shell = shell_of(uniform_field(squared_distance), -infinity, infinity);
   CHECK(BS::Gradient_flow_3<Uniform_shell>(shell).tolerance() == 1e-9 * shell.report().unit);

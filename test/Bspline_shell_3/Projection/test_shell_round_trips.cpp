@@ -55,7 +55,6 @@ std::vector<Location> locations(const Mesh& mesh, int random_ones)
 void check_round_trips(const Shell& shell, const Mesh& a, const Mesh& b)
 {
   const Map map(shell, a, b);
-  const double unit = shell.report().unit;
   for(const Map& m : { map, map.inverse() }) {
     const std::vector<Location> starts = locations(m.source(), 3000);
     const auto images = m.project(starts);
@@ -76,7 +75,7 @@ void check_round_trips(const Shell& shell, const Mesh& a, const Mesh& b)
       }
     }
     CHECK(lost == 0);
-    CHECK(farthest <= 1e-8 * unit);
+    CHECK(farthest <= 10 * map.to_target().tolerance());
   }
 }
 
@@ -90,6 +89,19 @@ TEST_CASE("Round trips: on ten meshes, no point is lost and all return")
     const Shell shell = CGAL::certified_bspline_shell_3(a, P::relative_thickness(0.02));
     REQUIRE(shell);
     REQUIRE(shell.is_certified());
+    check_round_trips(shell, a, certified_mesh_in_shell(shell, a));
+  }
+}
+
+TEST_CASE("Round trips: far from the origin, the default tolerance allows for the rounding of coordinates")
+{
+  for(double radius : { 6., 200. }) {
+    const Mesh a = sphere(2, radius, Point_3(5e5, 5e6, 100));
+    const Shell shell = CGAL::certified_bspline_shell_3(a, P::relative_thickness(0.05));
+    REQUIRE(shell.is_certified());
+    const double tolerance = Map(shell, a, a).to_target().tolerance();
+    CHECK(tolerance > 1e-9 * shell.report().unit);
+    CHECK(tolerance <= 512 * 1e-9);      // at 5e6, a unit in the last place is 0.93e-9
     check_round_trips(shell, a, certified_mesh_in_shell(shell, a));
   }
 }

@@ -92,20 +92,52 @@ TEST_CASE("Front door: an open mesh is closed virtually, and components that fac
   CHECK(hollow.repairs.turned_components);
 }
 
+TEST_CASE("Near duplicates: points that are almost, but not quite, at others are counted")
+{
+  BS::Polygon_soup::Points points;
+  for(int x = 0; x < 10; ++x) for(int y = 0; y < 10; ++y) points.emplace_back(x, y, 0);
+  CHECK(BS::number_of_near_duplicates({}) == 0);
+  CHECK(BS::number_of_near_duplicates({ Point_3(1, 2, 3), Point_3(1, 2, 3) }) == 0);
+  CHECK(BS::number_of_near_duplicates(points) == 0);
+  points.push_back(points[5]);                        // equal
+  CHECK(BS::number_of_near_duplicates(points) == 0);
+  points.emplace_back(3 + 8e-6, 4 - 8e-6, 8e-6);      // nearer than 1e-6 of the box, whose longest side is 9
+  points.emplace_back(7 - 1e-12, 7, 0);
+  points.emplace_back(2 + 1e-5, 2, 0);                // not so near
+  CHECK(BS::number_of_near_duplicates(points) == 4);
+}
+
+TEST_CASE("Front door: the message on polygons that are not a mesh counts points that are almost equal")
+{
+  // a tetrahedron whose facets do not quite meet at one vertex, and a facet that doubles an edge
+  BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
+                           Point_3(0, 0, 1 + 1e-9) },
+                         { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 }, { 0, 1, 4 } } };
+  const BS::Shell_of_soup_3 shell = CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(0.01));
+  CHECK(shell.mesh_status == BS::Shell_status::NON_MANIFOLD);
+  CHECK(shell.near_duplicates == 2);
+  CHECK(contains(shell.mesh_message(), "2 are closer"));
+  CHECK(contains(report_of(shell), "\"near_duplicates\": 2"));
+  REQUIRE(shell.is_certified());
+  CHECK(contains(shell.message(), "thicker than asked"));      // the proxy is farther away than that
+  CHECK_FALSE(contains(shell.message(), "as thin as asked"));
+}
+
 TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is kept")
 {
   const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1), parameters::alpha(0.1));
   REQUIRE(strip.is_certified());
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
-  CHECK(std::string(strip.mesh_message()) == message(BS::Shell_status::NOT_ORIENTABLE));
+  CHECK(contains(strip.mesh_message(), "one-sided"));
+  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy"));      // there is one
   CHECK(CGAL::is_closed(strip.mesh()));
   BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(strip.shell());
   CHECK(certificate.verify(strip.mesh()));
   const std::string report = report_of(strip);
   CHECK(contains(report, "\"proxy\": {"));
   CHECK(contains(report, "\"status\": \"certified\""));
-  CHECK(contains(report, message(BS::Shell_status::NOT_ORIENTABLE)));
+  CHECK(contains(report, strip.mesh_message()));
 
   // borders that touch each other in a vertex
   const BS::Polygon_soup bow{ { Point_3(0, 0, 0), Point_3(1, -0.5, 0), Point_3(1, 0.5, 0), Point_3(-1, 0.5, 0.1), Point_3(-1, -0.5, 0) },

@@ -27,11 +27,15 @@ namespace Bspline_shells {
  *
  * \brief reads the polygons of a file, whatever they form.
  *
- * The format follows from the file's extension: OFF, OBJ, PLY, STL and the others of `CGAL::IO::read_polygon_soup()`.
+ * The format follows from the file's extension: OFF, OBJ, PLY, STL, and GOCAD (ts). An STL file is binary if and only
+ * if it has 84 bytes and 50 for each of its facets. Its points at equal positions become one.
  *
  * \param file its name
  * \param[out] soup what was read, if the status is `SUCCESS`; otherwise it is left as it is
- * \param[out] offenders positions of points that are no finite numbers
+ * \param[out] offenders positions of points with coordinates that are infinite or not a number; positions of facets with
+ *        points that do not exist; and the line, of a text
+ * \return `SUCCESS`; `MISSING_FILE`, `UNREADABLE_FILE`, `UNSUPPORTED_FILE`, `EMPTY_FILE`, `MALFORMED_FILE` or
+ *         `TRIANGLE_STRIPS` if the file cannot be read; `EMPTY_MESH` if it has no polygon; `NOT_FINITE`
  */
 Shell_status read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
 

@@ -6,19 +6,21 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_IMPL_H
 
-#include <CGAL/Bspline_shell_3/IO/internal/normalize_OFF.h>
-#include <CGAL/Bspline_shell_3/IO/internal/normalize_PLY.h>
+#include <CGAL/Bspline_shell_3/IO/internal/read_GOCAD.h>
+#include <CGAL/Bspline_shell_3/IO/internal/read_OBJ.h>
+#include <CGAL/Bspline_shell_3/IO/internal/read_OFF.h>
+#include <CGAL/Bspline_shell_3/IO/internal/read_PLY.h>
+#include <CGAL/Bspline_shell_3/IO/internal/read_STL.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
 
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
+#include <ios>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,43 +28,49 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-inline std::string read_text(const std::string& file)
+inline Shell_status read_file(const std::string& file, std::string& text)
 {
+  std::error_code error;
+  const std::filesystem::file_status found = std::filesystem::status(file, error);
+  if(found.type() == std::filesystem::file_type::not_found) return Shell_status::MISSING_FILE;
   std::ifstream in(file, std::ios::binary);
-  return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
+  if(!in || std::filesystem::is_directory(found)) return Shell_status::UNREADABLE_FILE;
+  std::vector<char> buffer(1 << 16);
+  do {
+    in.read(buffer.data(), std::streamsize(buffer.size()));
+    text.append(buffer.data(), std::size_t(in.gcount()));
+  } while(in);
+  return in.bad() ? Shell_status::UNREADABLE_FILE : text.empty() ? Shell_status::EMPTY_FILE : Shell_status::SUCCESS;
 }
 
-// Whether an STL file without facets says so. CGAL's reader takes every text that is shorter than a binary header for
-// an empty mesh.
-inline bool is_empty_STL(const std::string& text)
+// the extension of a file's name, with the dot, in lower case
+inline std::string extension_of(const std::string& file)
 {
-  return text.find("endsolid") != std::string::npos
-      || (text.size() >= 84 && text.compare(80, 4, std::string(4, '\0')) == 0);      // a header, and the number of facets
+  std::string extension = std::filesystem::path(file).extension().string();
+  for(char& c : extension) if(c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return extension;
 }
 
-// CGAL's readers, behind what they need so as not to misread a file
-inline Shell_status read_polygons(const std::string& file, Polygon_soup::Points& points, Polygon_soup::Polygons& polygons)
+inline Shell_status read_polygons(const std::string& file, Polygon_soup& soup, std::size_t& line)
 {
-  const std::string extension = CGAL::IO::internal::get_file_extension(file);
-  const auto silent = CGAL::parameters::verbose(false);
-  bool is_read = false;
-  if(extension == "off") {
-    std::string text = read_text(file);
-    if(normalize_OFF(text)) {
-      std::istringstream in(std::move(text));
-      is_read = CGAL::IO::read_OFF(in, points, polygons, silent);
-    }
-  } else if(extension == "ply") {
-    std::string text = read_text(file);
-    const Shell_status status = normalize_PLY(text);
-    if(status != Shell_status::SUCCESS) return status;
-    std::istringstream in(std::move(text));
-    is_read = CGAL::IO::read_PLY(in, points, polygons, silent);
-  } else {
-    is_read = CGAL::IO::read_polygon_soup(file, points, polygons, silent)
-           && (!polygons.empty() || extension != "stl" || is_empty_STL(read_text(file)));
-  }
-  return is_read ? Shell_status::SUCCESS : Shell_status::UNREADABLE_FILE;
+  const std::string extension = extension_of(file);
+  std::string text;
+  const Shell_status status = read_file(file, text);
+  if(status == Shell_status::MISSING_FILE || status == Shell_status::UNREADABLE_FILE) return status;
+  Shell_status (*read)(Text_soup&) = extension == ".off" ? read_OFF : extension == ".ply" ? read_PLY
+                                   : extension == ".stl" ? read_STL : extension == ".obj" ? read_OBJ
+                                   : extension == ".ts" ? read_GOCAD : nullptr;
+  if(read == nullptr) return Shell_status::UNSUPPORTED_FILE;
+  if(status != Shell_status::SUCCESS) return status;
+
+  const bool is_binary = extension == ".stl" && is_binary_STL(text);
+  if(!is_binary && text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);       // byte order mark
+  if(extension == ".obj") join_continued_lines(text);
+  Text_soup result(text);
+  const Shell_status outcome = read(result);
+  soup = std::move(result.soup);
+  line = result.line;
+  return outcome;
 }
 
 } // namespace internal
@@ -73,19 +81,21 @@ read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplic
   offenders = Offending_simplices();
   Polygon_soup found;
   try {
-    const Shell_status status = internal::read_polygons(file, found.points, found.polygons);
+    const Shell_status status = internal::read_polygons(file, found, offenders.line);
     if(status != Shell_status::SUCCESS) return status;
-  } catch(const std::exception&) {       // some readers throw on broken files
-    return Shell_status::UNREADABLE_FILE;
+  } catch(const std::exception&) {       // some of CGAL's readers throw on broken files
+    return Shell_status::MALFORMED_FILE;
   }
-  if(found.polygons.empty()) return Shell_status::EMPTY_MESH;
-  for(const auto& polygon : found.polygons)
-    for(std::size_t v : polygon)
-      if(v >= found.points.size()) return Shell_status::UNREADABLE_FILE;
+  for(std::size_t f = 0; f < found.polygons.size(); ++f)
+    for(std::size_t v : found.polygons[f])
+      if(v >= found.points.size()) { offenders.facets.push_back(f); break; }
+  if(!offenders.facets.empty()) return Shell_status::MALFORMED_FILE;
   for(std::size_t v = 0; v < found.points.size(); ++v)
     for(int a = 0; a < 3; ++a)
       if(!std::isfinite(found.points[v][a])) { offenders.vertices.push_back(v); break; }
   if(!offenders.vertices.empty()) return Shell_status::NOT_FINITE;
+  if(found.polygons.empty()) return Shell_status::EMPTY_MESH;
+  if(internal::extension_of(file) == ".stl") internal::merge_points(found);       // the format has no shared points
   soup = std::move(found);
   return Shell_status::SUCCESS;
 }

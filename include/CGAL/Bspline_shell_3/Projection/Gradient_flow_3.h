@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -89,7 +90,17 @@ class Gradient_flow_3
 {
 public:
   typedef typename Shell::Point_3 Point_3;
-  static constexpr double default_tolerance = 1e-9;      ///< of the longest side of the box of the mesh that the shell was built for
+
+  /// 1e-9 of the longest side of the box of the mesh that the shell was built for, or 256 units in the last place of the
+  /// coordinates, if that is more.
+  ///
+  /// A curve takes some ten steps. Each adds up seven stages, and rounds each coordinate by some units in the last place.
+  /// The sum over steps and coordinates is about a hundred units, and more where a curve meets a facet at an angle. No
+  /// smaller tolerance can be kept.
+  static double default_tolerance(const Shell& shell)
+  {
+    return (std::max)(1e-9 * shell.report().unit, 256 * internal::coordinate_rounding(shell));
+  }
 
   /// where a curve arrived
   struct Arrival
@@ -105,7 +116,7 @@ public:
   ///        one. That is an estimate: the errors of the steps are followed along the curve to first order. Curves that
   ///        diverge are traced in shorter steps. If `double`s do not suffice, the status is `TOO_MANY_STEPS`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
-    : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance * shell.report().unit)
+    : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
   {}
 
   const Shell& shell() const { return *m_shell; }

@@ -75,8 +75,8 @@ public:
   /// \param target another one
   /// \param np_source
   ///   - `vertex_point_map(VPM)`: of the source
-  ///   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box
-  ///     of the mesh that the shell was built for
+  ///   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default
+  ///     `Gradient_flow_3::default_tolerance()`
   /// \param np_target
   ///   - `vertex_point_map(VPM)`: of the target
   template <typename T1 = bool, typename Tag1 = internal_np::all_default_t, typename Base1 = internal_np::No_property,

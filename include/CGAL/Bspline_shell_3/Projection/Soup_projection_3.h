@@ -53,7 +53,7 @@ public:
   /// as that of `Shell_projection_3`
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target))
-    , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance * shell.report().unit)
+    , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
   {
     CGAL_precondition(m_target != nullptr);
   }

@@ -36,8 +36,8 @@ namespace Bspline_shells {
  * \param target a mesh of triangles
  * \param np optional named parameters
  *   - `vertex_point_map(VPM)`: of the target
- *   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default 1e-9 of the longest side of the box of
- *     the mesh that the shell was built for
+ *   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default
+ *     `Gradient_flow_3::default_tolerance()`
  *   - `visitor(V)`: a model of `FlowVisitor`
  * \return for each point its `Projected_point`
  * \cgalHeading{Cost} some microseconds a point and core

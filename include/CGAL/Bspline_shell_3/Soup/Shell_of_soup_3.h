@@ -8,9 +8,12 @@
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <cstddef>
 #include <memory>
+#include <string>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -38,6 +41,24 @@ inline const char* name(Shell_kind kind)
   return "";
 }
 
+namespace internal {
+
+// the message of a status, without the advice to take a proxy
+inline const char* message_beside_proxy(Shell_status status)
+{
+  switch(status) {
+    case Shell_status::NON_MANIFOLD: return "The mesh is not manifold at the listed facets or vertices.";
+    case Shell_status::NOT_ORIENTABLE:
+      return "The mesh is one-sided, as it has no orientation that neighboring facets share.";
+    case Shell_status::NOT_CLOSABLE:
+      return "The mesh is open, and cannot be closed, by caps of its holes or a sheet behind it, at the listed facets.";
+    case Shell_status::SELF_INTERSECTION: return "The mesh intersects itself at the listed facets.";
+    default: return message(status);
+  }
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
@@ -55,6 +76,8 @@ struct Shell_of_soup_3
   Shell_status proxy_status = Shell_status::NOT_BUILT;
   /// those to blame for `mesh_status`: positions in the soup, if there is no repaired mesh, and otherwise in that
   Offending_simplices offending_simplices;
+  /// if the mesh is refused: the number of points of the soup that are almost at others (`number_of_near_duplicates()`)
+  std::size_t near_duplicates = 0;
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
   std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
@@ -75,15 +98,22 @@ struct Shell_of_soup_3
     return shell() ? Shell_status::SUCCESS : proxy_status == Shell_status::CANCELED ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
-  /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
-  const char* mesh_message() const
+  /// what became of the polygons as a mesh, in one sentence or two: with a proxy, why there is one
+  std::string mesh_message() const
   {
-    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message() : Bspline_shells::message(mesh_status);
+    if(mesh_status == Shell_status::SUCCESS) return shell_of_mesh.message();
+    const bool has_proxy = proxy_status != Shell_status::NOT_BUILT;
+    std::string text = has_proxy ? internal::message_beside_proxy(mesh_status) : Bspline_shells::message(mesh_status);
+    if(near_duplicates > 0)
+      text += " Of its points, " + std::to_string(near_duplicates)
+            + " are closer than 1e-6 of the box to another one: merge them.";
+    return text;
   }
-  /// the outcome in one sentence
-  const char* message() const
+  /// the outcome in one sentence or two
+  std::string message() const
   {
-    return proxy ? proxy->message() : shell() ? mesh_message() : Bspline_shells::message(status());
+    if(proxy) return proxy->message();
+    return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status());
   }
 };
 

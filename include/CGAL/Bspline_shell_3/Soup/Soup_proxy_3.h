@@ -45,7 +45,14 @@ public:
   /// if there is no proxy: positions of polygons and points of the soup
   const Offending_simplices& offending_simplices() const { return m_offenders; }
   bool is_certified() const { return m_shell.is_certified(); }
-  const char* message() const { return *this ? m_shell.message() : Bspline_shells::message(m_status); }
+  /// the outcome in one sentence
+  const char* message() const
+  {
+    if(!*this) return Bspline_shells::message(m_status);
+    return is_certified() && m_report.is_thicker_than_asked
+         ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
+         : m_shell.message();
+  }
 
   const Soup_mesh_3& soup() const { return m_soup; }
   const Mesh& mesh() const { return m_mesh; }             ///< the proxy: closed, and without self-intersections

@@ -116,7 +116,8 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       ("degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
-      object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)("vertices", offenders.vertices);
+      object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)
+        ("vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
         object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS ? "Its shell is not certified." : message(result.proxy_status));
     }

@@ -22,7 +22,11 @@ enum class Shell_status
   SUCCESS,
   NOT_BUILT,                   ///< nothing was asked for yet
   INVALID_PARAMETER,           ///< a named parameter has a value that it must not have
-  UNREADABLE_FILE,             ///< no mesh could be read from the file
+  MISSING_FILE,                ///< there is no file of that name
+  UNREADABLE_FILE,             ///< the file cannot be opened or read: it is a directory, or permission is denied
+  UNSUPPORTED_FILE,            ///< the format, or the variant of it, is not read
+  EMPTY_FILE,                  ///< the file has no bytes
+  MALFORMED_FILE,              ///< the file does not follow its format, or ends early
   TRIANGLE_STRIPS,             ///< the file holds its facets as triangle strips
   EMPTY_MESH,                  ///< the mesh has no facet
   NOT_FINITE,                  ///< a coordinate is infinite or not a number
@@ -62,8 +66,16 @@ inline const char* message(Shell_status status)
     case Shell_status::INVALID_PARAMETER:
       return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings "
              "not negative.";
+    case Shell_status::MISSING_FILE:
+      return "There is no such file: check its path.";
     case Shell_status::UNREADABLE_FILE:
-      return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
+      return "The file cannot be read: it is a directory, or permission is denied.";
+    case Shell_status::UNSUPPORTED_FILE:
+      return "The format of the file is not supported: save the mesh as OFF, OBJ, PLY or STL.";
+    case Shell_status::EMPTY_FILE:
+      return "The file is empty: save the mesh again.";
+    case Shell_status::MALFORMED_FILE:
+      return "The file does not follow the format of its extension, or ends early: check it, or save the mesh again.";
     case Shell_status::TRIANGLE_STRIPS:
       return "The file holds its facets as triangle strips (tristrips), which are not read: save it with a list of facets.";
     case Shell_status::EMPTY_MESH:
@@ -151,6 +163,7 @@ struct Offending_simplices
 {
   std::vector<std::size_t> facets;
   std::vector<std::size_t> vertices;
+  std::size_t line = 0;     ///< of a text file, counted from 1: the first one to blame; 0 if it is not known
 };
 
 } // namespace Bspline_shells

@@ -56,7 +56,7 @@ private:
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
-    const double precision = crossing_precision * m_tolerance / speed;
+    const double precision = curve.crossing_precision() / speed;
     double first = curve.begin(), last = curve.value();
     if(first > last) std::swap(first, last);
     s = curve.value();
@@ -116,7 +116,7 @@ private:
       Coordinates x = curve.state();
       const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
       goal += ds;
-      if(!(std::abs(ds) * curve.speed() <= crossing_precision * m_tolerance)) continue;
+      if(!(std::abs(ds) * curve.speed() <= curve.crossing_precision())) continue;
       for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
       const auto position = m_facets->position(hit.facet, x);
       hit.value = goal;
@@ -138,7 +138,7 @@ private:
   {
     Curve curve(*m_shell, m_tolerance);
     curve.start(start);
-    const double margin = crossing_precision * m_tolerance;       // as precisely as curves end at facets
+    const double margin = curve.crossing_precision();       // as precisely as curves end at facets
     double least = margin;
     best = Hit();
     const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);

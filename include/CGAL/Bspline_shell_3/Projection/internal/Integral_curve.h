@@ -73,6 +73,17 @@ struct Flow_velocity_with_differential
   }
 };
 
+// About a unit in the last place of the coordinates in a shell. The coordinates of all cells differ from the first one's
+// by a few boxes at most.
+template <typename Shell>
+double coordinate_rounding(const Shell& shell)
+{
+  const std::array<double, 3> corner = shell.field().cell(0).corner();
+  double largest = 0;
+  for(double x : corner) largest = (std::max)(largest, std::abs(x));
+  return std::numeric_limits<double>::epsilon() * (largest + shell.report().unit);
+}
+
 // Steps along an integral curve of a shell's field.
 //
 // A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest where the
@@ -93,7 +104,8 @@ public:
   // `tolerance`: by how much the curve may leave the shell. `step_tolerance`: the curve's share of it, in steps' errors. Both are in
   // user units.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
-    : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance), m_velocity{ shell.field().cell(0) }
+    : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance)
+    , m_crossing_precision((std::max)(1e-3 * tolerance, 4 * coordinate_rounding(shell))), m_velocity{ shell.field().cell(0) }
   {}
   Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
@@ -120,6 +132,8 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
+  // of the places where planes are passed: a thousandth of the tolerance, or what the rounding of coordinates allows
+  double crossing_precision() const { return m_crossing_precision; }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
   double value() const { return m_end_s; }          // of f
@@ -334,7 +348,7 @@ private:
   }
 
   const Shell* m_shell;
-  double m_tolerance, m_step_tolerance;
+  double m_tolerance, m_step_tolerance, m_crossing_precision;
   Velocity m_velocity;
   Stepper m_stepper;
   Cell_index m_cell = Field::npos;                  // of the last step

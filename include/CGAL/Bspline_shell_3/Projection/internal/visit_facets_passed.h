@@ -30,7 +30,6 @@ struct Curve_hit
   Image_error error;
 };
 
-inline constexpr double crossing_precision = 1e-3;     // of the tolerance: where planes are passed
 inline constexpr double search_tolerance = 100;        // of it, for what is less exact within steps
 
 // Calls `visit(hit)` for the facets that the curve passes during its last step, between the thresholds, whichever way they face; at their edges up to
@@ -64,7 +63,7 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
         hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
         x = curve.at(hit.value);
         const double h = facets.height(facet, x);
-        if(std::abs(h) <= crossing_precision * near) break;
+        if(std::abs(h) * tolerance <= curve.crossing_precision() * near) break;
         if((h < 0) == (h1 < 0)) h0 /= 2;
         else { s0 = s1; h0 = h1; }
         s1 = hit.value;

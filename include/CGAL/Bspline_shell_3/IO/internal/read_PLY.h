@@ -3,14 +3,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_IO_INTERNAL_NORMALIZE_PLY_H
-#define CGAL_BSPLINE_SHELL_3_IO_INTERNAL_NORMALIZE_PLY_H
+#ifndef CGAL_BSPLINE_SHELL_3_IO_INTERNAL_READ_PLY_H
+#define CGAL_BSPLINE_SHELL_3_IO_INTERNAL_READ_PLY_H
 
 #include <CGAL/Bspline_shell_3/IO/internal/Text_rows.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <CGAL/IO/PLY.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,7 +66,7 @@ inline std::size_t size_of_PLY_type(std::string_view type, bool& is_real)
   return is_real || type == "int64" || type == "uint64" ? 8 : 0;
 }
 
-inline bool read_PLY_header(const std::string& text, PLY_header& header)
+inline bool read_PLY_header(std::string_view text, PLY_header& header)
 {
   Text_rows rows(text);
   std::vector<std::string_view> words;
@@ -96,7 +99,7 @@ inline bool read_PLY_header(const std::string& text, PLY_header& header)
 }
 
 // Whether binary data reach to their end. CGAL's reader reserves space for whatever length a list claims to have.
-inline bool has_PLY_data(const std::string& text, const PLY_header& header)
+inline bool has_PLY_data(std::string_view text, const PLY_header& header)
 {
   const bool is_big_endian = header.format == "binary_big_endian";
   std::size_t position = header.end;
@@ -114,12 +117,11 @@ inline bool has_PLY_data(const std::string& text, const PLY_header& header)
   return true;
 }
 
-// Reduces the data of a text to positions and facets. `by_lines`: an element is a line, and what stands behind its
-// declared properties is not read; otherwise line breaks mean nothing.
-inline bool reduce_PLY_data(const std::string& text, const PLY_header& header, bool by_lines, std::string& out)
+// Reads positions and facets of a text. `by_lines`: an element is a line, which may have more words than its properties;
+// otherwise line breaks mean nothing.
+inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& rows, Text_soup& result)
 {
-  Text_rows rows(text, header.end);
-  std::vector<std::string_view> words;
+  std::vector<std::string_view> words, position(3);
   if(!by_lines) while(rows.next(words)) {}
   std::size_t w = 0;
   std::vector<std::pair<std::size_t, std::size_t> > values;       // of each property: position and number of its words
@@ -139,67 +141,65 @@ inline bool reduce_PLY_data(const std::string& text, const PLY_header& header, b
         w += length;
       }
       if(element.is_vertex()) {
-        for(const char* a : { "x", "y", "z" }) (out += words[values[element.find(a)].first]) += ' ';
-        out += '\n';
+        constexpr std::string_view axes = "xyz";
+        for(std::size_t a = 0; a < 3; ++a) position[a] = words[values[element.find(axes.substr(a, 1))].first];
+        if(!result.add_point(position, 0)) return false;
       } else if(element.is_facet()) {
         const auto& indices = values[element.vertex_indices()];
-        if(!write_facet(words, indices.first, indices.second, out)) return false;
+        if(!result.add_polygon(words, indices.first, indices.second)) return false;
       }
     }
   return by_lines || w == words.size();
 }
 
 /*
- * Brings the contents of a PLY file to where CGAL's reader reads them right. Text is reduced to positions and facets:
- * some programs write more numbers into a line than the header declares, and that reader also takes only some types.
- * Binary data remain as they are, unless that reader would misread them: it drops properties of an unknown type, and
- * it takes a coordinate that is an integer, or is missing, for granted.
+ * Reads positions and facets of a PLY file. CGAL's reader takes text of some types only, stops at "nan", and misreads
+ * lines with more numbers than the header declares. It gets binary data, unless it would misread them: it drops
+ * properties of an unknown type, and coordinates that are integers.
  */
-inline Shell_status normalize_PLY(std::string& text)
+inline Shell_status read_PLY(Text_soup& result)
 {
   PLY_header header;
-  if(!read_PLY_header(text, header)) return Shell_status::UNREADABLE_FILE;
+  if(!read_PLY_header(result.text(), header)) return Shell_status::MALFORMED_FILE;
   const bool is_text = header.format == "ascii";
   if(!is_text && header.format != "binary_little_endian" && header.format != "binary_big_endian")
-    return Shell_status::UNREADABLE_FILE;
+    return Shell_status::UNSUPPORTED_FILE;
   for(const PLY_element& element : header.elements) {
     if(element.size == 0) continue;
     if(element.name == "tristrips") return Shell_status::TRIANGLE_STRIPS;
-    if(element.properties.empty()) return Shell_status::UNREADABLE_FILE;
+    if(element.properties.empty()) return Shell_status::MALFORMED_FILE;
     for(const PLY_property& property : element.properties)
-      if(!is_text && ((!property.is_real && property.value_bytes == 8) || property.count_bytes == 8)) return Shell_status::UNREADABLE_FILE;
+      if(!is_text && ((!property.is_real && property.value_bytes == 8) || property.count_bytes == 8))
+        return Shell_status::UNSUPPORTED_FILE;
     if(element.is_vertex())
       for(const char* a : { "x", "y", "z" }) {
         const std::size_t p = element.find(a);
-        if(p == element.properties.size() || element.properties[p].count_bytes != 0
-           || (!is_text && !element.properties[p].is_real)) return Shell_status::UNREADABLE_FILE;
+        if(p == element.properties.size()) return Shell_status::MALFORMED_FILE;
+        if(element.properties[p].count_bytes != 0) return Shell_status::MALFORMED_FILE;
+        if(!is_text && !element.properties[p].is_real) return Shell_status::UNSUPPORTED_FILE;
       }
     if(element.is_facet()) {
       const std::size_t p = element.vertex_indices();
-      if(p == element.properties.size() || element.properties[p].count_bytes == 0) return Shell_status::UNREADABLE_FILE;
+      if(p == element.properties.size() || element.properties[p].count_bytes == 0) return Shell_status::MALFORMED_FILE;
     }
   }
-  if(!is_text) return has_PLY_data(text, header) ? Shell_status::SUCCESS : Shell_status::UNREADABLE_FILE;
-
-  std::string begin = "ply\nformat ascii 1.0\n";
-  for(const PLY_element& element : header.elements) {
-    if(element.is_vertex())
-      begin += "element vertex " + std::to_string(element.size) + "\nproperty double x\nproperty double y\nproperty double z\n";
-    else if(element.is_facet())
-      begin += "element face " + std::to_string(element.size) + "\nproperty list int int vertex_indices\n";
+  if(!is_text) {
+    std::istringstream in{ std::string(result.text()) };
+    return has_PLY_data(result.text(), header)
+        && CGAL::IO::read_PLY(in, result.soup.points, result.soup.polygons, CGAL::parameters::verbose(false))
+         ? Shell_status::SUCCESS : Shell_status::MALFORMED_FILE;
   }
-  begin += "end_header\n";
-  for(bool by_lines : { true, false }) {
-    std::string out = begin;
-    if(!reduce_PLY_data(text, header, by_lines, out)) continue;
-    text.swap(out);
-    return Shell_status::SUCCESS;
-  }
-  return Shell_status::UNREADABLE_FILE;
+  Text_rows rows(result.text(), header.end), free_rows = rows;
+  if(read_PLY_text(header, true, rows, result)) return Shell_status::SUCCESS;
+  result.soup = Polygon_soup();
+  result.line = 0;
+  if(read_PLY_text(header, false, free_rows, result)) return Shell_status::SUCCESS;
+  result.line = rows.line();
+  return Shell_status::MALFORMED_FILE;
 }
 
 } // namespace internal
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_IO_INTERNAL_NORMALIZE_PLY_H
+#endif // CGAL_BSPLINE_SHELL_3_IO_INTERNAL_READ_PLY_H
