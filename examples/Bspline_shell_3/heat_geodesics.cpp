@@ -49,7 +49,7 @@ int main(int argc, char** argv)
     std::cerr << "There is no such vertex, or no such number of edges." << std::endl;
     return EXIT_FAILURE;
   }
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;

@@ -27,7 +27,7 @@ int main(int argc, char** argv)
   }
   const double edges = argc > 2 ? std::atof(argv[2]) : 50;
   const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

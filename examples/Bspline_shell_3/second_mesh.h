@@ -51,7 +51,7 @@ inline bool begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh&
     std::cerr << "Usage: " << argv[0] << " MESH" << std::endl;
     return false;
   }
-  shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02).time_limit(60.));
+  shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return false;

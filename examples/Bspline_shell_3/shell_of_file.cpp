@@ -12,11 +12,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <string>
 
 const char* const usage =
   "Usage: shell_of_file FILE [--thickness T] [--time-limit SECONDS] [--output PREFIX]\n"
-  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. Writes\n"
+  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. By default, time is not limited.\n"
+  "  Writes\n"
   "    PREFIX.shell                the shell\n"
   "    PREFIX_mesh.ply             the mesh that the shell is of: the file's, repaired, or a proxy\n"
   "    PREFIX_{inner,outer}.ply    the surfaces that bound the shell\n"
@@ -46,7 +48,7 @@ bool write_soup(const std::string& file, const BS::Soup_proxy_3& proxy, const BS
 int main(int argc, char** argv)
 {
   std::string file, output = "shell";
-  double thickness = 0.01, limit = 60;
+  double thickness = 0.01, limit = std::numeric_limits<double>::infinity();
   bool is_usable = true;
   for(int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];

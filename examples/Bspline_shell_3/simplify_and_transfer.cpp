@@ -24,6 +24,7 @@
 #include <cstdlib>
 #include <functional>
 #include <iomanip>
+#include <limits>
 #include <locale>
 #include <optional>
 #include <vector>
@@ -36,8 +37,9 @@ const char* const usage =
   "  Simplifies to FACETS facets, or so far as the shell allows. Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is\n"
   "  simplified if not given. mesh is that of the file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why.\n"
   "  detail is the simplified mesh, cut into small triangles that show the color of every point. PREFIX_simplified.json has the\n"
-  "  numbers of facets, and how far points arrive from where they started, there and back. The limits, by default 60 s and\n"
-  "  4000 MB, are those of the shell; N is by default the number of processors.\n"
+  "  numbers of facets, and how far points arrive from where they started, there and back. SECONDS is the limit of the shell and\n"
+  "  the simplification together, after which they end with a status; by default there is none. MB is the memory limit of\n"
+  "  the shell, by default 4000; N is by default the number of processors.\n"
   "  If the shell is not certified, writes PREFIX_{mesh,places}.ply instead: the mesh, and points that stand in the way.\n"
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other files\n"
   "  are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way; 10 + the status\n"
@@ -132,7 +134,7 @@ int main(int argc, char** argv)
 {
   std::string file, output = "simplified";
   std::size_t facets = 0, threads = 0;
-  double seconds = 60, megabytes = 4000;
+  double seconds = std::numeric_limits<double>::infinity(), megabytes = 4000;
   bool usable = true;
   for(int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
@@ -187,7 +189,7 @@ int main(int argc, char** argv)
   if(!BS::write_file(report_file, [&](std::ostream& out) { return BS::write_report(out, found, shares, file); })) return cannot_write(report_file);
   if(!shell) return refuse(found.status(), found.offending_simplices);
   if(!shell.is_certified()) {
-    std::cerr << shell.message() << std::endl;
+    std::cerr << found.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
     if(!report_obstacles(shell.report(), places_file)) return cannot_write(places_file);
     if(!write_mesh(mesh_file, mesh)) return cannot_write(mesh_file);
@@ -196,8 +198,11 @@ int main(int argc, char** argv)
   const double shell_seconds = timer.time();
 
   printer.show("simplification");
+  constexpr double least_seconds = 1e-3;      // as limits are positive
   Mesh coarse = mesh;
-  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)));
+  const double seconds_left = (std::max)(seconds - shell_seconds, least_seconds);
+  const auto simplified = BS::simplify_in_shell(
+    coarse, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(facets)).time_limit(seconds_left));
   printer.clear();
   if(!simplified) {
     complain(simplified.status, simplified.offending_simplices);

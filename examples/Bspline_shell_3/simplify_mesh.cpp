@@ -24,7 +24,7 @@ int main(int argc, char** argv)
   }
   const std::size_t facets = argc > 2 ? std::size_t(std::atol(argv[2])) : 0;
   const double thickness = argc > 3 ? std::atof(argv[3]) : 0.01;
-  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

@@ -33,7 +33,7 @@ int main(int argc, char** argv)
     std::cerr << "Usage: singular_vertex MESH\n";
     return EXIT_FAILURE;
   }
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.03).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.03));
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   for(const auto& v : shell.report().truncation.vertices)

@@ -72,7 +72,7 @@ struct Shell_of_soup_3
   /// `SUCCESS`, or why there is no shell
   Shell_status status() const
   {
-    return shell() ? Shell_status::SUCCESS : proxy_status == Shell_status::CANCELED ? proxy_status : mesh_status;
+    return shell() ? Shell_status::SUCCESS : internal::ends_all_attempts(proxy_status) ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
   /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
@@ -83,7 +83,8 @@ struct Shell_of_soup_3
   /// the outcome in one sentence
   const char* message() const
   {
-    return proxy ? proxy->message() : shell() ? mesh_message() : Bspline_shells::message(status());
+    return proxy ? proxy->message() : internal::ends_all_attempts(proxy_status) ? Bspline_shells::message(proxy_status)
+         : shell() ? mesh_message() : Bspline_shells::message(status());
   }
 };
 

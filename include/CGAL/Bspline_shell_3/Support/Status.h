@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -44,6 +46,7 @@ enum class Shell_status
   MESH_NOT_CONTAINED,          ///< it could not be proved that the shell contains the mesh
   UNSOUND_ARITHMETIC,          ///< nothing can be proved in this build (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
+  TIME_LIMIT_EXCEEDED,         ///< the time limit was reached
   CANCELED                     ///< the visitor asked to stop
 };
 
@@ -101,17 +104,36 @@ inline const char* message(Shell_status status)
     case Shell_status::SHELL_LEAVES_BAND:
       return "A bounding surface runs into the end of the cells: raise the resolution, or the number of rings of cells around the mesh.";
     case Shell_status::MESH_NOT_CONTAINED:
-      return "No shell was found that contains the mesh: raise the limits of time and memory, or the resolution.";
+      return "No shell was found that contains the mesh: raise the limits of memory and effort, or the resolution.";
     case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
       return "A threshold and the field have different cells: define both on the same cells.";
     case Shell_status::UNSOUND_ARITHMETIC:
       return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target "
              "CGAL::CGAL does.";
+    case Shell_status::TIME_LIMIT_EXCEEDED:
+      return "The time limit was reached before the shell was complete: raise the limit, or ask for a thicker shell.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
   }
   return "";
 }
+
+namespace internal {
+
+// the status of a run that ended early
+inline Shell_status status(Run::End end)
+{
+  return end == Run::End::OUT_OF_TIME ? Shell_status::TIME_LIMIT_EXCEEDED : Shell_status::CANCELED;
+}
+
+// whether an attempt with this status is the last one: others would have it, too
+inline bool ends_all_attempts(Shell_status status)
+{
+  return status == Shell_status::CANCELED || status == Shell_status::TIME_LIMIT_EXCEEDED
+      || status == Shell_status::INVALID_PARAMETER || status == Shell_status::UNSOUND_ARITHMETIC;
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Support
