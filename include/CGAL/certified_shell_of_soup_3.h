@@ -54,6 +54,10 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   timer.start();
 
   BS::Shell_of_soup_3 result;
+  if(!(max_seconds > 0)) {
+    result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
+    return result;
+  }
   BS::Shell_status* status = &result.mesh_status;       // or of the proxy, once it is tried
   const auto attempt_all = [&] {
     result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
