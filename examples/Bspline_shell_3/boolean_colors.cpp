@@ -61,7 +61,7 @@ int main(int argc, char** argv)
   const Labels labels = labels_of(mesh);
   const std::size_t curve_edges = mark_curve(mesh, labels, curve_of(mesh));
 
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;

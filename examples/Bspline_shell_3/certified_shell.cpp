@@ -25,7 +25,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   const double thickness = argc > 2 ? std::atof(argv[2]) : 0.01;
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

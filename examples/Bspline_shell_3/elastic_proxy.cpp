@@ -56,7 +56,7 @@ int main(int argc, char** argv)
 
   if(!CGAL::is_closed(mesh)) return failed("The mesh is open: there is nothing to be filled.");
 
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell || !shell.is_certified()) return failed(shell.message());
   Mesh proxy = mesh;
   auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;

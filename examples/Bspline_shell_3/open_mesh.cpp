@@ -23,7 +23,7 @@ int main(int argc, char** argv)
   if(const auto code = Arguments("Usage: open_mesh MESH\n").required(file).read(argc, argv)) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   const BS::Closing_report& closing = shell.report().closing;

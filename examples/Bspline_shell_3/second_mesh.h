@@ -54,7 +54,7 @@ inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell
   const auto code = Arguments("Usage: " + std::string(argv[0]) + " MESH\n").required(file).read(argc, argv);
   if(code) return code;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
-  shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02).time_limit(60.));
+  shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.02));
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;

@@ -11,11 +11,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 
 const char* const usage =
   "Usage: shell_of_file FILE [--thickness T] [--time-limit SECONDS] [--output PREFIX]\n"
-  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. Writes\n"
+  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. By default, time is not limited.\n"
+  "  Writes\n"
   "    PREFIX.shell                the shell\n"
   "    PREFIX_mesh.ply             the mesh that the shell is of: the file's, repaired, or a proxy\n"
   "    PREFIX_{inner,outer}.ply    the surfaces that bound the shell\n"
@@ -47,7 +49,7 @@ bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS:
 struct Options
 {
   std::string file, output = "shell";
-  double thickness = 0.01, limit = 60;
+  double thickness = 0.01, limit = std::numeric_limits<double>::infinity();
 };
 
 // Computes everything, and writes what there is. Returns the exit code.

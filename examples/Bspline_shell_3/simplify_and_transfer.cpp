@@ -23,6 +23,7 @@
 #include <cmath>
 #include <functional>
 #include <iomanip>
+#include <limits>
 #include <locale>
 #include <optional>
 #include <vector>
@@ -38,8 +39,9 @@ const char* const usage =
   "  Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is simplified if not given. mesh is that of the\n"
   "  file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why. detail is the simplified mesh,\n"
   "  cut into small triangles that show the color of every point. PREFIX_simplified.json has the numbers of facets, and\n"
-  "  how far points arrive from where they started, there and back. The limits, by default 60 s and 4000 MB, are those\n"
-  "  of the shell; N is by default the number of processors.\n"
+  "  how far points arrive from where they started, there and back. SECONDS is the limit of the shell and the\n"
+  "  simplification together, after which they end with a status; by default there is none. MB is the memory limit of\n"
+  "  the shell, by default 4000; N is by default the number of processors.\n"
   "  If the shell is not certified, writes PREFIX_{mesh,places}.ply: the mesh, and points that stand in the way.\n"
   "  Files take their places together at the end. If the run fails (3, 5, 6, 10 or more), results of an earlier run\n"
   "  stay, and the files of this one are named PREFIX.failed.\n"
@@ -138,7 +140,7 @@ struct Options
 {
   std::string file, output = "simplified";
   std::size_t facets = 0, threads = 0;
-  double thickness = 0.01, seconds = 60, megabytes = 4000;
+  double thickness = 0.01, seconds = std::numeric_limits<double>::infinity(), megabytes = 4000;
 };
 
 // Computes everything, and writes what there is. Returns the exit code.
@@ -164,7 +166,7 @@ int run(const Options& options, const Results& results)
   if(!write_result(results.pending(".json"), write_report)) return CANNOT_WRITE;
   if(!shell) return refuse(found.status(), found.message(), found.offending_simplices, options.file);
   if(!shell.is_certified()) {
-    std::cerr << shell.message() << std::endl;
+    std::cerr << found.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
     const bool has_places = report_obstacles(shell.report(), results.pending("_places.ply"));
     return write_mesh(results.pending("_mesh.ply"), mesh) && has_places ? NOT_CERTIFIED : CANNOT_WRITE;
@@ -177,9 +179,11 @@ int run(const Options& options, const Results& results)
   if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
+  constexpr double least_seconds = 1e-3;      // as limits are positive
   Mesh coarse = found.mesh();
+  const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
-  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop));
+  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop).time_limit(seconds_left));
   printer.clear();
   if(!simplified) {
     complain(message(simplified.status), simplified.offending_simplices);

@@ -25,7 +25,7 @@ int main(int argc, char** argv)
   if(const auto code = Arguments("Usage: singular_vertex MESH\n").required(file).read(argc, argv)) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.03).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.03));
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   for(const auto& v : shell.report().truncation.vertices)

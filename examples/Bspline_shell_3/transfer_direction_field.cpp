@@ -75,7 +75,7 @@ int main(int argc, char** argv)
     std::cerr << "The mesh is not closed." << std::endl;
     return EXIT_FAILURE;
   }
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;

@@ -13,6 +13,7 @@
 
 #include <CGAL/tags.h>
 
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -47,6 +48,8 @@ namespace CGAL {
  *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
  *     `std::cref(oracle)` not to copy it
  *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
+ *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
+ *     shell; unlimited by default
  *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`. The
  *     side of a point is then that of its closest facet.
  *   - `allow_open_shell(bool)`: do not refuse a shell that runs into the end of the cells; default `false`
@@ -79,21 +82,26 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   parameters.allow_open_shell = choose_parameter(get_parameter(np, tags::allow_open_shell), parameters.allow_open_shell);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  BS::Shell_construction construction(visitor);
-  if(!parameters.are_valid()) return Bspline_shell_3<>(construction.end(BS::Shell_status::INVALID_PARAMETER));
-  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
-  if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
+  const double max_seconds
+    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  BS::Shell_construction construction(visitor, max_seconds);
+  if(!parameters.are_valid() || !(max_seconds > 0))
+    return Bspline_shell_3<>(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  return construction.run<Bspline_shell_3<> >([&] {
+    const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
+    if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
 
-  // a copy, unless it was passed by reference
-  [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
-  std::optional<BS::Any_signed_distance_3> oracle;
-  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
-  if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
-    return BS::build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle);
-  else {
-    auto&& solver = BS::internal::argument<void>(np, tags::spd_solver);
-    return BS::build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
-  }
+    // a copy, unless it was passed by reference
+    [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
+    std::optional<BS::Any_signed_distance_3> oracle;
+    if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
+      return BS::build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle);
+    else {
+      auto&& solver = BS::internal::argument<void>(np, tags::spd_solver);
+      return BS::build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+    }
+  });
 }
 
 } // namespace CGAL

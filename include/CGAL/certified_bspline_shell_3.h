@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -54,8 +55,12 @@ namespace CGAL {
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
  *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30, or as few as 20 where most of
  *     the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
- *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later, and thresholds are not improved
- *     any more. Unlimited by default.
+ *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
+ *     shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds within
+ *     each pass; the caller's own solver, oracle and sizing field are not interrupted.
+ *   - `effort_limit(double)`: the number of cells that may be fitted in all rounds of refinement together. No round
+ *     begins that would exceed it. By default 1e6, which takes about a minute on two cores. Unlike a limit of time, it
+ *     gives the same shell on every machine.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
  *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only that
@@ -95,12 +100,15 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   BS::Refinement_parameters& refinement = parameters.refinement;
   refinement.weights = choose_parameter(get_parameter(np, tags::energy_weights), refinement.weights);
   refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), refinement.constant_thresholds);
-  refinement.max_seconds = choose_parameter(get_parameter(np, tags::time_limit), refinement.max_seconds);
+  refinement.max_cells = choose_parameter(get_parameter(np, tags::effort_limit), refinement.max_cells);
   refinement.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  BS::Shell_construction construction(visitor);
-  if(!parameters.are_valid()) return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  const double max_seconds
+    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  BS::Shell_construction construction(visitor, max_seconds);
+  if(!parameters.are_valid() || !(max_seconds > 0))
+    return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
   BS::Input_mesh_3::Closer closer;
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
     closer = BS::Input_mesh_3::closer(std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));
@@ -117,21 +125,23 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
       return BS::truncate_mesh<ConcurrencyTag>(input, [&](const std::array<double, 3>& p) {
         const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2])) : thickness;
         return parameters.largest_tip(here > 0 ? here : thickness);
-      }, parameters.least_cone_margin, refinement.max_seconds, construction.report().truncation);
+      }, parameters.least_cone_margin, construction.report().truncation);
     };
-  const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
-  if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
+  return construction.run<Certified_bspline_shell_3>([&] {
+    const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
+    if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
-  // a copy, unless it was passed by reference
-  [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
-  std::optional<BS::Any_signed_distance_3> oracle;
-  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
-  if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
-    return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle);
-  else {
-    auto&& solver = BS::internal::argument<void>(np, tags::spd_solver);
-    return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
-  }
+    // a copy, unless it was passed by reference
+    [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
+    std::optional<BS::Any_signed_distance_3> oracle;
+    if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::spd_solver_t>::value)
+      return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle);
+    else {
+      auto&& solver = BS::internal::argument<void>(np, tags::spd_solver);
+      return BS::build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+    }
+  });
 }
 
 } // namespace CGAL

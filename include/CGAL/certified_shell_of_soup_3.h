@@ -10,6 +10,9 @@
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/certified_bspline_shell_3.h>
 #include <CGAL/certified_soup_proxy_3.h>
 
@@ -19,6 +22,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -32,8 +36,8 @@ namespace CGAL {
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or `CGAL::parameters`
  * \param soup the polygons, as `Bspline_shells::read_polygon_soup()` reads them
- * \param np optional named parameters: those of `certified_soup_proxy_3()`. The proxy gets what the mesh leaves of the `time_limit()`, a third of it or
- *        more.
+ * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` is for the mesh and the proxy
+ *        together; when it is reached, no other attempt begins.
  * \return the shell, and what it is of. If neither the mesh nor the proxy gets a certified shell, one of the mesh that is not certified, if there is one.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -43,41 +47,50 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   namespace BS = Bspline_shells;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const double limit = choose_parameter(get_parameter(np, BS::parameter_tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_seconds
+    = choose_parameter(get_parameter(np, BS::parameter_tags::time_limit), std::numeric_limits<double>::infinity());
+  auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
+  BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));
   Real_timer timer;
   timer.start();
-  const auto limited = [&](double seconds) { return BS::Named_parameters<double, BS::parameter_tags::time_limit_t, CGAL_NP_CLASS>(seconds, np); };
 
   BS::Shell_of_soup_3 result;
-  result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
-  if(result.mesh_status == BS::Shell_status::SUCCESS) {
-    const auto build = [&] {
-      result.shell_of_mesh = certified_bspline_shell_3<ConcurrencyTag>(result.repaired_mesh, limited(2 * limit / 3));
-      result.mesh_status = result.shell_of_mesh.status();
-      result.offending_simplices = result.shell_of_mesh.report().offending_simplices;
-    };
-    build();
-    if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION && BS::orient_components(result.repaired_mesh)) {
-      result.repairs.turned_components = true;
+  if(!(max_seconds > 0)) {
+    result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
+    return result;
+  }
+  BS::Shell_status* status = &result.mesh_status;       // or of the proxy, once it is tried
+  const auto attempt_all = [&] {
+    result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
+    if(result.mesh_status == BS::Shell_status::SUCCESS) {
+      const auto build = [&] {
+        result.shell_of_mesh = certified_bspline_shell_3<ConcurrencyTag>(result.repaired_mesh, np);
+        result.mesh_status = result.shell_of_mesh.status();
+        result.offending_simplices = result.shell_of_mesh.report().offending_simplices;
+      };
       build();
+      if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION && BS::orient_components(result.repaired_mesh)) {
+        result.repairs.turned_components = true;
+        build();
+      }
     }
-  }
-  result.seconds = timer.time();
-  if(result.shell_of_mesh.is_certified() || result.mesh_status == BS::Shell_status::CANCELED || result.mesh_status == BS::Shell_status::INVALID_PARAMETER
-     || result.mesh_status == BS::Shell_status::UNSOUND_ARITHMETIC) return result;
-  switch(result.mesh_status) {
-    case BS::Shell_status::NON_MANIFOLD:
-    case BS::Shell_status::NOT_ORIENTABLE:
-    case BS::Shell_status::NOT_CLOSABLE:
-    case BS::Shell_status::SELF_INTERSECTION:
-      result.near_duplicates = BS::number_of_near_duplicates(soup.points);
-      break;
-    default: break;
-  }
-  auto proxy = std::make_shared<const BS::Soup_proxy_3>(
-    certified_soup_proxy_3<ConcurrencyTag>(soup.points, soup.polygons, limited((std::max)(limit / 3, limit - timer.time()))));
-  result.proxy_status = proxy->status();
-  if(proxy->is_certified()) result.proxy = std::move(proxy);
+    if(result.shell_of_mesh.is_certified() || BS::internal::ends_all_attempts(result.mesh_status)) return;
+    switch(result.mesh_status) {
+      case BS::Shell_status::NON_MANIFOLD:
+      case BS::Shell_status::NOT_ORIENTABLE:
+      case BS::Shell_status::NOT_CLOSABLE:
+      case BS::Shell_status::SELF_INTERSECTION:
+        result.near_duplicates = BS::number_of_near_duplicates(soup.points);
+        break;
+      default: break;
+    }
+    status = &result.proxy_status;
+    auto proxy = std::make_shared<const BS::Soup_proxy_3>(
+      certified_soup_proxy_3<ConcurrencyTag>(soup.points, soup.polygons, np));
+    result.proxy_status = proxy->status();
+    if(proxy->is_certified()) result.proxy = std::move(proxy);
+  };
+  run(attempt_all, [&](BS::internal::Run::End end) { *status = BS::internal::status(end); });
   result.seconds = timer.time();
   return result;
 }

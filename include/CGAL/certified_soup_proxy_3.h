@@ -9,18 +9,21 @@
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,7 +53,10 @@ namespace CGAL {
  *   - `offset(double)`: how far the proxy is from the soup, user units; default a quarter of `alpha`
  *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a `signed_distance_oracle()` is that of the proxy. The thickness
  *     is at least eight times the offset, unless there is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If
- *     the proxy cannot be certified in half of the `time_limit()`, one with twice the `alpha` and `offset` gets the rest.
+ *     the proxy cannot be certified within the limits of memory, effort and rounds, one with twice the `alpha` and
+ *     `offset` is made.
+ *   - `time_limit(double)`: seconds for the wraps and the shells together, after which the status is
+ *     `TIME_LIMIT_EXCEEDED`. It has no influence on which proxy is made.
  * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`; `INVALID_PARAMETER`, also if a polygon refers to a
  *         point that does not exist; `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too small for
  *         the coordinates; `MEMORY_LIMIT_EXCEEDED`; and those of `certified_bspline_shell_3()` about the proxy
@@ -66,6 +72,10 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
 
+  const double max_seconds
+    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
+  BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));
   BS::Polygon_soup copy;
   for(const auto& p : points)
     copy.points.emplace_back(BS::internal::rounded(p[0]), BS::internal::rounded(p[1]), BS::internal::rounded(p[2]));
@@ -89,29 +99,23 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::finest_resolution);
   const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 1.);
   const double thickness = choose_parameter(get_parameter(np, tags::thickness), 1.);
-  const double limit = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
   const double max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
   for(double x : { alpha, offset, resolution, relative_thickness, thickness })
     if(!(x > 0 && std::isfinite(x))) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
-  if(!(limit > 0 && max_bytes > 0)) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
+  if(!(max_seconds > 0 && max_bytes > 0)) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
 
   // What the shell is asked to reach, unless the caller asks for more: 19 rings of cells, the most that there may be.
   const double deepest = 19 * unit / resolution;
-  Real_timer timer;
-  timer.start();
-  double scale = 1;
-  const auto attempt = [&](double end) {
+  double last_scale = 1;        // which the last wrap had, relative to `alpha`
+  const auto attempt = [&](double scale) {
     BS::Soup_proxy_3::Mesh wrap;
     BS::Proxy_report report;
     const BS::Shell_status wrapped
-      = BS::wrap_soup<ConcurrencyTag>(soup, scale * alpha, scale * offset, end - timer.time(), max_bytes, wrap, report);
-    if(report.alpha > 0) scale = report.alpha / alpha;
+      = BS::wrap_soup<ConcurrencyTag>(soup, scale * alpha, scale * offset, max_bytes, wrap, report);
+    if(report.alpha > 0) last_scale = report.alpha / alpha;
     if(wrapped != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(wrapped);
-    constexpr double least_seconds = 1e-3;       // when wraps took all the time: the shell is then not certified, and says why
-    typedef BS::Named_parameters<double, tags::time_limit_t, CGAL_NP_CLASS> Limited;
-    const Limited limited((std::max)(end - timer.time(), least_seconds), np);
     if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value) {
-      auto shell = certified_bspline_shell_3<ConcurrencyTag>(wrap, limited);
+      auto shell = certified_bspline_shell_3<ConcurrencyTag>(wrap, np);
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
     } else {
       double asked = 0, reach = (std::min)(8 * report.offset, deepest);
@@ -121,20 +125,20 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
       report.is_thicker_than_asked = asked > 0 && reach > asked;
       reach = (std::max)(asked, reach);
       auto shell = certified_bspline_shell_3<ConcurrencyTag>(
-        wrap, BS::Named_parameters<double, tags::thickness_t, typename Limited::Pack>(reach, limited));
+        wrap, BS::Named_parameters<double, tags::thickness_t, CGAL_NP_CLASS>(reach, np));
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
     }
   };
   const auto is_final = [](const BS::Soup_proxy_3& proxy) {
-    return proxy.is_certified() || proxy.status() == BS::Shell_status::CANCELED || proxy.status() == BS::Shell_status::INVALID_PARAMETER
-        || proxy.status() == BS::Shell_status::UNSOUND_ARITHMETIC;
+    return proxy.is_certified() || BS::internal::ends_all_attempts(proxy.status());
   };
-  // The thinner the proxy's parts, the more cells they need: where half of the time does not suffice, a coarser proxy gets the rest.
-  BS::Soup_proxy_3 proxy = attempt(limit / 2);
-  if(is_final(proxy) || !(timer.time() < limit)) return proxy;
-  scale *= 2;
-  BS::Soup_proxy_3 coarser = attempt(limit);
-  return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
+  return run([&] {
+    BS::Soup_proxy_3 proxy = attempt(1);
+    if(is_final(proxy)) return proxy;
+    // the thinner the proxy's parts, the more cells they need
+    BS::Soup_proxy_3 coarser = attempt(2 * last_scale);
+    return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
+  }, [](BS::internal::Run::End end) { return BS::Soup_proxy_3(BS::internal::status(end)); });
 }
 
 } // namespace CGAL

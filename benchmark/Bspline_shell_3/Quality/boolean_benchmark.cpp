@@ -212,7 +212,7 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
             << worst_quality(mesh) << ",\"label_distance\":" << label_distance(mesh, labels, { &first, &second }) / unit << ",\"seconds\":"
             << seconds << "}" << std::flush;
 
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness));
   std::cout << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false") << ",\"seconds\":" << shell.report().total_seconds();
   if(!shell.is_certified()) {
     const auto& obstacles = shell.report().obstacles;

@@ -164,7 +164,7 @@ void measure(const std::string& file, const Options& options)
 {
   Mesh mesh;
   std::optional<Shell> shell;
-  if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::time_limit(60.));
+  if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell || !shell->is_certified()) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified shell\"}" << std::endl;
     return;

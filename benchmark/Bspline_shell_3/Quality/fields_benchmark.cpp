@@ -109,7 +109,8 @@ void measure(const std::string& file, double thickness)
 {
   Mesh mesh;
   std::optional<Shell> shell;
-  if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  if(read_triangles(file, mesh))
+    shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   Mesh coarse = mesh;
   if(!shell || !shell->is_certified() || !BS::simplify_in_shell(coarse, *shell)) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified pair of meshes\"}" << std::endl;

@@ -142,7 +142,8 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
   std::optional<Shell> shell;
   CGAL::Real_timer timer;
   timer.start();
-  if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  if(read_triangles(file, mesh))
+    shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   const double shell_seconds = timer.time();
   if(!shell || !*shell) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no shell\"}" << std::endl;

@@ -49,7 +49,6 @@ struct Options
   double part = 0;
 };
 
-constexpr double max_seconds = 60;      // of a certified shell, about
 constexpr int pixels = 800;             // along the longest side of a slice
 constexpr double margin = 0.08;         // around the mesh's box in it
 
@@ -160,7 +159,7 @@ bool measure(const std::string& file, const Options& options)
     if(!options.prefix.empty()) written = write_output(options, number.str(), shell, mesh) && written;
   }
   time();
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(max_seconds));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness));
   const double seconds = time();
   begin("null");
   if(!shell) {

@@ -134,7 +134,7 @@ int run(const std::string& file, const Options& options)
     print_refused(file, message(read));
     return EXIT_FAILURE;
   }
-  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(60.));
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness));
   if(!shell) {
     print_refused(file, message(shell.status()));
     return EXIT_FAILURE;

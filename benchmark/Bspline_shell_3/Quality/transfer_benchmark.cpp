@@ -408,7 +408,7 @@ void compare(const std::string& file, double thickness, std::size_t points)
   };
   Mesh mesh;
   if(!read_triangles(file, mesh)) return give_up("no mesh");
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).time_limit(60.));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell.is_certified()) return give_up("no certified shell");
   Mesh simplified = mesh;
   const auto result = BS::simplify_in_shell(simplified, shell);

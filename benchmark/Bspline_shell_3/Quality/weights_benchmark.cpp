@@ -54,7 +54,6 @@ struct Options
   std::string prefix;
 };
 
-constexpr double max_seconds = 60;      // of a certified shell, about
 constexpr double threshold = 0.03;      // from which on the paper shows errors
 
 // along the flow, inwards here and outwards there, as moved_along_flow(), but without a certificate
@@ -182,7 +181,7 @@ bool measure(const std::string& file, const Options& options)
     written = measure_map(shell, mesh, second, distance, kept, options, number.str()) && written;
   }
   begin("null");
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).time_limit(max_seconds));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness));
   double part = 0;
   std::optional<Mesh> second;
   if(shell.is_certified()) second = moved_along_flow(shell, mesh, part);

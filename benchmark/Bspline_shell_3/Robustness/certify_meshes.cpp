@@ -7,7 +7,7 @@
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --no-truncation: singular vertices are accepted, and left as they are; meshes only.
-// --max-seconds: the time limit of refinement; a mesh that takes a quarter more is given up.
+// --max-seconds: the time limit; a mesh that takes a quarter more is given up.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
 // The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one;
@@ -152,7 +152,7 @@ std::string truncation(const BS::Shell_report& r)
   }
   std::ostringstream out;
   out << ",\"truncation\":{";
-  for(Outcome o : { Outcome::TRUNCATED, Outcome::ON_BORDER, Outcome::FOLDED_EDGE, Outcome::NO_DISC, Outcome::NO_SPACE, Outcome::NO_TIME })
+  for(Outcome o : { Outcome::TRUNCATED, Outcome::ON_BORDER, Outcome::FOLDED_EDGE, Outcome::NO_DISC, Outcome::NO_SPACE })
     out << "\"" << name(o) << "\":" << r.truncation.number(o) << ",";
   out << "\"least_margin_before\":" << before << ",\"least_margin_after\":" << after << "}";
   return out.str();
@@ -225,9 +225,9 @@ void certify(const std::string& file, const Options& options)
   };
   const double limit = options.max_memory_mb > 0 ? options.max_memory_mb * 1024 * 1024
                                                  : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-  const double limit_of_rounds = options.max_seconds > 0 ? options.max_seconds : std::numeric_limits<double>::infinity();
+  const double max_seconds = options.max_seconds > 0 ? options.max_seconds : std::numeric_limits<double>::infinity();
   const auto parameters = BS::parameters::relative_thickness(options.thickness)
-                                         .time_limit(limit_of_rounds)
+                                         .time_limit(max_seconds)
                                          .constant_thresholds(options.constant)
                                          .memory_limit(limit)
                                          .least_cone_margin(options.cone_margin);
@@ -284,7 +284,7 @@ void certify_apart(const std::string& file, const Options& options)
   std::cout.flush();
   const pid_t child = fork();
   if(child == 0) {
-    constexpr double late = 1.25;       // what a round takes is only estimated
+    constexpr double late = 1.25;       // limits hold but for some passes of CGAL
     if(options.max_seconds > 0) alarm(static_cast<unsigned int>(std::ceil(late * options.max_seconds)));
     try {
       certify(file, options);

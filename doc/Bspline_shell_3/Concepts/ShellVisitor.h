@@ -25,5 +25,10 @@ public:
   /// \return whether to go on; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool start_step(CGAL::Bspline_shells::Shell_step step);
 
+  /// called often within each step, by the same thread, and so to be cheap; optional.
+  /// \return whether to go on; `false` ends the construction with the status
+  ///         `CGAL::Bspline_shells::Shell_status::CANCELED`
+  bool go_on();
+
 /// @}
 };

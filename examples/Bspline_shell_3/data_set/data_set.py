@@ -7,7 +7,7 @@ FORMATS = {".off", ".obj", ".ply", ".stl"}
 DEFAULTS = {
     "program": str(Path(__file__).resolve().parents[3] / "build/data_set/examples/Bspline_shell_3/simplify_and_transfer"),
     "facets": 0,                # of the simplified meshes; 0: as few as the shell allows
-    "time_limit": 300,          # seconds for a mesh, without its picture; the shell gets half of them
+    "time_limit": 300,          # seconds for a mesh, without its picture; shell and simplification get 0.8 of them
     "memory_limit": 4000,       # megabytes for a mesh; the shell is to be content with two thirds of them
     "pictures": True,
     "keep": "mesh simplified places inner outer",       # PLY files

@@ -128,6 +128,8 @@ def outcome(code, over, log, file, options):
     said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
     if over:
         return "time limit", f"It was ended after {options['time_limit']} s."
+    if said.startswith("The time limit was reached"):
+        return "time limit", said
     if "std::bad_alloc" in log.read_text(encoding="utf-8", errors="replace"):
         return "memory limit", f"It needs more than {options['memory_limit']} MB."
     if code < 0:
@@ -165,7 +167,7 @@ def make(name, file, options, folder, draw):
         if deaths >= ATTEMPTS:
             record |= {"outcome": "killed", "reason": "The job died while it was made, twice.", "exit": None}
         else:
-            command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(options["time_limit"] / 2),
+            command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(0.8 * options["time_limit"]),
                        "--memory-limit", str(options["memory_limit"] / 1.5)]
             command += ["--facets", str(options["facets"])] if options["facets"] else []
             code, over, spent = run(command, options["time_limit"], options["memory_limit"], log)

@@ -107,12 +107,6 @@ TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no criti
   CHECK(outer(thresholds).maxCoeff() == 0.2);
   thresholds.reset();
   CHECK_FALSE(thresholds.are_chosen());
-  // if nothing is in the way, no time is missing
-  BS::Narrowing_limits late;
-  late.max_seconds = 0;
-  thresholds.begin(ball.field, thin);
-  ball.choose(thresholds, late);
-  CHECK_FALSE(thresholds.are_too_late());
 }
 
 TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the threshold next to them alone")
@@ -150,15 +144,6 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   ball.choose(once, limits);
   CHECK(once.undecided_volume() > 0);
   CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
-  // nor does one for which there is no time
-  limits = {};
-  limits.max_seconds = 0;
-  once.forget();
-  once.begin(ball.field, thick);
-  ball.choose(once, limits);
-  CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
-  CHECK(once.are_too_late());
-  CHECK_FALSE(thresholds.are_too_late());
 }
 
 TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as long as the shell reaches it")

@@ -183,23 +183,25 @@ TEST_CASE("certified shells: limits end refinement with what there is")
 {
   const Mesh mesh = demo_mesh("elephant.off");
   const double thin = 0.003;
-  for(const Shell& shell : { CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).time_limit(1e-9)),
-                             CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7)) }) {
-    REQUIRE(shell);
-    CHECK(shell.relative_thickness() > thin);       // not what was asked for, whether or not it is certified
-    CHECK(shell.report().refinement == Refinement_status::LIMIT_REACHED);
-    CHECK(shell.report().rounds.size() == 1);
-    CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
-    CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
-    // nothing is taken over from a shell that may have critical points
-    CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
-    CHECK(shell.report().limit.cells > shell.report().cells);
-  }
-  const BS::Refinement_limit time = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).time_limit(1e-9)).report().limit;
-  CHECK(time.resource == BS::Refinement_resource::TIME);
-  CHECK(time.seconds > 1e-9);
-  const BS::Refinement_limit memory = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7)).report().limit;
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7));
+  REQUIRE(shell);
+  CHECK(shell.relative_thickness() > thin);       // not what was asked for, whether or not it is certified
+  CHECK(shell.report().refinement == Refinement_status::LIMIT_REACHED);
+  CHECK(shell.report().rounds.size() == 1);
+  CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
+  CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
+  // nothing is taken over from a shell that may have critical points
+  CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
+  CHECK(shell.report().limit.cells > shell.report().cells);
+  const BS::Refinement_limit memory = shell.report().limit;
   CHECK(memory.resource == BS::Refinement_resource::MEMORY);
+  const Shell little_effort
+    = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).effort_limit(1));
+  REQUIRE(little_effort);
+  CHECK(little_effort.report().limit.resource == BS::Refinement_resource::EFFORT);
+  CHECK(little_effort.report().rounds.size() == 1);
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::effort_limit(0)).status()
+        == BS::Shell_status::INVALID_PARAMETER);
   CHECK(memory.bytes > 5e7);
   CHECK(memory.bytes < 5e9);
   CHECK(CGAL::certified_bspline_shell_3(mesh).report().limit.resource == BS::Refinement_resource::NONE);
@@ -210,7 +212,7 @@ TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as 
 {
   // at the tip of a wing, facets at an angle of 16 degrees are some hundredths of a cell apart
   const Mesh mesh = demo_mesh("mech-holes-shark.off");
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(60));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   CHECK(shell.is_certified());
   // more rounds would only make cells smaller than the fin
   CHECK(shell.report().rounds.size() <= 2);
@@ -218,17 +220,15 @@ TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as 
 
 TEST_CASE("certified shells: limits have sentences")
 {
-  BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 61.5, 4.2e9 };
+  BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 4.2e9 };
   CHECK(message(limit).empty());
-  limit.resource = BS::Refinement_resource::TIME;
-  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and end after about 62 s: that is beyond the time limit.");
-  limit.cells = 0;
-  CHECK(message(limit) == "There was no time left to narrow thresholds further.");
-  limit.cells = 1200;
   limit.resource = BS::Refinement_resource::MEMORY;
   CHECK(message(limit) == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
   limit.resource = BS::Refinement_resource::NUMBERS;
   CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
+  limit.resource = BS::Refinement_resource::EFFORT;
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells, and all rounds together more than the effort limit.");
   limit.resource = BS::Refinement_resource::ROUNDS;
   CHECK(message(limit) == "There were as many rounds of refinement as are allowed.");
 }

@@ -66,7 +66,8 @@ TEST_CASE("Resolution: a shell has the one that is chosen, or the one that is as
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   CHECK(CGAL::certified_bspline_shell_3(cube).report().gamma == Approx(20));
   CHECK(CGAL::certified_bspline_shell_3(cube, parameters::resolution(12).relative_thickness(0.05)).report().gamma == Approx(12));
-  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::relative_thickness(0.005).time_limit(1e-3)).report().gamma == Approx(BS::finest_resolution));
+  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::relative_thickness(0.005)).report().gamma
+        == Approx(BS::finest_resolution));
   const Mesh elephant = demo_mesh("elephant.off");
   const BS::Bend_shares one = shares(elephant, 0.05), two = shares<CGAL::Parallel_if_available_tag>(elephant, 0.05);
   CHECK(one.bent == two.bent);

@@ -22,7 +22,6 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef BS::Truncation_report::Outcome Outcome;
-const double forever = std::numeric_limits<double>::infinity();
 
 BS::Input_mesh_3 input(const Mesh& mesh, const BS::Input_mesh_3::Closer& closer = BS::Input_mesh_3::Closer())
 {
@@ -35,7 +34,8 @@ BS::Input_mesh_3 input(const Mesh& mesh, const BS::Input_mesh_3::Closer& closer 
 
 std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3& mesh, double radius, double margin, BS::Truncation_report& report)
 {
-  return BS::truncate_mesh<CGAL::Sequential_tag>(mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, forever, report);
+  return BS::truncate_mesh<CGAL::Sequential_tag>(
+    mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, report);
 }
 
 // The truncated mesh, after a check of all that is promised of it.
@@ -176,15 +176,6 @@ TEST_CASE("A vertex of large coordinates, near which rounding would decide, is n
   CHECK(report.vertices.front().outcome == Outcome::NO_SPACE);
 }
 
-TEST_CASE("Vertices for which there is no time are named, and not truncated")
-{
-  BS::Truncation_report report;
-  CHECK_FALSE(BS::truncate_mesh<CGAL::Sequential_tag>(input(screw()), [](const std::array<double, 3>&) { return 0.1; }, 0.05, -1, report));
-  REQUIRE(report.vertices.size() == 1);
-  CHECK(report.vertices.front().outcome == Outcome::NO_TIME);
-  CHECK(report.vertices.front().radius == 0);
-}
-
 TEST_CASE("Other parts nearby make the ball smaller")
 {
   // another component in the corner that the screw leaves open
@@ -217,7 +208,8 @@ TEST_CASE("Truncation does not depend on scale, rotation and threads")
 #ifdef CGAL_LINKED_WITH_TBB
   BS::Truncation_report report;
   const BS::Input_mesh_3 mesh = input(screw(5));
-  const auto parallel = BS::truncate_mesh<CGAL::Parallel_tag>(mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, forever, report);
+  const auto parallel
+    = BS::truncate_mesh<CGAL::Parallel_tag>(mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, report);
   const auto sequential = truncation(mesh, 0.2, 0.05, report);
   REQUIRE(parallel);
   CHECK(parallel->points() == sequential->points());

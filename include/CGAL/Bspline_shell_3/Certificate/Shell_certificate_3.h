@@ -21,6 +21,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -484,6 +485,7 @@ private:
         continue;
       }
       ++m_draft.statistics.undecided_boxes;
+      internal::Run::poll();
       const Bbox_3 b = cover.bbox(box);
       std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
       const bool critical = examined < max_examined && is_critical(mesh, box, center);
@@ -568,6 +570,7 @@ private:
     std::vector<Candidate> candidates;
     const std::size_t stride = vertices[1].size() / samples + 1;
     for(std::size_t n = 0; n < vertices[1].size(); n += stride) {
+      internal::Run::poll();
       Candidate best(std::numeric_limits<double>::infinity(), {});
       for(Vertex_index v : vertices[0]) {
         const double d = CGAL::squared_distance(mesh.point(v), mesh.point(vertices[1][n]));
@@ -596,6 +599,7 @@ private:
     }
     begin(Claim::DEGREE_ONE);
     for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+      internal::Run::poll();
       // large facets first: their middles are far from edges
       const std::size_t tries = (std::min)(max_paths, facets[c].size());
       std::partial_sort(facets[c].begin(), facets[c].begin() + tries, facets[c].end());

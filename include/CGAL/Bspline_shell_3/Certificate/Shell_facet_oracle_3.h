@@ -16,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
@@ -236,6 +237,7 @@ Placement_verdict
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  internal::Run::poll();
   const std::size_t size = link.size();
   boost::container::small_vector<char, 16> is_known(size, 0);
   const typename Memory::Place place = { p[0], p[1], p[2] };

@@ -14,10 +14,10 @@
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -45,7 +45,6 @@ struct Narrowing_limits
 {
   int max_passes = 8;
   std::size_t many_obstacles = std::numeric_limits<std::size_t>::max();   ///< cells; with more of them, two passes are enough
-  double max_seconds = std::numeric_limits<double>::infinity();           ///< ends before a pass would take longer
 };
 
 /*!
@@ -104,15 +103,12 @@ public:
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
     constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
-    Real_timer timer;
-    timer.start();
     // what the mesh needs counts where thresholds are capped
     bool is_sharp = !m_wanted->caps().empty();
     m_tight.clear();
     if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
     std::size_t unresolved_before = std::numeric_limits<std::size_t>::max();
     for(int pass = 0; ; ++pass) {
-      const double begin = timer.time();
       m_inner = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(POSITIVE));
       Cover cover = covered<ConcurrencyTag>();
@@ -132,9 +128,7 @@ public:
                           && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
       const bool helps = !narrowed.empty() || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
       unresolved_before = unresolved.size();
-      // another pass, and the certificate, take as long as this one
-      m_is_late = helps && timer.time() + 2 * (timer.time() - begin) > limits.max_seconds;
-      if(!helps || is_enough || pass + 1 == limits.max_passes || m_is_late) {
+      if(!helps || is_enough || pass + 1 == limits.max_passes) {
         m_caps = m_wanted->caps();
         if(!obstacles.empty()) return obstacles;
         return unresolved.empty() && pass + 1 == limits.max_passes ? narrowed : unresolved;
@@ -153,9 +147,6 @@ public:
   /// whether the last call of `choose()` was for the present field
   bool are_chosen() const { return bool(m_inner); }
 
-  /// whether the last `choose()` ended as there was no time for another pass
-  bool are_too_late() const { return m_is_late; }
-
   /// \pre `are_chosen()`
   const Threshold& inner() const { return *m_inner; }
   /// \pre `are_chosen()`
@@ -170,7 +161,6 @@ public:
   {
     m_inner.reset();
     m_outer.reset();
-    m_is_late = false;
   }
 
   /// forgets all that is kept from field to field
@@ -285,6 +275,7 @@ private:
     if(cover.number_of_undecided_boxes() > 0)
       for(const Cover_box& box : cover.boxes())
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
+          internal::Run::poll();
           // Where only the threshold is too steep, there may be none: then these must not be on the other side of zero than the field.
           const Level_range values = cover.critical_values(box), field = cover.function(box).range();
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
@@ -328,7 +319,7 @@ private:
   std::vector<Point_3> m_seeds;
   const Field* m_field = nullptr;
   std::optional<Shell_thresholds_3<Field> > m_wanted;
-  bool m_is_constant = false, m_is_late = false;
+  bool m_is_constant = false;
   std::vector<Cap> m_caps;                            // of the last thresholds
   std::unique_ptr<Threshold> m_inner, m_outer;        // at fixed places, as certificates refer to them
   std::optional<Examined> m_examined;

@@ -21,20 +21,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the rounds of a refinement with the time that they took, and what this says of the next one.
+ * \brief the rounds of a refinement with the time that they took, for reports; and whether the limits allow another round.
  */
 class Refinement_budget
 {
 public:
   /// of a round, in the order of `Refinement_round::seconds`
   enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
-
-  /// of a field
-  struct Size
-  {
-    std::size_t cells;
-    double points;      ///< at which there are coefficients, on all levels
-  };
 
   explicit Refinement_budget(const Refinement_parameters& parameters) : m_parameters(parameters) {}
 
@@ -46,12 +39,11 @@ public:
     return m_rounds.back();
   }
 
+  /// adds to the number of fitted cells, for the limit of effort
+  void add_fitted_cells(std::size_t cells) { m_fitted_cells += cells; }
+
   /// time runs from now on
-  void start()
-  {
-    m_total.start();
-    m_step.start();
-  }
+  void start() { m_step.start(); }
   /// what time has passed since the last step belongs to none
   void begin_step() { m_step.reset(); }
   /// a step of the present round has ended, and the next one begins
@@ -60,9 +52,6 @@ public:
     m_rounds.back().seconds[step] += m_step.time();
     m_step.reset();
   }
-  double seconds() const { return m_total.time(); }
-  double seconds_left() const { return m_parameters.max_seconds - m_total.time(); }
-  bool is_late() const { return m_total.time() > m_parameters.max_seconds; }
 
   /// whether the last round was partial in vain
   bool was_part_in_vain() const
@@ -75,35 +64,24 @@ public:
     return now.undecided_cells + now.thick_cells >= before.undecided_cells + before.thick_cells;
   }
 
-  /// What a round with so many cells would have too little of: each cell takes as much memory and time as in the last round, and if thresholds were not
-  /// chosen there, as much again for that as for the fit.
-  /// \param now the last field
-  /// \param may_be_partial whether the round may be, if it has few cells more
+  /// Returns the limit that a round with so many cells would exceed, if there is one.
+  /// \param points at which the field of that round has coefficients, on all levels
   /// \param most_points that the numbering of equations can take
-  Refinement_limit limit_of_round(std::size_t cells, const Size& now, bool may_be_partial, double most_points) const
+  Refinement_limit limit_of_round(std::size_t cells, double points, double most_points) const
   {
-    constexpr std::size_t many = 32;      // one more of so many
-    const bool will_be_partial = may_be_partial && (cells - now.cells) * many < cells;
-    auto round = m_rounds.rbegin();
-    if(!will_be_partial)
-      while(round->partial) ++round;
-    const Refinement_round& last = *round;
-    const double more = double(cells) / double(last.cells);
-    double seconds = 0;
-    for(double s : last.seconds) seconds += s;
-    if(!last.examined) seconds += last.seconds[ASSEMBLY] + last.seconds[SOLVER];
-    const double points = double(cells) / double(now.cells) * now.points;
-    Refinement_limit limit = { Refinement_resource::NONE, cells, m_total.time() + more * seconds, 1600. * double(cells) + 4000. * points };
-    if(!(limit.seconds <= m_parameters.max_seconds)) limit.resource = Refinement_resource::TIME;
-    else if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
+    Refinement_limit limit = { Refinement_resource::NONE, cells, 1600. * double(cells) + 4000. * points };
+    if(!(limit.bytes <= m_parameters.max_bytes)) limit.resource = Refinement_resource::MEMORY;
     else if(points > most_points) limit.resource = Refinement_resource::NUMBERS;
+    else if(!(double(m_fitted_cells) + double(cells) <= m_parameters.max_cells))
+      limit.resource = Refinement_resource::EFFORT;
     return limit;
   }
 
 private:
   Refinement_parameters m_parameters;
   std::vector<Refinement_round> m_rounds;
-  Real_timer m_total, m_step;
+  std::size_t m_fitted_cells = 0;       // in all rounds together
+  Real_timer m_step;
 };
 
 } // namespace Bspline_shells

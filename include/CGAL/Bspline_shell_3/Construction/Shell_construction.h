@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 
@@ -35,17 +36,28 @@ class Shell_construction
 {
 public:
   /// \tparam Visitor a model of `ShellVisitor`
+  /// \param max_seconds from now on, after which `run()` ends
   /// \pre `visitor` outlives this object
   template <typename Visitor>
-  explicit Shell_construction(Visitor& visitor) : m_start_step([&visitor](Shell_step step) { return visitor.start_step(step); })
+  Shell_construction(Visitor& visitor, double max_seconds)
+    : m_start_step([&visitor](Shell_step step) { return visitor.start_step(step); }),
+      m_run(max_seconds, internal::Go_on<Visitor>::of(visitor))
   {
     m_timer.start();
+  }
+
+  /// returns `build()`, a shell; or no shell and the reason, if the time limit is reached or the visitor cancels before
+  template <typename Shell, typename Build>
+  Shell run(const Build& build)
+  {
+    return m_run(build, [this](internal::Run::End ended) { return Shell(end(internal::status(ended))); });
   }
 
   /// ends the last step and begins the next
   /// \return `false` if the visitor wants to stop
   bool start(Shell_step step)
   {
+    internal::Run::poll();
     end_step();
     m_step = step;
     return m_start_step(step);
@@ -111,6 +123,7 @@ private:
   }
 
   std::function<bool(Shell_step)> m_start_step;
+  internal::Run m_run;
   Shell_report m_report;
   std::shared_ptr<const Input_mesh_3> m_input;
   Real_timer m_timer;

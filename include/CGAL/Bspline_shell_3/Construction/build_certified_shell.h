@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <CGAL/tags.h>
@@ -74,7 +75,7 @@ struct Certified_shell_parameters
     const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
     return (!resolution || is_positive(*resolution)) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
         && least_cone_margin >= 0 && least_cone_margin < 1
-        && refinement.max_seconds > 0 && refinement.max_bytes > 0 && refinement.weights.are_valid();
+        && refinement.max_bytes > 0 && refinement.max_cells > 0 && refinement.weights.are_valid();
   }
 };
 
@@ -129,8 +130,14 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);
   Refinement refinement(input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance), thickness, parameters.refinement);
-  const Refinement_status refined
-    = refinement(std::move(cells), solver, [&](Shell_step step) { return is_thickness_valid && construction.start(step); });
+  Refinement_status refined = Refinement_status::NOT_REFINED;
+  try {
+    refined = refinement(std::move(cells), solver,
+                         [&](Shell_step step) { return is_thickness_valid && construction.start(step); });
+  } catch(const internal::Run::Ended&) {
+    report.rounds = refinement.rounds();
+    throw;
+  }
   if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
   report.rounds = refinement.rounds();
   report.refinement = refined;

@@ -154,11 +154,12 @@ private:
   // whether many obstacles are what is left of a field that was too large on the mesh in many cells
   bool are_due_to_thickness(const std::vector<Index>& obstacles) const { return are_many(obstacles) && !m_thick_at_first.empty(); }
 
-  // what the next round would have too little of, with so many cells
+  // Returns the limit that the next round would exceed with so many cells, if there is one. The number of points per
+  // cell is assumed to stay as it is.
   Refinement_limit limit_of_round(std::size_t cells) const
   {
-    return m_budget.limit_of_round(cells, { m_field->number_of_cells(), double(m_field->number_of_points()) }, can_be_partial(),
-                                   double(Fit_energy<Field>::max_number_of_unknowns) / 2);
+    const double points = double(cells) / double(m_field->number_of_cells()) * double(m_field->number_of_points());
+    return m_budget.limit_of_round(cells, points, double(Fit_energy<Field>::max_number_of_unknowns) / 2);
   }
 
   // whether the last field has the slopes asked for, and if it was fitted in part, that helped
@@ -209,6 +210,7 @@ private:
       if(double(m_part->number_of_cells) > largest_part * double(log.cells)) m_part.reset();
     }
     log.partial = bool(m_part);
+    m_budget.add_fitted_cells(m_part ? m_part->number_of_cells : log.cells);
     m_budget.end_step(Budget::CELLS);
 
     if(!start(Shell_step::FIT)) return Refinement_status::CANCELED;
@@ -351,7 +353,7 @@ private:
       failures = failing_facets();
       m_budget.end_step(Budget::SLOPES);
       find_thick_cells();
-      if((thick.empty() && failures.empty()) || are_many_thick() || m_budget.is_late()) break;
+      if((thick.empty() && failures.empty()) || are_many_thick()) break;
       if(exchange + 1 == max_exchanges) {
         if(failures.empty() || !relax_slopes(slopes.violated_cells)) break;
         begin_enforcement();
@@ -499,7 +501,7 @@ private:
     m_thresholds.begin(*m_field, m_thickness);
     m_obstacles = choose_thresholds();
     double before = std::numeric_limits<double>::infinity();
-    for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty() && !m_budget.is_late(); ++exchange) {
+    for(int exchange = 0; exchange < max_exchanges && !m_obstacles.empty() && m_marked.empty(); ++exchange) {
       const std::vector<Index> cells = cells_of(m_obstacles);
       if(are_many(cells) || double(cells.size()) > progress * before) break;
       before = double(cells.size());
@@ -585,7 +587,7 @@ private:
       update_ranges(precision);
       return m_ranges.cells();
     };
-    return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles(), m_budget.seconds_left() });
+    return m_thresholds.template choose<ConcurrencyTag>(ranges, { max_passes, many_obstacles() });
   }
 
   // Marked cells are split once, and those next to many obstacles twice, if the gap is that narrow. So are similar ones, if that is within the limits.
@@ -693,13 +695,10 @@ Refinement_status Certified_refinement<ConcurrencyTag>::operator()(Cell_hierarch
       fewest_obstacles = (std::min)(fewest_obstacles, log.undecided_cells);
     }
     log.marked_cells = m_marked.sorted().size();
-    const bool is_out_of_time = m_marked.empty() && m_thresholds.are_too_late();
-    const bool in_vain = !is_out_of_time && (rounds_in_vain == max_rounds_in_vain || m_marked.empty());
-    if(is_out_of_time) {
-      m_limit = { Refinement_resource::TIME, 0, m_budget.seconds(), 0 };
-    } else if(!in_vain) {
+    const bool in_vain = rounds_in_vain == max_rounds_in_vain || m_marked.empty();
+    if(!in_vain) {
       cells = refined_cells();
-      // before the memory and the time are taken
+      // before the memory is taken
       m_limit = limit_of_round(cells.number_of_cells());
       if(round + 1 >= m_parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
     }

@@ -20,6 +20,7 @@ enum class Edit_status
   NO_SHELL,              ///< there is no shell
   INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh; or a limit is not positive
   MEMORY_LIMIT_EXCEEDED, ///< the result, with what is needed to certify it, would need more memory than allowed
+  TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
@@ -44,6 +45,8 @@ inline const char* message(Edit_status status)
              "memory limit must be positive.";
     case Edit_status::MEMORY_LIMIT_EXCEEDED:
       return "The result would need more memory than allowed: ask for longer edges, or raise the limit (memory_limit).";
+    case Edit_status::TIME_LIMIT_EXCEEDED:
+      return "The time limit was reached before the result was certified: raise the limit (time_limit).";
     case Edit_status::NOT_FINITE:
       return "The mesh has vertices whose coordinates are infinite or not a number.";
     case Edit_status::NOT_TRIANGULATED:

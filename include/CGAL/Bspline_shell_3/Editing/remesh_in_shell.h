@@ -61,7 +61,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  * \tparam Sizing `double`, or a function from points to `double`
  *
  * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
- *        edited, it is as before: if the status is `NOT_CERTIFIED`, or `INVALID_PARAMETER` for a length that was asked for between the vertices of
+ *        edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, or `INVALID_PARAMETER`
+ *        for a length that was asked for between the vertices of
  *        the mesh, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
  *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
  *        of them are invalid. With all other statuses it was not touched, unless it has tips that `Bspline_shell_3::truncation()` replaces: such a
@@ -85,6 +86,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   - `memory_limit(double)`: bytes, about, that the mesh, the result and its certificate may take; default 4e9. They are estimated as 1200 for each
  *     facet of the mesh, and for each equilateral triangle of the size asked for that its area has room for; a `Surface_mesh` takes about a third of
  *     that. If they are more, the status is `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
+ *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
+ *     default, time is not limited
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
  *     the map must take new vertices: those that close the mesh while it is edited.

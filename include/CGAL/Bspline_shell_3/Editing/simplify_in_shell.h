@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
@@ -112,6 +113,12 @@ public:
   void OnStarted(TriangleMesh&) {}
   void OnFinished(TriangleMesh&) {}
   template <typename Profile, typename OptionalCost>
+  void OnCollected(const Profile& profile, const OptionalCost& cost)
+  {
+    Run::poll();
+    Base::OnCollected(profile, cost);
+  }
+  template <typename Profile, typename OptionalCost>
   void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
@@ -148,6 +155,7 @@ struct Continued_stop_predicate
   template <typename FT, typename Profile>
   bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
   {
+    Run::poll();
     state->has_stopped = (*stop)(cost, profile, state->initial_edges, state->edges_without_closing(edges));
     return state->has_stopped;
   }
@@ -288,7 +296,8 @@ struct Accepted_filter
  *         predicates and `FT` = `double`
  *
  * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
- *        edited, it is as before: if the status is `NOT_CERTIFIED`, it is filled again with what it was. Property maps of a `Surface_mesh` have the
+ *        edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, it is filled again with
+ *        what it was. Property maps of a `Surface_mesh` have the
  *        values that they had, then, and so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that
  *        descriptors and other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
  *        `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is
@@ -315,6 +324,8 @@ struct Accepted_filter
  *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are
  *     not collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
+ *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
+ *     default, time is not limited. To keep what has been done until some time, use `stop`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
  *     the map must take new vertices: those that close the mesh while it is edited.

@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/intersecting_facets.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
@@ -256,6 +257,7 @@ Shell_status Input_mesh_3::check_orientation()
   for(Face_index f : m_mesh.faces()) {
     const std::size_t c = m_component[f];
     if(is_known[c]) continue;
+    internal::Run::poll();
     const std::optional<std::vector<std::size_t> > around = components_around_front<ConcurrencyTag>(f, counter);
     if(!around) continue;
     is_known[c] = 1;

@@ -22,9 +22,9 @@ namespace Bspline_shells {
 enum class Refinement_resource
 {
   NONE,
-  TIME,         ///< `time_limit`
   MEMORY,       ///< `memory_limit`
   NUMBERS,      ///< for unknowns
+  EFFORT,       ///< `effort_limit`
   ROUNDS        ///< there were as many as are allowed
 };
 
@@ -36,8 +36,7 @@ enum class Refinement_resource
 struct Refinement_limit
 {
   Refinement_resource resource = Refinement_resource::NONE;
-  std::size_t cells = 0;        ///< of that round; 0 if time ended before the last one was examined as far as possible
-  double seconds = 0;           ///< when it would end, counted from the first round
+  std::size_t cells = 0;        ///< of that round
   double bytes = 0;
 };
 
@@ -46,15 +45,15 @@ struct Refinement_limit
 inline std::string message(const Refinement_limit& limit)
 {
   constexpr double megabyte = 1e6;
-  if(limit.resource == Refinement_resource::TIME && limit.cells == 0) return "There was no time left to narrow thresholds further.";
   std::ostringstream out;
   switch(limit.resource) {
     case Refinement_resource::NONE: return "";
     case Refinement_resource::ROUNDS: return "There were as many rounds of refinement as are allowed.";
     default: out << "Another round of refinement would have " << limit.cells << " cells, and ";
   }
-  if(limit.resource == Refinement_resource::TIME) out << "end after about " << std::ceil(limit.seconds) << " s: that is beyond the time limit.";
-  else if(limit.resource == Refinement_resource::MEMORY) out << "take about " << std::ceil(limit.bytes / megabyte) << " MB: that is beyond the memory limit.";
+  if(limit.resource == Refinement_resource::MEMORY)
+    out << "take about " << std::ceil(limit.bytes / megabyte) << " MB: that is beyond the memory limit.";
+  else if(limit.resource == Refinement_resource::EFFORT) out << "all rounds together more than the effort limit.";
   else out << "more unknowns than can be numbered.";
   return out.str();
 }

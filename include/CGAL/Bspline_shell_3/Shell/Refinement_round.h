@@ -22,7 +22,7 @@ enum class Refinement_status
   NOT_REFINED,          ///< the cells are equal, as asked, or the shell comes from a file
   CERTIFIED,            ///< all claims are proved, and the shell is as thin as asked
   NOTHING_TO_REFINE,    ///< what is not proved cannot be mended by smaller cells: the certificate has the places
-  LIMIT_REACHED,        ///< of time, memory or rounds; all claims may be proved, of a shell that is thicker than asked
+  LIMIT_REACHED,        ///< a limit of memory, effort or rounds; all claims may be proved of a thicker shell than asked
   DISTANCE_NOT_FINITE,  ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,        ///< the linear solver did not reach its tolerance
   CANCELED              ///< the visitor asked to stop
@@ -35,7 +35,7 @@ inline const char* message(Refinement_status status)
     case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
     case Refinement_status::NOTHING_TO_REFINE: return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
     case Refinement_status::LIMIT_REACHED:
-      return "A limit of time, memory or rounds was reached before all claims were proved of a shell as thin as asked.";
+      return "A limit of memory, effort or rounds was reached before all claims were proved of a shell as thin as asked.";
     case Refinement_status::DISTANCE_NOT_FINITE: return "The signed-distance oracle returned a value that is infinite or not a number.";
     case Refinement_status::SOLVER_FAILED: return "The linear solver did not reach its tolerance.";
     case Refinement_status::CANCELED: return "The visitor asked to stop.";

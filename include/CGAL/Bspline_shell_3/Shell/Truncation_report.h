@@ -27,8 +27,7 @@ struct Truncation_report
     ON_BORDER,          ///< not truncated: the vertex is on the border of an open mesh
     FOLDED_EDGE,        ///< not truncated: two facets at an edge face nearly opposite ways, so that no disc leaves more room
     NO_DISC,            ///< not truncated: no disc was found that leaves more room
-    NO_SPACE,           ///< not truncated: other parts of the mesh are so near, or edges so short, that rounding would decide
-    NO_TIME             ///< not truncated: the limit of time was reached before its disc was searched for
+    NO_SPACE            ///< not truncated: other parts of the mesh are so near, or edges so short, that rounding would decide
   };
 
   struct Vertex
@@ -64,7 +63,6 @@ inline const char* name(Truncation_report::Outcome outcome)
     case Truncation_report::Outcome::FOLDED_EDGE: return "folded_edge";
     case Truncation_report::Outcome::NO_DISC: return "no_disc";
     case Truncation_report::Outcome::NO_SPACE: return "no_space";
-    case Truncation_report::Outcome::NO_TIME: return "no_time";
   }
   return "";
 }

@@ -95,7 +95,7 @@ struct Shell_of_soup_3
   /// `SUCCESS`, or why there is no shell
   Shell_status status() const
   {
-    return shell() ? Shell_status::SUCCESS : proxy_status == Shell_status::CANCELED ? proxy_status : mesh_status;
+    return shell() ? Shell_status::SUCCESS : internal::ends_all_attempts(proxy_status) ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
   /// what became of the polygons as a mesh, in one sentence or two: with a proxy, why there is one
@@ -113,6 +113,7 @@ struct Shell_of_soup_3
   std::string message() const
   {
     if(proxy) return proxy->message();
+    if(internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status);
     return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status());
   }
 };

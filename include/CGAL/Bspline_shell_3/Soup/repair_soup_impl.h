@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SOUP_REPAIR_SOUP_IMPL_H
 
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -77,6 +78,7 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
   polygons.reserve(soup.polygons.size());
   origin.reserve(soup.polygons.size());
   for(std::size_t n = 0; n < soup.polygons.size(); ++n) {
+    internal::Run::poll();
     const std::vector<std::vector<std::size_t> > parts = internal::simple_polygons(soup, n);
     if(parts.empty()) ++repairs.removed_polygons;
     else if(parts.size() > 1 || parts.front().size() < soup.polygons[n].size()) ++repairs.split_polygons;
@@ -98,8 +100,10 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
     return status;
   }
   if(!internal::triangulate(soup)) return Shell_status::DEGENERATE_FACET;
+  internal::Run::poll();
   PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  internal::Run::poll();
   const auto has_no_area = [&](auto f) { return PMP::is_degenerate_triangle_face(f, mesh); };
   repairs.degenerate_facets = std::size_t(std::count_if(mesh.faces().begin(), mesh.faces().end(), has_no_area));
   if(repairs.degenerate_facets > 0) {

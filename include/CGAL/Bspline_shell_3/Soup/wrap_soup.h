@@ -20,13 +20,12 @@ namespace Bspline_shells {
  * \brief makes a closed mesh around a polygon soup that a certified shell can be built for: `CGAL::alpha_wrap_3()`, without singular vertices.
  *
  * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. Then the wrap is made again, with `alpha` and
- * `offset` larger by a quarter, until eight were made or the time is over.
+ * `offset` larger by a quarter, until eight were made.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \param soup the soup
  * \param alpha the size of the cavities and gaps that the wrap enters, user units
  * \param offset how far the wrap's vertices are from the soup, user units
- * \param max_seconds after which no other wrap is begun
  * \param max_bytes that a wrap may take, about
  * \param[out] wrap the mesh
  * \param[out] report what was needed
@@ -35,8 +34,8 @@ namespace Bspline_shells {
  * \cgalHeading{Cost} grows with the number of balls of radius `alpha` that cover the soup
  */
 template <typename ConcurrencyTag>
-Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_seconds, double max_bytes, Soup_mesh_3::Mesh& wrap,
-                       Proxy_report& report);
+Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_bytes,
+                       Soup_mesh_3::Mesh& wrap, Proxy_report& report);
 
 } // namespace Bspline_shells
 } // namespace CGAL

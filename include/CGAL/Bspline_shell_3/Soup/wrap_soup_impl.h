@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -25,9 +26,21 @@
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+// Ends a wrap together with its run. The exception passes through CGAL, whose objects for the wrap are local to
+// `alpha_wrap_3()`.
+struct Polling_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  template <typename Wrapper, typename Gate>
+  void before_facet_treatment(const Wrapper&, const Gate&) { Run::poll(); }
+};
+
+} // namespace internal
+
 template <typename ConcurrencyTag>
-Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_seconds, double max_bytes, Soup_mesh_3::Mesh& wrap,
-                       Proxy_report& report)
+Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_bytes,
+                       Soup_mesh_3::Mesh& wrap, Proxy_report& report)
 {
   typedef Soup_mesh_3::Mesh Mesh;
   if(soup.mesh().number_of_faces() == 0) return Shell_status::EMPTY_MESH;
@@ -57,12 +70,12 @@ Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, dou
   Shell_status status = Shell_status::SINGULAR_VERTEX;
   for(report.wraps = 0; report.wraps < most && status == Shell_status::SINGULAR_VERTEX; ++report.wraps) {
     if(report.wraps > 0) {
-      if(timer.time() > max_seconds) break;
       alpha *= coarser;
       offset *= coarser;
     }
     wrap.clear();
-    CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap);
+    CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap, CGAL::parameters::default_values(),
+                       CGAL::parameters::visitor(internal::Polling_wrap_visitor()));
     wrap.collect_garbage();
     status = Input_mesh_3().template build<ConcurrencyTag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)), Input_mesh_3::Tolerated_defects());
   }

@@ -27,6 +27,7 @@ enum energy_weights_t { energy_weights };
 enum spd_solver_t { spd_solver };
 enum signed_distance_oracle_t { signed_distance_oracle };
 enum memory_limit_t { memory_limit };
+enum effort_limit_t { effort_limit };
 enum allow_self_intersections_t { allow_self_intersections };
 enum allow_singular_vertices_t { allow_singular_vertices };
 enum virtual_closing_t { virtual_closing };
@@ -79,6 +80,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::spd_solver_t, spd_solver)                                                   \
   ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                           \
   ADD(parameter_tags::memory_limit_t, memory_limit)                                               \
+  ADD(parameter_tags::effort_limit_t, effort_limit)                                               \
   ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
   ADD(parameter_tags::virtual_closing_t, virtual_closing)                                         \

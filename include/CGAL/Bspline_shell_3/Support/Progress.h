@@ -48,6 +48,8 @@ struct Default_shell_visitor
 {
   /// called, from the calling thread, when a step begins; `false` stops with `Shell_status::CANCELED`
   bool start_step(Shell_step) { return true; }
+  /// called many times within each step, from the calling thread; `false` stops with `Shell_status::CANCELED`
+  bool go_on() { return true; }
 };
 
 /*!

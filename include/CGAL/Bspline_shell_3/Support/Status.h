@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -51,7 +53,8 @@ enum class Shell_status
   THRESHOLDS_ON_OTHER_CELLS,   ///< a threshold is not tricubic on the cells of the field
   CANCELED,                    ///< the visitor asked to stop
   NOT_TRUNCATABLE,             ///< the mesh with discs in place of its tips is not closed, or has a degenerate facet
-  TOO_MANY_FACETS              ///< the mesh has more vertices or edges than can be numbered
+  TOO_MANY_FACETS,             ///< the mesh has more vertices or edges than can be numbered
+  TIME_LIMIT_EXCEEDED          ///< the time limit was reached
 };
 
 /// \ingroup PkgBsplineShell3Support
@@ -116,12 +119,14 @@ inline const char* message(Shell_status status)
     case Shell_status::SHELL_LEAVES_BAND:
       return "A bounding surface runs into the end of the cells: raise the resolution, or the number of rings of cells around the mesh.";
     case Shell_status::MESH_NOT_CONTAINED:
-      return "No shell was found that contains the mesh: raise the limits of time and memory, or the resolution.";
+      return "No shell was found that contains the mesh: raise the limits of memory and effort, or the resolution.";
     case Shell_status::THRESHOLDS_ON_OTHER_CELLS:
       return "A threshold and the field have different cells: define both on the same cells.";
     case Shell_status::UNSOUND_ARITHMETIC:
       return "Floating point arithmetic is not sound in this build: compile with -frounding-math and without -ffast-math, as the target "
              "CGAL::CGAL does.";
+    case Shell_status::TIME_LIMIT_EXCEEDED:
+      return "The time limit was reached before the shell was complete: raise the limit, or ask for a thicker shell.";
     case Shell_status::CANCELED:
       return "The visitor asked to stop.";
     case Shell_status::NOT_TRUNCATABLE:
@@ -152,6 +157,23 @@ inline const char* name(Surface_part part)
   }
   return "";
 }
+
+namespace internal {
+
+// the status of a run that ended early
+inline Shell_status status(Run::End end)
+{
+  return end == Run::End::OUT_OF_TIME ? Shell_status::TIME_LIMIT_EXCEEDED : Shell_status::CANCELED;
+}
+
+// whether an attempt with this status is the last one: others would have it, too
+inline bool ends_all_attempts(Shell_status status)
+{
+  return status == Shell_status::CANCELED || status == Shell_status::TIME_LIMIT_EXCEEDED
+      || status == Shell_status::INVALID_PARAMETER || status == Shell_status::UNSOUND_ARITHMETIC;
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Support

@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_CHUNK_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_FOR_EACH_CHUNK_H
 
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+
 #include <CGAL/FPU.h>
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
@@ -29,12 +31,16 @@ inline std::size_t chunk_size(std::size_t size, std::size_t most)
 }
 
 // Calls f(begin, end) for consecutive chunks of [0, size). Where the chunks begin depends on `size` and `chunk` alone,
-// never on the number of threads: what is computed per chunk is the same with any number.
+// never on the number of threads: what is computed per chunk is the same with any number. Throws `Run::Ended` if the run
+// of this thread ends before.
 template <typename ConcurrencyTag, typename Function>
 void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
 {
   const std::size_t chunks = (size + chunk - 1) / chunk;
+  Run* const run = Run::current();
   CGAL::for_each<ConcurrencyTag>(boost::irange<std::size_t>(0, chunks), [&](const std::size_t& c) {
+    const Run::Scope scope(run);
+    Run::poll();
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // the mode belongs to the thread
     f(c * chunk, (std::min)(size, (c + 1) * chunk));
     return true;

@@ -31,7 +31,6 @@ namespace Bspline_shells {
  * \param largest_radius of the ball around a vertex with these coordinates; user units, positive. It is smaller where edges are short, and other
  *        facets near
  * \param least_margin vertices with a smaller `vertex_cone_margin()` are truncated, if that makes it at least twice as large
- * \param max_seconds after which no further disc is searched for: vertices without one are not truncated then
  * \param[out] report where the mesh is truncated, and where that was not possible
  * \return the truncation, or null if no vertex is truncated
  * \cgalHeading{Cost} linear in the number of vertices; for each that is truncated, some milliseconds, and the search for self-intersections nearby
@@ -39,7 +38,7 @@ namespace Bspline_shells {
 template <typename ConcurrencyTag>
 std::shared_ptr<const Shell_truncation_3>
 truncate_mesh(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius, double least_margin,
-              double max_seconds, Truncation_report& report);
+              Truncation_report& report);
 
 } // namespace Bspline_shells
 } // namespace CGAL

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Tip.h>
@@ -18,7 +19,6 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,19 +42,16 @@ class Mesh_truncator
   typedef Mesh::Face_index Face_index;
   typedef Truncation_report::Outcome Outcome;
 public:
-  Mesh_truncator(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius, double max_seconds, Truncation_report& report)
-    : m_input(input), m_mesh(input.mesh()), m_largest_radius(largest_radius), m_max_seconds(max_seconds), m_report(report)
-  {
-    m_timer.start();
-  }
+  Mesh_truncator(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius,
+                 Truncation_report& report)
+    : m_input(input), m_mesh(input.mesh()), m_largest_radius(largest_radius), m_report(report)
+  {}
 
   std::shared_ptr<const Shell_truncation_3> operator()(double least_margin)
   {
     find_tips(least_margin);
     if(!m_tips.empty()) shrink_tips();
-    std::vector<char> is_late(m_tips.size(), 0);
-    std::vector<std::optional<Tip_disc> > discs = find_discs(is_late);
-    drop_tips([&](std::size_t n) { return is_late[n] != 0; }, discs, Outcome::NO_TIME);
+    std::vector<std::optional<Tip_disc> > discs = find_discs();
     // Where a disc intersects other facets, or rounding lets its own facets do so, the next one is smaller.
     constexpr int most_rounds = 8;
     for(int round = 0; !m_tips.empty(); ++round) {
@@ -143,6 +140,7 @@ private:
     const double largest = (std::max)({ std::abs(m_input.bbox().xmin()), std::abs(m_input.bbox().xmax()), std::abs(m_input.bbox().ymin()),
                                         std::abs(m_input.bbox().ymax()), std::abs(m_input.bbox().zmin()), std::abs(m_input.bbox().zmax()) });
     for(Tip& tip : m_tips) {
+      Run::poll();
       constexpr double part_of_edge = 1. / 3;
       double r = (std::min)(m_largest_radius({ tip.center.x(), tip.center.y(), tip.center.z() }), part_of_edge * tip.shortest_edge());
       std::vector<Face_index> near;
@@ -171,19 +169,17 @@ private:
 
   static std::optional<Tip_disc> disc(const Tip& tip)
   {
+    Run::poll();
     std::optional<Tip_disc> found = Disc_search(tip)();
     if(found && !(found->margin >= least_gain * tip.margin)) found.reset();
     return found;
   }
 
-  std::vector<std::optional<Tip_disc> > find_discs(std::vector<char>& is_late) const
+  std::vector<std::optional<Tip_disc> > find_discs() const
   {
     std::vector<std::optional<Tip_disc> > discs(m_tips.size());
     internal::for_each_chunk<ConcurrencyTag>(m_tips.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) {
-        if(m_timer.time() > m_max_seconds) is_late[n] = 1;
-        else discs[n] = disc(m_tips[n]);
-      }
+      for(std::size_t n = begin; n < end; ++n) discs[n] = disc(m_tips[n]);
     });
     return discs;
   }
@@ -258,8 +254,6 @@ private:
   const Input_mesh_3& m_input;
   const Mesh& m_mesh;
   const std::function<double(const std::array<double, 3>&)>& m_largest_radius;
-  double m_max_seconds;
-  Real_timer m_timer;
   Truncation_report& m_report;
   std::vector<Tip> m_tips;
   AABB_tree<internal::AABB_traits_3<Truncation_kernel, AABB_face_graph_triangle_primitive<Mesh> > > m_tree;
@@ -270,10 +264,10 @@ private:
 template <typename ConcurrencyTag>
 std::shared_ptr<const Shell_truncation_3>
 truncate_mesh(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius, double least_margin,
-              double max_seconds, Truncation_report& report)
+              Truncation_report& report)
 {
   report = Truncation_report();
-  return internal::Mesh_truncator<ConcurrencyTag>(input, largest_radius, max_seconds, report)(least_margin);
+  return internal::Mesh_truncator<ConcurrencyTag>(input, largest_radius, report)(least_margin);
 }
 
 } // namespace Bspline_shells

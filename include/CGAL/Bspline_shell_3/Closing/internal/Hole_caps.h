@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Closing/internal/Closing_mesh.h>
 #include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -149,6 +150,7 @@ private:
   {
     // beyond that, holes without a Delaunay triangulation take too long, and so does adding a fan
     constexpr std::size_t most_for_cubic = 120, most_for_fan = 2000;
+    Run::poll();
     hole.triangles.clear();
     if(hole.method == Method::NONE) return true;
     std::vector<Point_3> points, beyond;
@@ -242,6 +244,7 @@ private:
   // the gap at the middle of a facet, and what it must be
   std::pair<double, double> least_gap_at(const Ray_tree& tree, Face_index f, double gap) const
   {
+    Run::poll();
     const Halfedge_index h = m_capped.halfedge(f);
     const std::array<Point_3, 3> t = { m_capped.point(m_capped.source(h)), m_capped.point(m_capped.target(h)),
                                        m_capped.point(m_capped.target(m_capped.next(h))) };

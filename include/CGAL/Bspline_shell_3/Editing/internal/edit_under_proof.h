@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -32,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <unordered_map>
@@ -427,60 +429,64 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     result.frozen_facets.clear();
     return status;
   };
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
-  std::vector<std::array<double, 3> > traced;       // points of the shell from which vertices are located
-  Mesh_truncated_for_edit<TriangleMesh> truncated;
-  if(shell.truncation()) {
-    if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
-      traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
-    if(!truncated.truncate(*shell.truncation(), mesh, vpm, all)) return undone(Edit_status::NOT_IN_SHELL);
-  }
-  const bool is_truncated = truncated.is_truncated();
-
-  const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell, proofs);
-  Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
-  if(is_truncated) result.offending_simplices = truncated.before(mesh, result.offending_simplices);
-  if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
-  lap(result.check_seconds);
-  const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
-  CGAL_assertion(!freezes || proofs == Facet_proofs::ALL);
-  if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size()))
-    return is_truncated ? undone(Edit_status::NOT_IN_SHELL) : Edit_status::NOT_IN_SHELL;
-  const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
-  result.frozen_facets_before = frozen_before.positions();
-  if(is_truncated) result.frozen_facets_before = truncated.facets_before(mesh, result.frozen_facets_before);
-
-  if(!CGAL::is_closed(mesh)) {
-    if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
-    for(auto f : closed.faces()) frozen.close(f);
-  }
-  const Edit_status edited = edit(oracle, frozen, all);
-  lap(result.edit_seconds);
-  if(edited != Edit_status::SUCCESS) return undone(edited);
-
-  Offending_simplices others;
-  bool are_others_accepted = true;
-  if(!frozen.empty()) are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
-  closed.open();
-  result.facets = faces(mesh).size();
-  Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
-  const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
-  result.certificate = certificate.report();
-  // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must
-  // still be accepted, and the mesh must have the border that it had.
-  const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
-  const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted
-                                       && has_border_of_shell(mesh, vpm, shell));
-  lap(result.certificate_seconds);
-  if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
-  // not compiled for those who do not ask
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
-    if(get_parameter(np, parameter_tags::locate_vertices)) {
-      if(is_truncated) locate<ConcurrencyTag>(shell, traced, mesh, vpm, result);
-      else locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
-      lap(result.location_seconds);
+  try {
+    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+    std::vector<std::array<double, 3> > traced;       // points of the shell from which vertices are located
+    Mesh_truncated_for_edit<TriangleMesh> truncated;
+    if(shell.truncation()) {
+      if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
+        traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
+      if(!truncated.truncate(*shell.truncation(), mesh, vpm, all)) return undone(Edit_status::NOT_IN_SHELL);
     }
-  return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
+    const bool is_truncated = truncated.is_truncated();
+
+    const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell, proofs);
+    Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
+    if(is_truncated) result.offending_simplices = truncated.before(mesh, result.offending_simplices);
+    if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
+    lap(result.check_seconds);
+    const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+    CGAL_assertion(!freezes || proofs == Facet_proofs::ALL);
+    if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size()))
+      return is_truncated ? undone(Edit_status::NOT_IN_SHELL) : Edit_status::NOT_IN_SHELL;
+    const Frozen_state<TriangleMesh, VertexPointMap> frozen_before(frozen, mesh, vpm);
+    result.frozen_facets_before = frozen_before.positions();
+    if(is_truncated) result.frozen_facets_before = truncated.facets_before(mesh, result.frozen_facets_before);
+
+    if(!CGAL::is_closed(mesh)) {
+      if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
+      for(auto f : closed.faces()) frozen.close(f);
+    }
+    const Edit_status edited = edit(oracle, frozen, all);
+    lap(result.edit_seconds);
+    if(edited != Edit_status::SUCCESS) return undone(edited);
+
+    Offending_simplices others;
+    bool are_others_accepted = true;
+    if(!frozen.empty()) are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
+    closed.open();
+    result.facets = faces(mesh).size();
+    Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
+    const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
+    result.certificate = certificate.report();
+    // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must
+    // still be accepted, and the mesh must have the border that it had.
+    const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
+    const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted
+                                         && has_border_of_shell(mesh, vpm, shell));
+    lap(result.certificate_seconds);
+    if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
+    // not compiled for those who do not ask
+    if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
+      if(get_parameter(np, parameter_tags::locate_vertices)) {
+        if(is_truncated) locate<ConcurrencyTag>(shell, traced, mesh, vpm, result);
+        else locate<ConcurrencyTag>(shell, points, mesh, vpm, result);
+        lap(result.location_seconds);
+      }
+    return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
+  } catch(const Run::Ended&) {
+    return undone(Edit_status::TIME_LIMIT_EXCEEDED);
+  }
 }
 
 // Whether a certificate failed by what it says of the shell. That is examined only if the shell contains the mesh, and no edit changes it.
@@ -500,6 +506,11 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   const auto edited = [&](Facet_proofs proofs) {
     return edit_and_certify<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, proofs, np, result, edit);
   };
+  const double max_seconds = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, parameter_tags::time_limit), std::numeric_limits<double>::infinity());
+  if(!(max_seconds > 0)) return Edit_status::INVALID_PARAMETER;
+  Run run(max_seconds);
+  const Run::Scope scope(&run);
   const bool freezes = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
   if(!may_repeat || freezes || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
   const Result before = result;

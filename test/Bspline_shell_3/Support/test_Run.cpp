@@ -1,0 +1,152 @@
+// Run.h: runs end at their first poll after a limit or a visitor says so, and leave nothing behind.
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+
+#include <CGAL/tags.h>
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+namespace BS = CGAL::Bspline_shells;
+using BS::internal::Run;
+typedef Run::End End;
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+const auto reason = [](End end) { return end; };
+
+// polls so many times
+End poll(Run& run, int times)
+{
+  return run([times] {
+    for(int n = 0; n < times; ++n) Run::poll();
+    return End::NONE;
+  }, reason);
+}
+
+} // namespace
+
+TEST_CASE("Runs: a poll outside of a run, and in one without limits, does nothing")
+{
+  Run::poll();
+  for(double limit : { forever, 1e300, 1e6 }) {
+    Run run(limit);
+    CHECK(poll(run, 3) == End::NONE);
+    CHECK(run.end() == End::NONE);
+  }
+}
+
+TEST_CASE("Runs: the first poll after the limit of time ends the run, and no thread has a run afterwards")
+{
+  Run run(0);
+  CHECK(poll(run, 0) == End::NONE);
+  CHECK(poll(run, 1) == End::OUT_OF_TIME);
+  CHECK(Run::current() == nullptr);
+  Run::poll();
+}
+
+TEST_CASE("Runs: the visitor is called at each poll, and not again once it has stopped the run")
+{
+  int calls = 0;
+  Run run(forever, [&] { return ++calls < 3; });
+  CHECK(poll(run, 2) == End::NONE);
+  CHECK(calls == 2);
+  CHECK(poll(run, 5) == End::CANCELED);
+  CHECK(calls == 3);
+  CHECK(poll(run, 1) == End::CANCELED);
+  CHECK(calls == 3);
+}
+
+TEST_CASE("Runs: a visitor may itself call functions that poll, and throw")
+{
+  int calls = 0;
+  Run run(forever, [&] { ++calls; Run::poll(); return true; });
+  CHECK(poll(run, 2) == End::NONE);
+  CHECK(calls == 2);
+  Run thrown(forever, []() -> bool { throw std::runtime_error("enough"); });
+  CHECK_THROWS_AS(poll(thrown, 1), std::runtime_error);
+  CHECK(Run::current() == nullptr);
+}
+
+TEST_CASE("Runs: an inner run ends with the outer one, and a longer limit of its own does not help")
+{
+  Run outer(0);
+  const Run::Scope scope(&outer);
+  Run inner(1e6);
+  CHECK(poll(inner, 1) == End::OUT_OF_TIME);
+  int calls = 0;
+  Run visited(forever, [&] { return ++calls < 2; });
+  {
+    const Run::Scope visited_scope(&visited);
+    Run innermost(forever);
+    CHECK(poll(innermost, 2) == End::OUT_OF_TIME);
+  }
+  CHECK(calls == 1);
+}
+
+TEST_CASE("Runs: chunks that begin after the end are left out, with any number of threads")
+{
+  const auto chunks_until = [](auto tag, int most) {
+    std::atomic<int> done(0);
+    int calls = 0;
+    Run run(forever, [&] { return ++calls <= most; });
+    const End end = run([&] {
+      BS::internal::for_each_chunk<decltype(tag)>(1000, 10, [&](std::size_t, std::size_t) { ++done; });
+      return End::NONE;
+    }, reason);
+    CHECK(end == (most < 100 ? End::CANCELED : End::NONE));
+    CHECK(Run::current() == nullptr);
+    return done.load();
+  };
+  CHECK(chunks_until(CGAL::Sequential_tag(), 0) == 0);
+  CHECK(chunks_until(CGAL::Sequential_tag(), 7) == 7);
+  CHECK(chunks_until(CGAL::Sequential_tag(), 100) == 100);
+  CHECK(chunks_until(CGAL::Parallel_if_available_tag(), 100) == 100);
+  // all threads see the limit
+  std::atomic<int> done(0);
+  Run late(0);
+  const End end = late([&] {
+    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) { ++done; });
+    return End::NONE;
+  }, reason);
+  CHECK(end == End::OUT_OF_TIME);
+  CHECK(done == 0);
+}
+
+TEST_CASE("Runs: the visitor is called by the thread that began the run alone, and polls of all threads belong to it")
+{
+  const std::thread::id here = std::this_thread::get_id();
+  int elsewhere = 0;
+  std::atomic<int> strangers(0);
+  Run run(forever, [&] { elsewhere += std::this_thread::get_id() != here; return true; });
+  const End end = run([&] {
+    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
+      if(Run::current() != &run) ++strangers;
+      // in chunks of chunks, too
+      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
+        if(Run::current() != &run) ++strangers;
+      });
+    });
+    return End::NONE;
+  }, reason);
+  CHECK(end == End::NONE);
+  CHECK(elsewhere == 0);
+  CHECK(strangers == 0);
+}
+
+TEST_CASE("Runs: a visitor without go_on() is never asked")
+{
+  struct Old_visitor { bool start_step(BS::Shell_step) { return true; } };
+  Old_visitor old;
+  CHECK_FALSE(BS::internal::Go_on<Old_visitor>::of(old));
+  BS::Default_shell_visitor visitor;
+  REQUIRE(BS::internal::Go_on<BS::Default_shell_visitor>::of(visitor));
+  CHECK(BS::internal::Go_on<BS::Default_shell_visitor>::of(visitor)());
+}
