@@ -243,7 +243,7 @@ int main(int argc, char** argv)
                << shell_seconds << " s\n";
   row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
                     << " %; certified; " << simplified.total_seconds() << " s\n";
-  if(facets > 0 && simplified.facets > facets) row("") << "the shell allows no fewer\n";
+  if(facets > 0 && simplified.facets > facets) row("") << message(simplified.end) << "\n";
   row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
                       << " points; none is lost; " << transfer_seconds << " s\n";
   row("round trip") << trip.points << " points, " << trip.lost << " lost; at most " << trip.farthest / shell.report().unit

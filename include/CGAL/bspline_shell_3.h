@@ -53,7 +53,8 @@ namespace CGAL {
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`)
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a parameter is not allowed,
+ *         `Shell_report::invalid_parameter` has its name and its bounds.
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -80,7 +81,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::Shell_construction construction(visitor);
-  if(!parameters.are_valid()) return Bspline_shell_3<>(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  if(const BS::Invalid_parameter invalid = parameters.invalid()) return Bspline_shell_3<>(construction.refuse(invalid));
   const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
   if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
 

@@ -62,6 +62,14 @@ struct Flow_differential
 
 namespace internal {
 
+// that of a point which has no image
+inline Flow_differential no_differential(Flow_status status)
+{
+  Flow_differential result;
+  result.status = status;
+  return result;
+}
+
 // that of the projection along a normal
 inline Flow_differential orthogonal_differential(const std::array<double, 3>& normal)
 {
@@ -99,12 +107,13 @@ public:
   };
 
   /// \pre `shell` outlives this object
-  /// \param shell a shell
+  /// \param shell a shell; if it has none, all points have the status `NO_SHELL`
   /// \param tolerance of the tracing, user units; 0 stands for the default. The error of each step is estimated to be a tenth of it at most; what
   ///        many steps add up to, and what curves make of it that diverge, is not bounded.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance * shell.report().unit)
   {}
+  explicit Gradient_flow_3(const Shell&&, double = 0) = delete;       // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   double tolerance() const { return m_tolerance; }
@@ -114,8 +123,10 @@ public:
   template <typename Point>
   Arrival trace(const Point& p, double level) const
   {
-    internal::Integral_curve<Shell, internal::Flow_velocity> curve(*m_shell, m_tolerance);
     Arrival arrival;
+    arrival.status = Flow_status::NO_SHELL;
+    if(!*m_shell) return arrival;
+    internal::Integral_curve<Shell, internal::Flow_velocity> curve(*m_shell, m_tolerance);
     arrival.status = run(curve, { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }, level);
     if(arrival) arrival.point = Point_3(curve.state()[0], curve.state()[1], curve.state()[2]);
     return arrival;
@@ -126,6 +137,7 @@ public:
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {
+    if(!*m_shell) return internal::no_differential(Flow_status::NO_SHELL);
     internal::Integral_curve<Shell, internal::Flow_velocity_with_differential> curve(*m_shell, m_tolerance);
     const double unit = m_shell->report().unit;
     Flow_differential result;

@@ -8,9 +8,11 @@
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <memory>
+#include <string>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -55,6 +57,7 @@ struct Shell_of_soup_3
   Shell_status proxy_status = Shell_status::NOT_BUILT;
   /// those to blame for `mesh_status`: positions in the soup, if there is no repaired mesh, and otherwise in that
   Offending_simplices offending_simplices;
+  Invalid_parameter invalid_parameter;                   ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
   std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
@@ -76,14 +79,14 @@ struct Shell_of_soup_3
   }
   bool is_certified() const { return shell().is_certified(); }
   /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
-  const char* mesh_message() const
+  std::string mesh_message() const
   {
-    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message() : Bspline_shells::message(mesh_status);
+    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message() : Bspline_shells::message(mesh_status, invalid_parameter);
   }
   /// the outcome in one sentence
-  const char* message() const
+  std::string message() const
   {
-    return proxy ? proxy->message() : shell() ? mesh_message() : Bspline_shells::message(status());
+    return proxy ? proxy->message() : shell() ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
   }
 };
 

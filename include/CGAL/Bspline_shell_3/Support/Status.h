@@ -6,7 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
+
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -21,7 +24,7 @@ enum class Shell_status
 {
   SUCCESS,
   NOT_BUILT,                   ///< nothing was asked for yet
-  INVALID_PARAMETER,           ///< a named parameter has a value that it must not have
+  INVALID_PARAMETER,           ///< a parameter has a value that is not allowed: the report names it (`Invalid_parameter`)
   UNREADABLE_FILE,             ///< no mesh could be read from the file
   TRIANGLE_STRIPS,             ///< the file holds its facets as triangle strips
   EMPTY_MESH,                  ///< the mesh has no facet
@@ -57,8 +60,7 @@ inline const char* message(Shell_status status)
     case Shell_status::NOT_BUILT:
       return "There is no shell yet.";
     case Shell_status::INVALID_PARAMETER:
-      return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings "
-             "not negative.";
+      return "A parameter has a value that is not allowed: the report has its name and its bounds (CGAL::Bspline_shells::Invalid_parameter).";
     case Shell_status::UNREADABLE_FILE:
       return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
     case Shell_status::TRIANGLE_STRIPS:
@@ -111,6 +113,13 @@ inline const char* message(Shell_status status)
       return "The visitor asked to stop.";
   }
   return "";
+}
+
+/// \ingroup PkgBsplineShell3Support
+/// Returns the message of the status; for `INVALID_PARAMETER`, that of the parameter.
+inline std::string message(Shell_status status, const Invalid_parameter& parameter)
+{
+  return status == Shell_status::INVALID_PARAMETER && parameter ? message(parameter) : message(status);
 }
 
 /*!
