@@ -1142,12 +1142,8 @@ def opened(name, change, code, sentence, facet=-1):
         corners = [f.user[0][v] for v in f.user[1].pop(facet(f) if callable(facet) else facet)]
         closing = ["closing 3 3 1"] + ["%.17g %.17g %.17g" % tuple(p) for p in corners] + ["0 1 2 0"]
         change(f, closing)
-        if f.is_truncated():
-            line = f.section(f.shell, "closing")[0]
-            f.shell[line:line + 1] = closing
-        else:
-            f.words(f.shell, 0, set_word(1, "3"))
-            f.shell += closing
+        line = f.section(f.shell, "closing")[0]
+        f.shell[line:line + 1] = closing
     any_test(code, sentence, "sc", lambda f: f.is_truncated() or not callable(facet))(named(name, change_files))
 
 

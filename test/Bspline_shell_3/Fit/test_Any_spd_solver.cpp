@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCore>
+
 #include <functional>
 #include <limits>
 

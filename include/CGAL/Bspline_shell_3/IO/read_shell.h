@@ -190,7 +190,8 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
     content.facet_ranges.push_back(range);
   }
   std::uint64_t triangles = 0;
-  if(!Words(in.line()).word("closing").number(count).number(content.border_points).number(triangles).are_complete()) return damaged;
+  if(!Words(in.line()).word("closing").number(count).number(content.border_points).number(triangles).are_complete())
+    return damaged;
   for(; count > 0; --count) {
     Shell_closing_3::Point p = {};
     if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
@@ -199,7 +200,8 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   for(; triangles > 0; --triangles) {
     std::array<std::uint64_t, 3> corners = {};
     int kind = 0;
-    if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete()) return damaged;
+    if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete())
+      return damaged;
     if(!content.add_closing_triangle(corners, kind)) return damaged;
   }
   if(!Words(in.line()).word("paths").number(count).are_complete()) return damaged;
@@ -290,8 +292,9 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     made = between(Threshold(spline(1)), Threshold(spline(2)));
   }
   if(content.has_closing())
-    made.set_closing(std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
-                                                             std::move(content.closing_triangles), std::move(content.closing_kinds)));
+    made.set_closing(std::make_shared<const Shell_closing_3>(
+      std::move(content.closing_points), std::size_t(content.border_points), std::move(content.closing_triangles),
+      std::move(content.closing_kinds)));
   made.set_truncation(std::move(content.truncation));
   made.set_path_candidates(std::move(content.paths));
   if(!is_shell(made)) return false;
@@ -310,10 +313,10 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * taken for a shell: every file has a checksum, and its parts must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
  *
- * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was built for or another mesh in it. The
- * paths through the components of the shell that the file has are candidates, which every certificate proves first
- * (`Bspline_shell_3::path_candidates()`). Numbers that are for information (unit, thickness, numbers of triangles and components, facet ranges) are
- * read as they are, and no proof uses them.
+ * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was built for or
+ * another mesh in it. The file's paths through the components of the shell are candidates, which every certificate proves first
+ * (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of triangles and components, and the facet ranges
+ * are read as they are; no proof uses them.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`

@@ -69,7 +69,7 @@ Level_range levels(const Shell& shell)
   else return { 0, shell.thickness() };
 }
 
-// the paths through the components of a certified shell; of a shell that was read from a file and is not certified, those of the file
+// Paths through the components of a certified shell, or candidates of them that were read from a file.
 template <typename Shell>
 std::vector<Crossing_path> paths_of_file(const Shell& shell)
 {
