@@ -53,8 +53,8 @@ namespace CGAL {
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a parameter is not allowed,
- *         `Shell_report::invalid_parameter` has its name and its bounds.
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
+ *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds.
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,

@@ -52,8 +52,8 @@ namespace CGAL {
  *     `ConcurrencyTag` is `Sequential_tag`.
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
- *   - `resolution(double)`: root cells per longest side of the mesh's box, positive; default 30, or as few as 20 where most of
- *     the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
+ *   - `resolution(double)`: root cells per longest side of the mesh's box, positive; default 30, or as few as 20 where
+ *     most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
  *   - `time_limit(double)`: seconds; no round of refinement begins that is expected to end later, and thresholds are not improved
  *     any more. Unlimited by default.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
@@ -66,9 +66,9 @@ namespace CGAL {
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a parameter is not allowed,
- *         `Shell_report::invalid_parameter` has its name and its bounds. Whether it is certified, and why
- *         not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
+ *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds. Whether it is
+ *         certified, and why not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
  * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in the
  * number of facets
  */

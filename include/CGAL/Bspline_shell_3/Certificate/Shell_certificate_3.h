@@ -91,9 +91,10 @@ public:
   Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete;       // it would dangle
 
   /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
-  /// bounds on cells, if it has some or they are given. If the shell is not certified, but a file had candidates of paths through its components
-  /// (`Bspline_shell_3::path_candidates()`), a mesh must have exactly one component in each component through which such a path is proved to lead,
-  /// and no other. If there is no shell, `status()` is its status once a mesh was to be verified.
+  /// bounds on cells, if it has some or they are given. If the shell is not certified, but a file had candidates of
+  /// paths through its components (`Bspline_shell_3::path_candidates()`), a mesh must have exactly one component in
+  /// each component through which such a path is proved to lead, and no other. If there is no shell, `status()` is its
+  /// status once a mesh was to be verified.
   /// \pre the shell outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
@@ -109,7 +110,8 @@ public:
     m_shell_paths = m_is_shell_certified ? shell.component_paths() : shell.path_candidates();
     m_are_paths_proved = m_is_shell_certified;
   }
-  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&, std::shared_ptr<const Bounds> = nullptr) = delete;
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&,
+                               std::shared_ptr<const Bounds> = nullptr) = delete;
 
   /// examines a mesh: the one that the shell was built for, or any other.
   ///
@@ -141,8 +143,8 @@ public:
   bool verify(std::shared_ptr<const Input_mesh_3> input);
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
-  /// components of the shell. Undecided if one of them is not certified, if their field objects or thresholds differ, or if every path is
-  /// degenerate.
+  /// components of the shell. Undecided if one of them is not certified, if their field objects or thresholds differ,
+  /// or if every path is degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
     const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;
@@ -655,8 +657,9 @@ private:
   }
 
   // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
-  // other. Without paths through a shell, the mesh defines the components. A shell that is not certified may have critical points where the mesh
-  // is not, and a file may have any paths: that a mesh is not met by them refutes nothing.
+  // other. Without paths through a shell, the mesh defines the components. A shell that is not certified may have
+  // critical points where the mesh is not, and a file may have any paths: that a mesh is not met by them refutes
+  // nothing.
   void examine_components(const Input_mesh_3& input)
   {
     m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
@@ -673,9 +676,9 @@ private:
       const std::optional<int> count = match.crossings[k];
       is_known = is_known && count;
       if(count == 1) continue;
-      const bool is_empty = !count || *count == 0;
+      const bool is_empty = !count || *count == 0, is_refuted = count && is_transversal && m_is_shell_certified;
       Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE,
-                                      count && is_transversal && m_is_shell_certified ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      is_refuted ? Verdict::REFUTED : Verdict::UNDECIDED,
                                       is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
       w.component = k;
       if(!is_empty) w.count = *count;

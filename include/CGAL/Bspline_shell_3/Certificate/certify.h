@@ -18,22 +18,25 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Proves the certificate of a mesh in a shell, and certifies the shell with it: for shells that were read from a file, and for shells of
- * `bspline_shell_3()`.
+ * \brief Proves the certificate of a mesh in a shell, and certifies the shell with it: for shells that were read from a
+ * file, and for shells of `bspline_shell_3()`.
  *
- * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`). It has the report of the certificate, the cover, the bounds on
- * cells, and the paths through its components, as if it had been built for the mesh. The components of the shell are those in which
- * the mesh lies. If the shell was read from a file, the mesh must have exactly one component in each component that the shell had when it was
- * written. Everything is proved from the field and the thresholds: the file's paths tell which components to ask for, and are proved first.
+ * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`). It has the report of the
+ * certificate, the cover, the bounds on cells, and the paths through its components, as if it had been built for the
+ * mesh. The components of the shell are those in which the mesh lies. If the shell was read from a file, the mesh must
+ * have exactly one component in each component that the shell had when it was written. Everything is proved from the
+ * field and the thresholds: the file's paths tell which components to ask for, and are proved first.
  *
- * If a claim is not proved, a certified shell is left as it is. Other shells get the report, whose witnesses name the places, and stay not certified.
+ * If a claim is not proved, a certified shell is left as it is. Other shells get the report, whose witnesses name the
+ * places, and stay not certified.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam PolygonMesh a model of `FaceListGraph`
  * \param shell the shell. Certificates, maps and edits that refer to it must not be in use.
- * \param mesh the mesh that the shell was built for, or any other mesh in the shell, as for `Shell_certificate_3::verify()`
+ * \param mesh the mesh that the shell was built for, or any other mesh in the shell, as for
+ *        `Shell_certificate_3::verify()`
  * \param np `vertex_point_map` as in all of \cgal
  * \return the certificate of the mesh. It converts to `true` if all claims are proved; otherwise it has the reasons.
  * \cgalHeading{Cost} that of the certificate

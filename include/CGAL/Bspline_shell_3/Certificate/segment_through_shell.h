@@ -40,8 +40,9 @@ bool certainly_increase(const Field_predicates_3<Field>& predicates, const Thres
  *
  * \brief Returns `true` if a segment certainly leads through a component of the shell once.
  *
- * The field is less than the inner threshold at the source, and greater than the outer threshold at the target. The field, and its difference to
- * each threshold, increase along the segment. So the part between the thresholds is connected, and lies in one component of the shell.
+ * The field is less than the inner threshold at the source, and greater than the outer threshold at the target. The
+ * field, and its difference to each threshold, increase along the segment. So the part between the thresholds is
+ * connected, and lies in one component of the shell.
  */
 template <typename Field, typename Threshold>
 bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Threshold& inner, const Threshold& outer,
@@ -54,7 +55,7 @@ bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Thre
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Returns a segment that certainly leads through the shell once, near a point and in the direction of the gradient there.
+ * \brief Returns a segment that certainly leads through the shell once, near a point and along the gradient there.
  *
  * Nothing is returned if the point is outside the domain, or if no such segment is found.
  *
@@ -77,7 +78,8 @@ segment_through_shell(const Field_predicates_3<Field>& predicates, const Thresho
   double largest = 0;
   for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(jet.gradient[a]));
   if(!(largest > 0)) return std::nullopt;
-  const std::array<double, 3> direction = { jet.gradient[0] / largest, jet.gradient[1] / largest, jet.gradient[2] / largest };
+  std::array<double, 3> direction;
+  for(int a = 0; a < 3; ++a) direction[a] = jet.gradient[a] / largest;
   const double squared = internal::dot(direction, direction);
   // where the linear function at the middle differs from its value there by `difference`
   const auto along = [&](double difference) {

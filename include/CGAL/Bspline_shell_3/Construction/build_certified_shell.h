@@ -119,17 +119,18 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     const double t = parameters.sizing(p);
     if(t > 0 && std::isfinite(t)) return t;
     if(is_thickness_valid.exchange(false)) invalid_thickness = t;
-    return largest_thickness;         // which has no effect
+    return largest_thickness;         // it has no effect
   };
   // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be anything between the thresholds
   // on the mesh, and a sizing field asks for thicknesses that are not known yet.
   constexpr double thickest = 20, more = 0.3;       // cells
   const double spacing = lattice->spacing();
   if(!parameters.sizing) {
-    const double largest = thickest * spacing;
-    if(parameters.thickness) report.invalid_parameter.check("thickness", *parameters.thickness, { 0, largest });
-    else report.invalid_parameter.check("relative_thickness", parameters.relative_thickness, { 0, largest / input->unit() });
-    if(report.invalid_parameter) return stop(Status::INVALID_PARAMETER);
+    const double largest = thickest * spacing, relative = largest / input->unit();
+    Invalid_parameter& invalid = report.invalid_parameter;
+    if(parameters.thickness) invalid.check("thickness", *parameters.thickness, { 0, largest });
+    else invalid.check("relative_thickness", parameters.relative_thickness, { 0, relative });
+    if(invalid) return stop(Status::INVALID_PARAMETER);
   }
   const double room = parameters.sizing ? spacing : (oracle ? largest_thickness : largest_thickness / 2) + more * spacing;
   const double rings = std::floor(room / spacing);

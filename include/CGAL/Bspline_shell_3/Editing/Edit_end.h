@@ -18,7 +18,7 @@ enum class Edit_end
   STOP_PREDICATE,   ///< simplification: the stop predicate ended it, as its target was reached, or to cancel
   SHELL,            ///< the shell rejects at least one of the operations that would lead further
   FILTER,           ///< the shell would allow more, but the caller's filter rejects it
-  MESH,             ///< neither shell nor filter reject anything: connectivity, constraints or frozen facets do not allow more
+  MESH,             ///< nothing is rejected, but connectivity, constraints or frozen facets do not allow more
   ITERATIONS        ///< remeshing: all iterations were done, and the shell rejected nothing in the last one
 };
 

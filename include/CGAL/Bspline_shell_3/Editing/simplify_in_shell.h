@@ -109,7 +109,8 @@ class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
   Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
-    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state), m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
+    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state)
+    , m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
   {}
 
   // why none of the edges that are left was collapsed: the shell is named before the filter
@@ -160,7 +161,8 @@ private:
   TriangleMesh* m_mesh;
   Rules* m_rules;
   Collapse_state* m_state;
-  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;      // when an edge was last given up
+  // why an edge was given up, the last time that it was
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;
 };
 
 // the caller's predicate, over several runs
@@ -256,7 +258,8 @@ public:
         return other.second;
       }
     const Placement_statistics& now = m_filter->statistics();
-    const std::size_t by_filter = now.number(Placement_verdict::BASE_FILTER) - before.number(Placement_verdict::BASE_FILTER);
+    constexpr Placement_verdict filter = Placement_verdict::BASE_FILTER;
+    const std::size_t by_filter = now.number(filter) - before.number(filter);
     const std::size_t rejected = now.rejected() - before.rejected();
     if(rejected > 0) m_state->obstacle = rejected > by_filter ? Edit_end::SHELL : Edit_end::FILTER;
     return placement;

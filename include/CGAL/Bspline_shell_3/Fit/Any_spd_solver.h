@@ -23,10 +23,10 @@ namespace Bspline_shells {
  *
  * \brief a reference to any model of `SPDSolver`, so that fits are compiled once for all of them.
  *
- * Solutions are checked: if a solver returns `SUCCESS`, but its solution has another size than the right-hand side or a relative residual
- * \f$|b - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. Zeros have a residual of 1. A residual of 1/10 reproduces not
- * more than one digit of the right-hand side, and so is larger than what any useful tolerance allows. A check costs about as much as one
- * iteration of conjugate gradients.
+ * Solutions are checked: if a solver returns `SUCCESS`, but its solution has another size than the right-hand side or a
+ * relative residual \f$|b - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. Zeros have a
+ * residual of 1. With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance is
+ * larger. A check costs about as much as one iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`
  */
@@ -38,7 +38,8 @@ public:
 
   /// \tparam Solver a model of `SPDSolver`
   /// \param solver the solver
-  /// \param is_checked whether solutions are checked; `false` is for solvers of this package, which measure their residuals
+  /// \param is_checked whether solutions are checked; `false` is for solvers of this package, which measure their
+  ///        residuals
   /// \pre `solver` outlives this object
   template <typename Solver>
   Any_spd_solver(Solver& solver, bool is_checked = true)

@@ -313,10 +313,10 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * taken for a shell: every file has a checksum, and its parts must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
  *
- * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was built for or
- * another mesh in it. The file's paths through the components of the shell are candidates, which every certificate proves first
- * (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of triangles and components, and the facet ranges
- * are read as they are; no proof uses them.
+ * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
+ * built for or another mesh in it. The file's paths through the components of the shell are candidates, which every
+ * certificate proves first (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of triangles
+ * and components, and the facet ranges are read as they are; no proof uses them.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`

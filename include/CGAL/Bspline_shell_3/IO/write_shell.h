@@ -184,11 +184,11 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges, closing,
- * truncation and paths through its components, bit by bit. See \ref BsplineShell3FileFormats.
+ * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges,
+ * closing, truncation and paths through its components, bit by bit. See \ref BsplineShell3FileFormats.
  *
- * The report is written in part: the unit, the numbers of triangles and components, and the thickness. The certificate is not
- * written: `certify()` proves it again for the shell that was read.
+ * The report is written in part: the unit, the numbers of triangles and components, and the thickness. The certificate
+ * is not written: `certify()` proves it again for the shell that was read.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`

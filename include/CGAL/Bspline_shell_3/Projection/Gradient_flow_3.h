@@ -62,7 +62,7 @@ struct Flow_differential
 
 namespace internal {
 
-// that of a point which has no image
+// The result for a point without an image.
 inline Flow_differential no_differential(Flow_status status)
 {
   Flow_differential result;

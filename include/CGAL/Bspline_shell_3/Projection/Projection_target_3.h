@@ -82,7 +82,8 @@ public:
   }
 
   template <typename VertexPointMap>
-  Projection_target_3(const TriangleMesh&&, VertexPointMap, const std::shared_ptr<const Shell_truncation_3>& = nullptr) = delete;
+  Projection_target_3(const TriangleMesh&&, VertexPointMap,
+                      const std::shared_ptr<const Shell_truncation_3>& = nullptr) = delete;
   Projection_target_3(const Projection_target_3&) = delete;
   Projection_target_3& operator=(const Projection_target_3&) = delete;
 

@@ -38,16 +38,17 @@ namespace Bspline_shells {
  *
  * \brief the map between two meshes in a shell, along the integral curves of its field.
  *
- * If both meshes have a certificate of the certified shell (`Shell_certificate_3`), the map is one-to-one. The map requires no
- * certificate, but compares the components of both meshes:
- * - If the shell is certified and both meshes are closed, or closed by `Bspline_shell_3::closing()`, the map is refused with `OTHER_COMPONENTS` if
- *   a component of the shell holds no part of one of the meshes: no vertex, and no crossing with the paths through the component.
- * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each component has a path
- *   through it that crosses the other mesh, or is crossed by one through that mesh, the status is `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`.
- *   Points are mapped all the same.
+ * If both meshes have a certificate of the certified shell (`Shell_certificate_3`), the map is one-to-one. The map
+ * requires no certificate, but compares the components of both meshes:
+ * - If the shell is certified and both meshes are closed, or closed by `Bspline_shell_3::closing()`, the map is refused
+ *   with `OTHER_COMPONENTS` if a component of the shell holds no part of one of the meshes: no vertex, and no crossing
+ *   with the paths through the component.
+ * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each
+ *   component has a path through it that crosses the other mesh, or is crossed by one through that mesh, the status is
+ *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped all the same.
  *
- * The map keeps the data that both directions need, a tree of boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from
- * several threads at once. The shell and the
+ * The map keeps the data that both directions need, a tree of boxes for each mesh, and shares it with copies and with
+ * its inverse; all of these may be used from several threads at once. The shell and the
  * meshes must outlive them, unchanged.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
@@ -113,9 +114,9 @@ public:
       m_status = compare_components();
   }
 
-  /// `SUCCESS`; `COMPONENTS_UNKNOWN`, with which points are mapped all the same; or the status that all images have
+  /// `SUCCESS`, or the status of all images. With `COMPONENTS_UNKNOWN`, points are mapped all the same.
   Flow_status status() const { return m_status; }
-  /// whether points are mapped, each with a status of its own
+  /// whether points are mapped; each image then has its own status
   bool maps_points() const { return m_status == Flow_status::SUCCESS || m_status == Flow_status::COMPONENTS_UNKNOWN; }
 
   const Shell& shell() const { return m_to_target.shell(); }
@@ -124,7 +125,7 @@ public:
   const Projection_to_source& to_source() const { return m_to_source; }      ///< for points anywhere in the shell
   const Projection_to_target& to_target() const { return m_to_target; }      ///< for points anywhere in the shell
 
-  /// the same curves, the other way; costs nothing
+  /// Returns the map along the same curves in the other direction. Takes constant time.
   Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const
   {
     return { m_to_target, m_to_source, m_status };
@@ -154,7 +155,8 @@ public:
   Target_image operator()(Source_vertex v) const { return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source())); }
 
   /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal of the facet of
-  /// the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is that of the image.
+  /// the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is that of the
+  /// image.
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
@@ -204,12 +206,16 @@ private:
     return are_shared ? Flow_status::SUCCESS : Flow_status::COMPONENTS_UNKNOWN;
   }
 
-  // The triangles that close an open mesh in the shell count as part of it. For other open meshes, crossings depend on the path.
+  // The triangles that close an open mesh in the shell count as part of it. For other open meshes, crossings depend on
+  // the path.
   template <typename Target>
-  bool is_closed(const Target& target) const { return target.traced_facets().is_closed() || has_border_of_closing(target); }
+  bool is_closed(const Target& target) const
+  {
+    return target.traced_facets().is_closed() || has_border_of_closing(target);
+  }
 
-  // `OTHER_COMPONENTS` if a component of the shell holds no part of a mesh, `COMPONENTS_UNKNOWN` if all paths through it are degenerate, and no vertex
-  // is in it; otherwise `SUCCESS`.
+  // `OTHER_COMPONENTS` if a component of the shell holds no part of a mesh, `COMPONENTS_UNKNOWN` if all paths through
+  // it are degenerate, and no vertex is in it; otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
   Flow_status find_missed_component(const Target& target) const
@@ -219,7 +225,8 @@ private:
     const auto& traced = target.traced_facets();
     std::size_t number;
     const std::vector<typename Target::Index> component = traced.components(number);
-    const std::size_t facets = traced.number_of_facets(), all = facets + (traced.is_closed() ? 0 : shell().closing()->triangles().size());
+    const std::size_t facets = traced.number_of_facets(),
+                      all = facets + (traced.is_closed() ? 0 : shell().closing()->triangles().size());
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
     const Component_match match = match_components(paths, number + (all > facets ? 1 : 0), all, [&](std::size_t n) {
       std::array<Point, 3> t;
@@ -233,8 +240,10 @@ private:
       if(k != Component_match::none) is_missed[k] = 0;
     const auto found = [&] {
       Flow_status worst = Flow_status::SUCCESS;
-      for(std::size_t k = 0; k < is_missed.size(); ++k)
-        if(is_missed[k]) worst = (std::max)(worst, match.crossings[k] ? Flow_status::OTHER_COMPONENTS : Flow_status::COMPONENTS_UNKNOWN);
+      for(std::size_t k = 0; k < is_missed.size(); ++k) {
+        const Flow_status status = match.crossings[k] ? Flow_status::OTHER_COMPONENTS : Flow_status::COMPONENTS_UNKNOWN;
+        if(is_missed[k]) worst = (std::max)(worst, status);
+      }
       return worst;
     };
     if(found() == Flow_status::SUCCESS || !shell().proved_cover()) return found();

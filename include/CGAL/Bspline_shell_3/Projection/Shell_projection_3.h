@@ -164,8 +164,9 @@ public:
   }
 
   /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are replaced:
-  /// `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`, which does not jump between facets. If
-  /// the point has no image, the status is that of the image. \pre `image` is the image of `p`
+  /// `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`, which does
+  /// not jump between facets. If the point has no image, the status is that of the image. \pre `image` is the image of
+  /// `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {

@@ -101,8 +101,8 @@ public:
   }
   /// the thickness as a fraction of the longest side of the mesh's box
   FT relative_thickness() const { return thickness() / m_report.unit; }
-  /// whether all claims about the mesh are proved: when the shell was built, or, for a shell that was read from a file, by
-  /// `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines any mesh at any time.
+  /// whether all claims about the mesh are proved: when the shell was built, or, for a shell that was read from a file,
+  /// by `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines any mesh at any time.
   bool is_certified() const
   {
     return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved();
@@ -145,14 +145,14 @@ public:
     return paths;
   }
 
-  /// Paths that may lead through the components of the shell: candidates that a file had. None of them is proved, and each certificate
-  /// of a mesh in the shell proves them first. None if the shell is certified.
+  /// Paths that may lead through the components of the shell: candidates that a file had. None of them is proved;
+  /// each certificate of a mesh in the shell proves them first. Empty if the shell is certified.
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
   void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
 
-  /// Takes over the report of a certificate of a mesh in this shell. If it is certified, so is the shell, and its components are those of the
-  /// mesh: `Bspline_shells::certify()` does this.
-  /// \pre all that the report claims is proved
+  /// Takes over the report of a certificate of a mesh in this shell. If it is certified, so is the shell, and its
+  /// components are those of the mesh: `Bspline_shells::certify()` does this.
+  /// \pre the claims of the report are proved
   void set_certificate(Bspline_shells::Certificate_report report)
   {
     m_report.certificate = std::move(report);
@@ -160,8 +160,9 @@ public:
     if(is_certified()) m_path_candidates.clear();
   }
 
-  /// the boxes of the cover by which it was proved, when the shell was certified, that it has no critical point: certificates of other
-  /// meshes in the shell reuse it. Empty if that was not proved, and for shells that were read from a file, until they are certified.
+  /// the boxes of the cover by which it was proved, when the shell was certified, that it has no critical point:
+  /// certificates of other meshes in the shell reuse it. Empty if that was not proved, and for shells that were read
+  /// from a file, until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
   /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of
   /// `report()`, or the least gradient in that is zero, and found out when it is needed
@@ -176,7 +177,8 @@ public:
   }
 
   /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes use them, and add those of
-  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has examined.
+  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has
+  /// examined.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
   /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
   void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }

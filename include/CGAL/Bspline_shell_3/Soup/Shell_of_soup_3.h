@@ -57,7 +57,7 @@ struct Shell_of_soup_3
   Shell_status proxy_status = Shell_status::NOT_BUILT;
   /// those to blame for `mesh_status`: positions in the soup, if there is no repaired mesh, and otherwise in that
   Offending_simplices offending_simplices;
-  Invalid_parameter invalid_parameter;                   ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
+  Invalid_parameter invalid_parameter;                   ///< the refused one, if a status is `INVALID_PARAMETER`
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
   std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
@@ -81,7 +81,8 @@ struct Shell_of_soup_3
   /// what became of the polygons as a mesh, in one sentence: with a proxy, why there is one
   std::string mesh_message() const
   {
-    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message() : Bspline_shells::message(mesh_status, invalid_parameter);
+    return mesh_status == Shell_status::SUCCESS ? shell_of_mesh.message()
+                                                : Bspline_shells::message(mesh_status, invalid_parameter);
   }
   /// the outcome in one sentence
   std::string message() const

@@ -34,13 +34,14 @@ public:
   typedef Soup_map_3<Shell, Mesh> Map;
 
   /// no proxy, for a reason
-  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT, Offending_simplices offenders = Offending_simplices(),
+  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT,
+                        Offending_simplices offenders = Offending_simplices(),
                         const Invalid_parameter& invalid = Invalid_parameter())
     : m_status(status), m_offenders(std::move(offenders)), m_invalid_parameter(invalid)
   {}
   Soup_proxy_3(Soup_mesh_3 soup, Mesh mesh, Shell shell, const Proxy_report& report)
-    : m_status(shell.status()), m_invalid_parameter(shell.report().invalid_parameter), m_soup(std::move(soup)), m_mesh(std::move(mesh))
-    , m_shell(std::move(shell)), m_report(report)
+    : m_status(shell.status()), m_invalid_parameter(shell.report().invalid_parameter), m_soup(std::move(soup))
+    , m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
   {}
 
   /// whether there is a shell; if not, `status()` says why
@@ -51,7 +52,10 @@ public:
   /// the parameter that is refused, if the status is `INVALID_PARAMETER`
   const Invalid_parameter& invalid_parameter() const { return m_invalid_parameter; }
   bool is_certified() const { return m_shell.is_certified(); }
-  std::string message() const { return *this ? m_shell.message() : Bspline_shells::message(m_status, m_invalid_parameter); }
+  std::string message() const
+  {
+    return *this ? m_shell.message() : Bspline_shells::message(m_status, m_invalid_parameter);
+  }
 
   const Soup_mesh_3& soup() const { return m_soup; }
   const Mesh& mesh() const { return m_mesh; }             ///< the proxy: closed, and without self-intersections

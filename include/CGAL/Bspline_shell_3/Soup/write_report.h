@@ -118,7 +118,9 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)("vertices", offenders.vertices);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
-        object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS ? "Its shell is not certified." : message(result.proxy_status, result.invalid_parameter));
+        object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS
+                                        ? "Its shell is not certified."
+                                        : message(result.proxy_status, result.invalid_parameter));
     }
     if(result.proxy) {
       const Proxy_report& proxy = result.proxy->report();

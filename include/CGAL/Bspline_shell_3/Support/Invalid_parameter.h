@@ -41,7 +41,7 @@ struct Parameter_bounds
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The parameter to which a status `INVALID_PARAMETER` refers: its name, its value, and the values that are allowed.
+ * \brief The parameter to which a status `INVALID_PARAMETER` refers: its name, its value and its bounds.
  */
 struct Invalid_parameter
 {

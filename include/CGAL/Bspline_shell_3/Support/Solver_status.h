@@ -18,7 +18,7 @@ enum class Solver_status
   NOT_CONVERGED,            ///< the iteration limit was reached before the tolerance
   OUT_OF_MEMORY,            ///< the factorization needs more memory, or larger integers, than there are
   NOT_FINITE,               ///< the solution has infinite components, or some that are not numbers
-  WRONG_SOLUTION            ///< the solver returned `SUCCESS` with a vector of another size, or one that does not solve the system
+  WRONG_SOLUTION            ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
 };
 
 } // namespace Bspline_shells

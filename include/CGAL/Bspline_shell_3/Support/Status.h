@@ -24,7 +24,7 @@ enum class Shell_status
 {
   SUCCESS,
   NOT_BUILT,                   ///< nothing was asked for yet
-  INVALID_PARAMETER,           ///< a parameter has a value that is not allowed: the report names it (`Invalid_parameter`)
+  INVALID_PARAMETER,           ///< a parameter has a value that is not allowed (`Shell_report::invalid_parameter`)
   UNREADABLE_FILE,             ///< no mesh could be read from the file
   TRIANGLE_STRIPS,             ///< the file holds its facets as triangle strips
   EMPTY_MESH,                  ///< the mesh has no facet
@@ -60,7 +60,8 @@ inline const char* message(Shell_status status)
     case Shell_status::NOT_BUILT:
       return "There is no shell yet.";
     case Shell_status::INVALID_PARAMETER:
-      return "A parameter has a value that is not allowed: the report has its name and its bounds (CGAL::Bspline_shells::Invalid_parameter).";
+      return "A parameter has a value that is not allowed: the report has its name and its bounds "
+             "(CGAL::Bspline_shells::Invalid_parameter).";
     case Shell_status::UNREADABLE_FILE:
       return "The file cannot be read as a surface mesh: check its path and that it is OFF, PLY, OBJ or STL.";
     case Shell_status::TRIANGLE_STRIPS:

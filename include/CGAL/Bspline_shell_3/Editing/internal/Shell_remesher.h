@@ -139,7 +139,7 @@ public:
     }
   }
 
-  // why edges have other lengths than asked for, if they have
+  // The reason why edges differ from the target length.
   Edit_end end() const
   {
     const auto is_about_right = [&](edge_descriptor e) {

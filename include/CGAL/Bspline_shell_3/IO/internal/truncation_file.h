@@ -102,8 +102,8 @@ inline void write_truncation(Row_output out, const Shell_truncation_3* truncatio
   }
 }
 
-// Reads a truncation, or null if the file has none. Whether it is valid is not tested. Vectors grow with the numbers that are
-// read, never to the size that a count promises.
+// Reads a truncation, or null if the file has none. Whether it is valid is not tested. Vectors grow with the numbers
+// that are read, never to the size that a count promises.
 // \return `false` if rows are missing
 inline bool read_truncation(Row_input in, std::shared_ptr<const Shell_truncation_3>& truncation)
 {
@@ -155,8 +155,8 @@ inline bool read_truncation(Row_input in, std::shared_ptr<const Shell_truncation
       if(!in.row(d.triangles.back()[0], d.triangles.back()[1], d.triangles.back()[2])) return false;
     }
   }
-  truncation = std::make_shared<const Truncation>(std::move(points), std::move(cut_facet), std::move(cut), std::move(core),
-                                                  std::move(disc), std::move(planar));
+  truncation = std::make_shared<const Truncation>(std::move(points), std::move(cut_facet), std::move(cut),
+                                                  std::move(core), std::move(disc), std::move(planar));
   return true;
 }
 
