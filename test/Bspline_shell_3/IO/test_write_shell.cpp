@@ -11,8 +11,10 @@
 #include <limits>
 #include <locale>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -268,6 +270,23 @@ TEST_CASE("files: what is no shell is not written")
   }
   report.unit = nan;
   check(Shell(some.field(), levels, some.shell_cells(), {}, report));
+  // a closing whose edges do not all end on the border, and a truncation with a core in a facet that does not exist
+  typedef BS::Shell_closing_3 Closing;
+  typedef BS::Shell_truncation_3 Truncation;
+  const std::vector<Closing::Point> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  for(std::size_t border : { 2, 3 }) {
+    Shell closed = some;
+    closed.set_closing(std::make_shared<const Closing>(points, border, std::vector<Closing::Triangle>{ { 0, 1, 2 } },
+                                                       std::vector<Closing::Kind>{ Closing::Kind::CAP }));
+    if(border == 2) check(closed);
+    else CHECK_FALSE(written(closed, Format::BINARY).empty());
+  }
+  Shell truncated = some;
+  truncated.set_truncation(std::make_shared<const Truncation>(
+    points, std::vector<Truncation::Triangle>(), std::vector<Truncation::Cut>(),
+    std::vector<Truncation::Core>{ { { 0, 1, 2 }, 0 } }, std::vector<Truncation::Disc>(),
+    std::vector<Truncation::Planar_point>()));
+  check(truncated);
 
   const Varying_shell varying = small_varying_shell();
   BS::Shell_report other = varying.report();
