@@ -224,7 +224,7 @@ int run(const Options& options, const Results& results)
                << shell_seconds << " s\n";
   row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
                     << " %; certified; " << simplified.total_seconds() << " s\n";
-  if(options.facets > 0 && simplified.facets > options.facets) row("") << "the shell allows no fewer\n";
+  if(options.facets > 0 && simplified.facets > options.facets) row("") << message(simplified.end) << "\n";
   row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
                       << " points; " << (lost > 0 ? std::to_string(lost) + " are lost" : "none is lost") << "; "
                       << transfer_seconds << " s\n";

@@ -56,7 +56,8 @@ namespace CGAL {
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`)
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
+ *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds.
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag,
@@ -85,8 +86,9 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   const double max_seconds
     = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
-  if(!parameters.are_valid() || !(max_seconds > 0))
-    return Bspline_shell_3<>(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  BS::Invalid_parameter invalid = parameters.invalid();
+  invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
+  if(invalid) return Bspline_shell_3<>(construction.refuse(invalid));
   return construction.run<Bspline_shell_3<> >([&] {
     const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
     if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));

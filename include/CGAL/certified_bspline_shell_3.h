@@ -47,14 +47,14 @@ namespace CGAL {
  *        face
  * \param np optional named parameters:
  *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's box;
- *     default 0.01
- *   - `thickness(double)`: instead, in user units
+ *     default 0.01; positive, and less than twenty root cells
+ *   - `thickness(double)`: instead, in user units; the same bounds
  *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite. Several threads call it at once, unless
  *     `ConcurrencyTag` is `Sequential_tag`.
  *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
  *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
- *   - `resolution(double)`: root cells per longest side of the mesh's box; default 30, or as few as 20 where most of
- *     the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
+ *   - `resolution(double)`: root cells per longest side of the mesh's box, positive; default 30, or as few as 20 where
+ *     most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
  *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
  *     shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds within
  *     each pass; the caller's own solver, oracle and sizing field are not interrupted.
@@ -71,8 +71,9 @@ namespace CGAL {
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). Whether it is certified, and why
- *         not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
+ * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
+ *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds. Whether it is
+ *         certified, and why not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
  * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in the
  * number of facets
  */
@@ -107,8 +108,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   const double max_seconds
     = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
-  if(!parameters.are_valid() || !(max_seconds > 0))
-    return Certified_bspline_shell_3(construction.end(BS::Shell_status::INVALID_PARAMETER));
+  BS::Invalid_parameter invalid = parameters.invalid();
+  invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
+  if(invalid) return Certified_bspline_shell_3(construction.refuse(invalid));
   BS::Input_mesh_3::Closer closer;
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
     closer = BS::Input_mesh_3::closer(std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));

@@ -55,18 +55,22 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   timer.start();
 
   BS::Shell_of_soup_3 result;
-  if(!(max_seconds > 0)) {
+  result.invalid_parameter.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
+  if(result.invalid_parameter) {
     result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
     return result;
   }
   BS::Shell_status* status = &result.mesh_status;       // or of the proxy, once it is tried
   const auto attempt_all = [&] {
     result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
+    if(result.mesh_status == BS::Shell_status::INVALID_PARAMETER)
+      result.invalid_parameter = BS::internal::invalid_position(soup, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::SUCCESS) {
       const auto build = [&] {
         result.shell_of_mesh = certified_bspline_shell_3<ConcurrencyTag>(result.repaired_mesh, np);
         result.mesh_status = result.shell_of_mesh.status();
         result.offending_simplices = result.shell_of_mesh.report().offending_simplices;
+        result.invalid_parameter = result.shell_of_mesh.report().invalid_parameter;
       };
       build();
       if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION && BS::orient_components(result.repaired_mesh)) {
@@ -88,6 +92,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     auto proxy = std::make_shared<const BS::Soup_proxy_3>(
       certified_soup_proxy_3<ConcurrencyTag>(soup.points, soup.polygons, np));
     result.proxy_status = proxy->status();
+    if(!result.invalid_parameter) result.invalid_parameter = proxy->invalid_parameter();
     if(proxy->is_certified()) result.proxy = std::move(proxy);
   };
   run(attempt_all, [&](BS::internal::Run::End end) { *status = BS::internal::status(end); });

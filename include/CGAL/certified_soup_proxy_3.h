@@ -20,7 +20,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -85,7 +84,9 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   }
   BS::Offending_simplices offenders;
   const BS::Shell_status checked = BS::internal::check_soup(copy, offenders);
-  if(checked != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(checked, std::move(offenders));
+  BS::Invalid_parameter invalid;
+  if(checked == BS::Shell_status::INVALID_PARAMETER) invalid = BS::internal::invalid_position(copy, offenders);
+  if(checked != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(checked, std::move(offenders), invalid);
   const BS::Soup_mesh_3 soup(copy);
   if(soup.mesh().number_of_faces() == 0) {
     offenders.facets = soup.polygons_left_out();
@@ -100,9 +101,14 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 1.);
   const double thickness = choose_parameter(get_parameter(np, tags::thickness), 1.);
   const double max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
-  for(double x : { alpha, offset, resolution, relative_thickness, thickness })
-    if(!(x > 0 && std::isfinite(x))) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
-  if(!(max_seconds > 0 && max_bytes > 0)) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER);
+  invalid.check("alpha", alpha, BS::Parameter_bounds::positive());
+  invalid.check("offset", offset, BS::Parameter_bounds::positive());
+  invalid.check("resolution", resolution, BS::Parameter_bounds::positive());
+  invalid.check("relative_thickness", relative_thickness, BS::Parameter_bounds::positive());
+  invalid.check("thickness", thickness, BS::Parameter_bounds::positive());
+  invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
+  invalid.check("memory_limit", max_bytes, BS::Parameter_bounds::positive_or_infinite());
+  if(invalid) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER, BS::Offending_simplices(), invalid);
 
   // What the shell is asked to reach, unless the caller asks for more: 19 rings of cells, the most that there may be.
   const double deepest = 19 * unit / resolution;

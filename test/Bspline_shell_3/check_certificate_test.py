@@ -141,7 +141,7 @@ class Files:
         return " ".join(["certified:"] + claims + ["T"] * self.is_truncated() + ["A"] * bool(self.user)) + "\n"
 
     def is_truncated(self):
-        return "truncation" in self.shell
+        return self.shell[self.shell.index("truncation") + 1] != "0 0 0 0 0 0"
 
     def are_all_proved(self):
         return self.certificate[3].count("proved") == 5
@@ -446,7 +446,11 @@ hierarchy("function with a coefficient of its own at a coarser leaf", function_o
 add("another spacing", shell_line("field", 0, set_word(5, lambda x: 2 * x)), 1, "P", "sc")
 add("another origin", shell_line("field", 0, set_word(2, lambda x: x - 0.1)), 1, "P", "sc")
 add("no kind of field", shell_line("field", 0, set_word(1, "dense")), 2, "kind", "sc")
-add("version of another time", shell_line("cubic_bspline_shell", 0, set_word(1, "1")), 2, "out of range", "sc")
+for version in ("4", "6"):
+    add("version %s" % version, shell_line("cubic_bspline_shell", 0, set_word(1, version)), 2, "out of range", "sc")
+add("a path more", lambda f: insert_line(f, f.shell.index("truncation"), "0 0 0 0 1 1 1", "paths"), 0, lambda f: f.claims(), "sc")
+add("a path without an end", lambda f: insert_line(f, f.shell.index("truncation"), "0 0 0 0", "paths"), 2, "expected", "sc")
+add("a path that is not finite", lambda f: insert_line(f, f.shell.index("truncation"), "0 0 0 0 1 1 nan", "paths"), 2, "finite", "sc")
 add("too many leaves", shell_line("leaves", 0, set_word(1, "999999999")), 2, "expected", "sc")
 add("shell of another certificate", lambda f: f.certificate.__setitem__(1, "shell 0123456789abcdef"), 2, "another shell")
 
@@ -1138,12 +1142,8 @@ def opened(name, change, code, sentence, facet=-1):
         corners = [f.user[0][v] for v in f.user[1].pop(facet(f) if callable(facet) else facet)]
         closing = ["closing 3 3 1"] + ["%.17g %.17g %.17g" % tuple(p) for p in corners] + ["0 1 2 0"]
         change(f, closing)
-        if f.is_truncated():
-            line = f.section(f.shell, "closing")[0]
-            f.shell[line:line + 1] = closing
-        else:
-            f.words(f.shell, 0, set_word(1, "3"))
-            f.shell += closing
+        line = f.section(f.shell, "closing")[0]
+        f.shell[line:line + 1] = closing
     any_test(code, sentence, "sc", lambda f: f.is_truncated() or not callable(facet))(named(name, change_files))
 
 
@@ -1213,9 +1213,9 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
         divide(leaf, 0, [0, 0, 0])
     points = [[1.2 * (a == b) * sign for b in range(3)] for a in range(3) for sign in (1, -1)]
     facets = [[x, y, z] if (x + y + z) % 2 == 0 else [x, z, y] for x in (0, 1) for y in (2, 3) for z in (4, 5)]
-    shell = ["cubic_bspline_shell 2 ascii", "unit 2.4", "thickness 3", "triangles 8 components 1", "field hierarchical 0 0 0 0.5",
+    shell = ["cubic_bspline_shell 5 ascii", "unit 2.4", "thickness 3", "triangles 8 components 1", "field hierarchical 0 0 0 0.5",
              "functions %d" % len(functions)] + functions + ["leaves %d" % len(leaves)]
-    shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0"]
+    shell += ["%d %d %d %d 1" % leaf for leaf in leaves] + ["facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0"]
     certificate = ["cubic_bspline_shell_certificate 3", "", "", "verdicts proved proved proved proved proved", "boxes %d" % len(boxes)]
     certificate += boxes + ["seeds 1", "0 0", "covers 1", "paths 1", "0 0 " + path]
     return Files.of(shell, certificate, points, facets)

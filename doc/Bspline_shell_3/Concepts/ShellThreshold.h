@@ -20,6 +20,9 @@ public:
   /// the value of a constant threshold, in units of the field
   double level() const;
 
+  /// whether both are the same function; on other cells, they may count as different
+  bool operator==(const ShellThreshold& other) const;
+
   /// whether the threshold is tricubic on the leaf cells of a field: no cell of the field is met by two polynomials
   template <typename Field>
   bool has_cells_of(const Field& field) const;

@@ -43,7 +43,7 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef Shell::Point_3 Point;
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
 
-void require(bool condition, const char* otherwise)
+void require(bool condition, const std::string& otherwise)
 {
   if(!condition) throw std::runtime_error(otherwise);
 }

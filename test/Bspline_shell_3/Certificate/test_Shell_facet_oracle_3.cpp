@@ -39,6 +39,19 @@ CGAL::Bspline_shell_3<Uniform_field> ball_shell() { return shell_of(uniform_fiel
 
 } // namespace
 
+TEST_CASE("Facet oracle: without a shell, all facets are rejected")
+{
+  const CGAL::Bspline_shell_3<Uniform_field> none;
+  const Oracle oracle(none);
+  const std::vector<Point_3> link = band({ 0, 120, 240 });
+  Oracle::Memory memory;
+  CHECK(oracle(pole, link, memory) != Placement_verdict::ACCEPTED);
+  CHECK(oracle(pole, link[0], link[1]) != Placement_verdict::ACCEPTED);
+  CHECK(oracle.winding_number(pole, link) == 0);
+  CHECK_FALSE(oracle.level_between(link[0], link[1]));
+  CHECK_FALSE(oracle.moved_to_level(pole, 0.5));
+}
+
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell in the middle of the opposite edge is rejected")
 {
   const auto shell = ball_shell();

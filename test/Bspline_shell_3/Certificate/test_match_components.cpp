@@ -8,6 +8,7 @@
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
@@ -188,13 +189,64 @@ TEST_CASE("Components: the map between meshes in other components is refused")
   CHECK(BS::Shell_map_3(shell, mesh, turned).status() == BS::Flow_status::SUCCESS);
   const Mesh debris = both(mesh, sphere(1, 0.1));
   CHECK(BS::Shell_map_3(shell, mesh, debris).status() == BS::Flow_status::SUCCESS);
-  // nothing is known of the components of a shell that is not certified
-  CHECK(BS::Shell_map_3(Shell(shell.field(), BS::Level_range{ -0.09, 0.09 }, shell.shell_cells(), {}, [] {
-    BS::Shell_report report;
-    report.status = BS::Shell_status::SUCCESS;
-    report.unit = 2;
-    return report;
-  }()), mesh, one).status() == BS::Flow_status::SUCCESS);
+}
+
+TEST_CASE("Components: without a certificate of the shell, paths through both meshes tell what is known")
+{
+  const Shell certified = shell_of(both(small_sphere(), large_sphere()));
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 2;
+  const Shell shell(certified.field(), BS::Level_range{ -0.09, 0.09 }, certified.shell_cells(), {}, report);
+  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(large_sphere(0.99), small_sphere(1.02)), small = small_sphere(),
+             large = large_sphere();
+  const auto status = [&](const Shell& s, const Mesh& source, const Mesh& target) {
+    const BS::Shell_map_3 map(s, source, target);
+    CHECK(map.inverse().status() == map.status());
+    CHECK(map.maps_points());
+    return map.status();
+  };
+  CHECK(status(shell, mesh, moved) == BS::Flow_status::SUCCESS);
+  CHECK(status(shell, small, small_sphere(1.02)) == BS::Flow_status::SUCCESS);
+  CHECK(status(shell, small, large) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  CHECK(status(shell, mesh, small) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  CHECK(status(shell, large, mesh) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  // a mesh that is not in the shell is in no component
+  CHECK(status(shell, mesh, both(mesh, sphere(1, 0.1))) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  CHECK(status(shell, small, small_sphere(1.3)) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  // points have images where there are any
+  CHECK(number_of_images(BS::Shell_map_3(shell, mesh, small)) == small.number_of_faces());
+  // the same for open meshes in a certified shell: half of a sphere is in the component of the sphere
+  Mesh half = small_sphere(1.01);
+  for(auto f : half.faces())
+    if(half.point(half.target(half.halfedge(f))).z() > 0) CGAL::Euler::remove_face(half.halfedge(f), half);
+  half.collect_garbage();
+  CHECK(status(certified, half, small) == BS::Flow_status::SUCCESS);
+  CHECK(status(certified, small, half) == BS::Flow_status::SUCCESS);
+  CHECK(status(certified, half, large) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  CHECK(status(certified, half, mesh) == BS::Flow_status::COMPONENTS_UNKNOWN);
+}
+
+TEST_CASE("Components: a component all paths through which are degenerate is found by the vertices in it")
+{
+  Mesh mesh = both(small_sphere(), large_sphere());
+  const Shell shell = shell_of(mesh);
+  BS::Shell_report report = shell.report();
+  report.certificate.spare_paths.clear();
+  for(BS::Crossing_path& path : report.certificate.paths)
+    for(auto vertex : mesh.vertices()) {
+      // through a vertex of the component
+      const Point_3& v = mesh.point(vertex);
+      if((CGAL::squared_distance(v, Point_3(0, 0, 0)) < 0.64) != (path.component == 0)) continue;
+      path.source = { v.x(), v.y(), v.z() - 0.1 };
+      path.target = { v.x(), v.y(), v.z() + 0.1 };
+    }
+  Shell degenerate(shell.field(), BS::Level_range{ -0.09, 0.09 }, shell.shell_cells(), {}, report);
+  degenerate.set_proved_cover(*shell.proved_cover());
+  REQUIRE(degenerate.is_certified());
+  CHECK(BS::Shell_map_3(degenerate, mesh, mesh).status() == BS::Flow_status::SUCCESS);
+  const Mesh one = small_sphere();
+  CHECK(BS::Shell_map_3(degenerate, mesh, one).status() != BS::Flow_status::SUCCESS);
 }
 
 TEST_CASE("Components: containment tells which component of the shell a mesh lies in")

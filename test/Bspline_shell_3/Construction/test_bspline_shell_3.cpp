@@ -309,6 +309,29 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is a
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
 }
 
+TEST_CASE("A solver that returns zeros, garbage or a vector of another size with SUCCESS is a reason, too")
+{
+  struct Liar
+  {
+    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&) { return BS::Solver_status::SUCCESS; }
+    BS::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+    {
+      x = Eigen::VectorXd::Constant(b.size() + more, value);
+      return BS::Solver_status::SUCCESS;
+    }
+    std::size_t iterations() const { return 1; }
+    double residual() const { return 0; }
+    double value = 0;
+    Eigen::Index more = 0;
+  };
+  const Mesh mesh = sphere(1);
+  for(const Liar& liar : { Liar{ 0, 0 }, Liar{ 1, 0 }, Liar{ -1e5, 0 }, Liar{ 0, 1 }, Liar{ 0, -1 } }) {
+    const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(liar));
+    CHECK(shell.status() == Status::SOLVER_FAILED);
+    CHECK(shell.report().fit.status == BS::Solver_status::WRONG_SOLUTION);
+  }
+}
+
 TEST_CASE("A user's distance replaces that to the mesh")
 {
   const Mesh mesh = sphere(2);
@@ -529,21 +552,26 @@ TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are o
 {
   const Mesh mesh = sphere(0);
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  for(double x : { nan, infinity, 0., -1., 1e-9 }) {
-    CAPTURE(x);
-    CHECK(CGAL::bspline_shell_3(mesh, P::resolution(x)).status() == Status::INVALID_PARAMETER);
-  }
-  for(double x : { nan, infinity, 0., -1., 1e6 }) {
-    CAPTURE(x);
-    CHECK(CGAL::bspline_shell_3(mesh, P::grid_spacing(x)).status() == Status::INVALID_PARAMETER);
-  }
-  for(int rings : { 0, -3 }) CHECK(CGAL::bspline_shell_3(mesh, P::number_of_rings(rings)).status() == Status::INVALID_PARAMETER);
-  for(double x : { nan, 0., -1. }) CHECK(CGAL::bspline_shell_3(mesh, P::memory_limit(x)).status() == Status::INVALID_PARAMETER);
+  const auto check = [](const Shell& shell, const std::string& name, double value) {
+    CAPTURE(name, value);
+    CHECK(shell.status() == Status::INVALID_PARAMETER);
+    const BS::Invalid_parameter& parameter = shell.report().invalid_parameter;
+    REQUIRE(parameter);
+    CHECK(parameter.name == name);
+    CHECK((parameter.value == value || (std::isnan(parameter.value) && std::isnan(value))));
+    CHECK_FALSE(parameter.bounds.contains(value));
+    CHECK(shell.message() == message(parameter));
+  };
+  for(double x : { nan, infinity, 0., -1., 1e-9 }) check(CGAL::bspline_shell_3(mesh, P::resolution(x)), "resolution", x);
+  for(double x : { nan, infinity, 0., -1., 1e6 }) check(CGAL::bspline_shell_3(mesh, P::grid_spacing(x)), "grid_spacing", x);
+  for(int rings : { 0, -3 }) check(CGAL::bspline_shell_3(mesh, P::number_of_rings(rings)), "number_of_rings", rings);
+  for(double x : { nan, 0., -1. }) check(CGAL::bspline_shell_3(mesh, P::memory_limit(x)), "memory_limit", x);
   for(double x : { nan, infinity, -1. }) {
     BS::Energy_weights weights;
     weights.zeta = x;
-    CHECK(CGAL::bspline_shell_3(mesh, P::energy_weights(weights)).status() == Status::INVALID_PARAMETER);
+    check(CGAL::bspline_shell_3(mesh, P::energy_weights(weights)), "energy_weights.zeta", x);
   }
+  CHECK_FALSE(CGAL::bspline_shell_3(mesh, P::resolution(6)).report().invalid_parameter);
 }
 
 TEST_CASE("TOO_MANY_CELLS: found out before they are listed")

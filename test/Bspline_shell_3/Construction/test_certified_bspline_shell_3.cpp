@@ -246,11 +246,40 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
 {
   const Mesh mesh = sphere(1);
   typedef BS::Shell_status Status;
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.)).status() == Status::INVALID_PARAMETER);
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(-1.)).status() == Status::INVALID_PARAMETER);
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::resolution(0.)).status() == Status::INVALID_PARAMETER);
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(5.)).status() == Status::INVALID_PARAMETER);
+  const auto check = [](const CGAL::Certified_bspline_shell_3& shell, const std::string& name, double value) {
+    CAPTURE(name, value);
+    CHECK(shell.status() == Status::INVALID_PARAMETER);
+    const BS::Invalid_parameter& parameter = shell.report().invalid_parameter;
+    REQUIRE(parameter);
+    CHECK(parameter.name == name);
+    CHECK(parameter.value == value);
+    CHECK_FALSE(parameter.bounds.contains(value));
+    CHECK(shell.message() == message(parameter));
+  };
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.)), "relative_thickness", 0);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(-1.)), "thickness", -1);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::resolution(0.)), "resolution", 0);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(0.)), "time_limit", 0);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(-1.)), "memory_limit", -1);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::least_cone_margin(1.)), "least_cone_margin", 1);
+  // at most twenty root cells
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(5.)), "relative_thickness", 5);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(10.)), "thickness", 10);
+  check(CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3&) { return -0.5; })), "sizing", -0.5);
   CHECK(CGAL::certified_bspline_shell_3(Mesh()).status() == Status::EMPTY_MESH);
+  // a solver that returns zeros
+  struct Zeros
+  {
+    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&) { return BS::Solver_status::SUCCESS; }
+    BS::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+    {
+      x = Eigen::VectorXd::Zero(b.size());
+      return BS::Solver_status::SUCCESS;
+    }
+    std::size_t iterations() const { return 1; }
+    double residual() const { return 0; }
+  };
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros())).status() == Status::SOLVER_FAILED);
   CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
   struct Canceling { bool start_step(BS::Shell_step step) { return step != BS::Shell_step::CERTIFICATE; } };
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(Canceling())).status() == Status::CANCELED);

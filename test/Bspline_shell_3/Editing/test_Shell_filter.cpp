@@ -277,5 +277,6 @@ TEST_CASE("Filter: an envelope, or any other predicate on triangles, takes the p
 
   const auto nothing = [](const Point_3&, const Point_3&, const Point_3&) { return false; };
   mesh = start;
-  CHECK(collapse(mesh, 6, BS::Shell_filter(BS::Triangle_predicate_oracle(nothing))) == 0);
+  const BS::Triangle_predicate_oracle rejecting(nothing);
+  CHECK(collapse(mesh, 6, BS::Shell_filter(rejecting)) == 0);
 }

@@ -335,6 +335,9 @@ TEST_CASE("Remeshing: a sizing function that is wrong between the vertices is re
     BS::Remeshing_report report;
     REQUIRE_NOTHROW(report = remesh(mesh, sizing, sphere_shell()));
     CHECK(report.status == Status::INVALID_PARAMETER);
+    CHECK(std::string(report.invalid_parameter.name) == "target_edge_length");
+    CHECK((report.invalid_parameter.value == wrong || std::isnan(wrong)));
+    CHECK(report.end == BS::Edit_end::NOT_EDITED);
     CHECK(report.facets == start.number_of_faces());
     CHECK(is_equal(mesh, start));
   }
@@ -640,9 +643,16 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   const auto report = remesh(mesh, 0.2, sphere_shell(), P::number_of_iterations(0));
   check_result(report, sphere_shell(), mesh);
   CHECK(report.splits + report.collapses + report.moves == 0);
+  CHECK(report.end == BS::Edit_end::ITERATIONS);
   CHECK(mesh.number_of_vertices() == start.number_of_vertices());
   for(auto v : start.vertices()) CHECK(mesh.point(v) == start.point(v));
   CHECK(qualities(mesh).front() >= qualities(start).front());
+}
+
+TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
+{
+  Mesh mesh = sphere(2);      // edges of 0.28 to 0.32
+  CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_end::TARGET);
 }
 
 TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refused, and nothing breaks")
@@ -654,6 +664,7 @@ TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refuse
     const auto report = remesh(mesh, target, shell);
     check_result(report, shell, mesh);
     CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
+    CHECK(report.end == BS::Edit_end::SHELL);
     if(target == 1.) CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 10 * report.collapses);
   }
 }
@@ -699,8 +710,20 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     mesh.point(Mesh::Vertex_index(3)) = Point_3(0, coordinate, 0);
     CHECK(remesh(mesh, 0.2, sphere_shell()).status == Status::NOT_FINITE);      // NaN is not equal to itself
   }
-  for(double target : { 0., -0.2, nan_value, infinite, -infinite, 1e-6, 1e-200 })
-    CHECK(refused(sphere(2), sphere_shell(), target).status == Status::INVALID_PARAMETER);
+  for(double target : { 0., -0.2, nan_value, infinite, -infinite, 1e-6, 1e-200 }) {
+    const auto report = refused(sphere(2), sphere_shell(), target);
+    CHECK(report.status == Status::INVALID_PARAMETER);
+    REQUIRE(report.invalid_parameter);
+    CHECK(std::string(report.invalid_parameter.name) == "target_edge_length");
+    CHECK((report.invalid_parameter.value == target || std::isnan(target)));
+    CHECK_FALSE(report.invalid_parameter.bounds.contains(target));
+    CHECK(report.message() == message(report.invalid_parameter));
+    CHECK(report.end == BS::Edit_end::NOT_EDITED);
+  }
+  // the bound is the length with which there are too many facets: about 5.4e9 / length^2
+  const double shortest = remesh(mesh = sphere(2), 1e-6, sphere_shell()).invalid_parameter.bounds.lower;
+  CHECK(remesh(mesh, 0.999 * shortest, sphere_shell(), P::memory_limit(infinite)).status == Status::INVALID_PARAMETER);
+  CHECK(remesh(mesh, 1.001 * shortest, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
   mesh = sphere(2);
   const Sizing_function partly_zero = [](const Point_3& p) { return p.x() < 0 ? 0.2 : 0.; };
   CHECK(remesh(mesh, partly_zero, sphere_shell()).status == Status::INVALID_PARAMETER);
@@ -802,6 +825,7 @@ TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused
   CHECK(remesh(mesh, 1e-3, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(status(0.2, 1e6) == Status::MEMORY_LIMIT_EXCEEDED);
   for(double limit : { 0., -1., nan_value }) CHECK(status(0.2, limit) == Status::INVALID_PARAMETER);
+  CHECK(std::string(remesh(mesh, 0.2, sphere_shell(), P::memory_limit(-1.)).invalid_parameter.name) == "memory_limit");
   // a length in the wrong unit stays one, however much memory there is
   CHECK(status(1e-6, infinite) == Status::INVALID_PARAMETER);
   CHECK(is_equal(mesh, start));

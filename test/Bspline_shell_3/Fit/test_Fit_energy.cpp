@@ -105,14 +105,19 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 261);
   weights.mu = 0;
   CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 5);
-  CHECK(weights.are_valid());
+  const auto invalid = [&] {
+    BS::Invalid_parameter parameter;
+    weights.check(parameter);
+    return parameter ? std::string(parameter.name) : std::string();
+  };
+  CHECK(invalid() == "");
   weights.coefficients = 0.5;
   CHECK(cube_problem().energy(weights).weight(Term::COEFFICIENTS) == 0.5);
   weights.normal = -1;
-  CHECK_FALSE(weights.are_valid());
+  CHECK(invalid() == "energy_weights.normal");
   weights.normal = 0;
   weights.coefficients = -1;
-  CHECK_FALSE(weights.are_valid());
+  CHECK(invalid() == "energy_weights.coefficients");
 }
 
 TEST_CASE("E_SDF is the sum of squared differences at the samples")

@@ -151,36 +151,6 @@ TEST_CASE("files: a shell is read into one of its kind only")
   CHECK(same(varying, small_varying_shell()));
 }
 
-TEST_CASE("files: those of the first version are read")
-{
-  const Shell shell = small_shell();
-  Lines lines = lines_of(written(shell, Format::ASCII));
-  lines[0] = "cubic_bspline_shell 1 ascii";
-  const std::size_t functions = line_that_begins_with(lines, "functions"), leaves = line_that_begins_with(lines, "leaves"),
-                    facets = line_that_begins_with(lines, "facet_ranges");
-  std::string more;       // corner, width, error radius, Bernstein coefficients
-  for(int n = 0; n < 69; ++n) more += " 0.25";
-  for(std::size_t n = functions + 1; n < facets; ++n) {
-    if(n == leaves) continue;
-    lines[n].erase(0, 2);
-    if(n > leaves) lines[n] += more;
-  }
-  Shell back;
-  CHECK(read(text_of(lines), back) == Status::SUCCESS);
-  CHECK(same(back, shell));
-  lines[leaves + 1] += " 0";
-  CHECK(read(text_of(lines), back) == Status::DAMAGED);
-
-  std::string bytes = written(shell, Format::BINARY);
-  bytes.resize(bytes.size() - 8);
-  bytes[7] = '1';
-  bytes.erase(126, 1);
-  bytes.erase(112, 1);
-  Shell again;
-  CHECK(read(bytes + as_bytes(slow_checksum(bytes)), again) == Status::SUCCESS);
-  CHECK(same(again, shell));
-}
-
 TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell as it was")
 {
   const auto check = [](const auto& shell, const auto& before, std::size_t step) {
@@ -293,6 +263,12 @@ TEST_CASE("files: a text that contradicts itself is refused, though its checksum
   altered("an origin of too many bits", 4, 2, "1e-20");
   altered("another kind of field", 4, 1, "dense");
   altered("a count of triangles", 3, 1, "-1");
+  const std::size_t closing = line_that_begins_with(intact, "closing"), paths = line_that_begins_with(intact, "paths");
+  for(const char* count : { "1", "-1", "18446744073709551615" }) {
+    for(std::size_t word : { 1, 2, 3 }) altered("a count of the closing", closing, word, count);
+    altered("the number of paths", paths, 1, count);
+    altered("a count of the truncation", paths + 2, 0, count);
+  }
   for(const char* count : { "0", "1", "79", "81", "4294967295", "4294967376", "18446744073709551615",
                             "18446744073709551616" }) {
     altered("the number of functions", functions, 1, count);
@@ -403,17 +379,17 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
 
   // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbors are not
   typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
-  lines = { "cubic_bspline_shell 2 ascii", "unit 1", "levels -1 1", "triangles 1 components 1", intact[4], "functions 0", "leaves 17" };
+  lines = { "cubic_bspline_shell 5 ascii", "unit 1", "levels -1 1", "triangles 1 components 1", intact[4], "functions 0", "leaves 17" };
   for(const char* roots : { "0 1 0 0 1", "0 2 0 0 1" }) lines.push_back(roots);
   for(int level = 1; level < 3; ++level)
     for(int o = level == 1 ? 1 : 0; o < 8; ++o)
       lines.push_back(std::to_string(level) + " " + std::to_string(o & 1) + " " + std::to_string(o >> 1 & 1) + " " + std::to_string(o >> 2) + " 1");
-  lines.push_back("facet_ranges 0");
+  for(const char* line : { "facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" }) lines.push_back(line);
   Levels_shell none;
   CHECK(read(text_of(lines), none) == Status::DAMAGED);
   BS::Lattice_3 lattice = shell.field().cells().lattice();
   std::vector<std::vector<std::uint64_t> > keys(3);
-  for(std::size_t n = 7; n < lines.size() - 1; ++n) {
+  for(std::size_t n = 7; n < lines.size() - 5; ++n) {
     int level, i, j, k;
     std::istringstream(lines[n]) >> level >> i >> j >> k;
     keys[std::size_t(level)].push_back(BS::Lattice_key::encode(i, j, k));
@@ -465,18 +441,21 @@ TEST_CASE("files: a few cells far from each other take little memory")
   CHECK(same(back, shell));
 }
 
-TEST_CASE("files: foreign files, later versions, no file at all")
+TEST_CASE("files: foreign files, other versions, no file at all")
 {
   const Shell before = small_shell();
   Shell shell = before;
   const std::string text = written(before, Format::ASCII), bytes = written(before, Format::BINARY);
   for(const char* foreign : { "", "\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "cubic_bspline_shell_certificate 1\n",
-                              "BSHELF01", "cubic_bspline_shell\n", "cubic_bspline_shell 1 binary\n" })
+                              "BSHELF01", "cubic_bspline_shell\n", "cubic_bspline_shell 5 binary\n" })
     CHECK(read(foreign, shell) == Status::NOT_A_SHELL);
   CHECK(read(std::string(100000, '\0'), shell) == Status::NOT_A_SHELL);
-  CHECK(read("cubic_bspline_shell 5 ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
-  CHECK(read("cubic_bspline_shell 5 something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
-  CHECK(read("BSHELL05" + bytes.substr(8), shell) == Status::VERSION_NOT_SUPPORTED);
+  for(const char* version : { "1", "4", "6", "55" }) {
+    CHECK(read("cubic_bspline_shell " + std::string(version) + " ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
+    CHECK(read("cubic_bspline_shell " + std::string(version) + " something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
+  }
+  for(const char* version : { "04", "06", "15" })
+    CHECK(read("BSHELL" + (version + bytes.substr(8)), shell) == Status::VERSION_NOT_SUPPORTED);
   CHECK(BS::read_shell("no_such_file.shell", shell) == Status::CANNOT_OPEN);
   CHECK(BS::read_shell(".", shell) == Status::CANNOT_OPEN);
   std::ifstream missing("no_such_file.shell");

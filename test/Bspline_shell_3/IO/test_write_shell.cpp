@@ -11,8 +11,10 @@
 #include <limits>
 #include <locale>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -32,8 +34,8 @@ TEST_CASE("files: the text is what the format says")
   const std::string text = written(shell, Format::ASCII);
   const Lines lines = lines_of(text);
   CHECK(text_of(lines) == text);
-  REQUIRE(lines.size() == 5 + 1 + 80 + 1 + 2 + 1 + 3);
-  CHECK(lines[0] == "cubic_bspline_shell 2 ascii");
+  REQUIRE(lines.size() == 5 + 1 + 80 + 1 + 2 + 1 + 3 + 4);
+  CHECK(lines[0] == "cubic_bspline_shell 5 ascii");
   CHECK(lines[1] == "unit 3.7000000000000002");
   CHECK(lines[2] == "levels -0.10000000000000001 0.33333333333333331");
   CHECK(lines[3] == "triangles 20 components 1");
@@ -43,6 +45,7 @@ TEST_CASE("files: the text is what the format says")
   CHECK(lines[88] == "0 0 0 2 1");
   CHECK(lines[89] == "facet_ranges 3");
   CHECK(lines[90] == "-0.050000000000000003 0.29999999999999999");
+  CHECK(Lines(lines.begin() + 93, lines.end()) == Lines{ "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" });
 
   std::string word, kind;
   double origin[3], spacing;
@@ -77,8 +80,8 @@ TEST_CASE("files: the text of a hierarchy with thresholds that vary is what the 
   CHECK(text_of(lines) == text);
   REQUIRE(field.number_of_cells() == 2 + 24);
   const std::size_t functions = field.number_of_coefficients();
-  REQUIRE(lines.size() == 5 + 1 + functions + 1 + 26 + 1 + 3);
-  CHECK(lines[0] == "cubic_bspline_shell 2 ascii");
+  REQUIRE(lines.size() == 5 + 1 + functions + 1 + 26 + 1 + 3 + 4);
+  CHECK(lines[0] == "cubic_bspline_shell 5 ascii");
   CHECK(lines[2] == "thickness 0.29999999999999999");
   CHECK(lines[5] == "functions " + std::to_string(functions));
   CHECK(lines[6 + functions] == "leaves 26");
@@ -147,8 +150,8 @@ TEST_CASE("files: the bytes are where the format says")
 {
   const Shell shell = small_shell();
   const std::string bytes = written(shell, Format::BINARY);
-  REQUIRE(bytes.size() == 112 + 2 * 14 + 80 * 8 + 3 * 16 + 8);
-  CHECK(bytes.substr(0, 8) == "BSHELL02");
+  REQUIRE(bytes.size() == 112 + 2 * 14 + 80 * 8 + 3 * 16 + 3 * 8 + 8 + 6 * 4 + 8);
+  CHECK(bytes.substr(0, 8) == "BSHELL05");
   CHECK(at<double>(bytes, 8) == 3.7);
   CHECK(at<double>(bytes, 16) == shell.inner_level());
   CHECK(at<double>(bytes, 24) == shell.outer_level());
@@ -173,8 +176,8 @@ TEST_CASE("files: the bytes are where the format says")
   const Varying_shell varying = small_varying_shell();
   const std::string more = written(varying, Format::BINARY);
   const std::size_t functions = varying.field().number_of_coefficients(), coefficients = 112 + 26 * 14;
-  REQUIRE(more.size() == coefficients + 3 * functions * 8 + 3 * 16 + 8);
-  CHECK(more.substr(0, 8) == "BSHELL02");
+  REQUIRE(more.size() == coefficients + 3 * functions * 8 + 3 * 16 + 3 * 8 + 8 + 6 * 4 + 8);
+  CHECK(more.substr(0, 8) == "BSHELL05");
   CHECK(at<double>(more, 16) == 0);
   CHECK(at<double>(more, 24) == varying.thickness());
   CHECK(at<std::uint64_t>(more, 104) == 3);
@@ -182,6 +185,31 @@ TEST_CASE("files: the bytes are where the format says")
   CHECK(at<double>(more, coefficients) == varying.field().coefficients()[0]);
   CHECK(at<double>(more, coefficients + 8 * functions) == varying.inner_threshold().field().coefficients()[0]);
   CHECK(at<double>(more, coefficients + 16 * functions) == varying.outer_threshold().field().coefficients()[0]);
+}
+
+TEST_CASE("files: paths are where the format says, as text and as bytes")
+{
+  Shell shell = small_shell();
+  shell.set_path_candidates({ { 3, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
+  const Lines lines = lines_of(written(shell, Format::ASCII));
+  CHECK(Lines(lines.begin() + 94, lines.end()) == Lines{ "paths 1", "3 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
+  const std::string bytes = written(shell, Format::BINARY);
+  const std::size_t paths = 140 + 80 * 8 + 3 * 16 + 3 * 8;
+  REQUIRE(bytes.size() == paths + 8 + 56 + 6 * 4 + 8);
+  CHECK(at<std::uint64_t>(bytes, paths) == 1);
+  CHECK(at<std::uint64_t>(bytes, paths + 8) == 3);
+  CHECK(at<double>(bytes, paths + 16) == 0.5);
+  CHECK(at<double>(bytes, paths + 56) == 1e-3);
+  // and they are read as they are written
+  for(Format format : { Format::ASCII, Format::BINARY }) {
+    Shell back;
+    REQUIRE(read(written(shell, format), back) == Status::SUCCESS);
+    CHECK(written(back, format) == written(shell, format));
+    CHECK(back.component_paths().empty());       // nothing is proved of them
+  }
+  shell.set_path_candidates({ { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
+  std::ostringstream out;
+  CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
 }
 
 TEST_CASE("files: locales and flags of streams do not matter")
@@ -242,6 +270,23 @@ TEST_CASE("files: what is no shell is not written")
   }
   report.unit = nan;
   check(Shell(some.field(), levels, some.shell_cells(), {}, report));
+  // a closing whose edges do not all end on the border, and a truncation with a core in a facet that does not exist
+  typedef BS::Shell_closing_3 Closing;
+  typedef BS::Shell_truncation_3 Truncation;
+  const std::vector<Closing::Point> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  for(std::size_t border : { 2, 3 }) {
+    Shell closed = some;
+    closed.set_closing(std::make_shared<const Closing>(points, border, std::vector<Closing::Triangle>{ { 0, 1, 2 } },
+                                                       std::vector<Closing::Kind>{ Closing::Kind::CAP }));
+    if(border == 2) check(closed);
+    else CHECK_FALSE(written(closed, Format::BINARY).empty());
+  }
+  Shell truncated = some;
+  truncated.set_truncation(std::make_shared<const Truncation>(
+    points, std::vector<Truncation::Triangle>(), std::vector<Truncation::Cut>(),
+    std::vector<Truncation::Core>{ { { 0, 1, 2 }, 0 } }, std::vector<Truncation::Disc>(),
+    std::vector<Truncation::Planar_point>()));
+  check(truncated);
 
   const Varying_shell varying = small_varying_shell();
   BS::Shell_report other = varying.report();

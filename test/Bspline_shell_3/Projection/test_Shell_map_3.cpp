@@ -2,12 +2,16 @@
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Projection/Soup_map_3.h>
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -155,6 +159,35 @@ TEST_CASE("Shell map: if one of the meshes is not valid, nothing has an image")
   CHECK(to(l).status == Flow_status::INVALID_MESH);
   CHECK(from.project(std::vector<Location>(3, m))[2].status == Flow_status::INVALID_MESH);
   CHECK(from.inverse()(l).status == Flow_status::INVALID_MESH);
+}
+
+TEST_CASE("Shell map: without a shell, nothing has an image, and the status says so")
+{
+  const Mesh a = sphere(1, 0.7), b = sphere(1, 0.85);
+  const Polynomial_shell none;
+  const Map map(none, a, b);
+  CHECK(map.status() == Flow_status::NO_SHELL);
+  CHECK_FALSE(map.maps_points());
+  CHECK(map.inverse().status() == Flow_status::NO_SHELL);
+  const Location location = some_locations(a).front();
+  const auto image = map(location);
+  CHECK(image.status == Flow_status::NO_SHELL);
+  CHECK(map(*a.vertices().begin()).status == Flow_status::NO_SHELL);
+  CHECK(map.differential(location, image).status == Flow_status::NO_SHELL);
+  CHECK(map.to_target().differential(Point_3(0, 0, 0.7), image).status == Flow_status::NO_SHELL);
+  for(const auto& i : map.project(some_locations(a))) CHECK(i.status == Flow_status::NO_SHELL);
+  for(const auto& i : BS::project_points(none, std::vector<Point_3>{ Point_3(0, 0, 0.7), Point_3(0, 0, 0) }, b))
+    CHECK(i.status == Flow_status::NO_SHELL);
+  const BS::Gradient_flow_3<Polynomial_shell> flow(none);
+  CHECK(flow.trace(Point_3(0, 0, 0.7), 0.5).status == Flow_status::NO_SHELL);
+  CHECK(flow.differential(Point_3(0, 0, 0.7), 0.5).status == Flow_status::NO_SHELL);
+  const auto target = std::make_shared<const BS::Projection_target_3<Mesh> >(b, get(CGAL::vertex_point, b));
+  const Point_3 p(0, 0, 0.7);
+  CHECK(BS::Soup_projection_3<Polynomial_shell, Mesh>(none, target)(p).status == Flow_status::NO_SHELL);
+  CHECK(BS::Proxy_projection_3<Polynomial_shell, Mesh>(none, target)(p).status == Flow_status::NO_SHELL);
+  CHECK(BS::Soup_map_3<Polynomial_shell, Mesh>(none, a, b).status() == Flow_status::NO_SHELL);
+  CHECK(none.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE);
+  CHECK_FALSE(std::string(message(Flow_status::NO_SHELL)).empty());
 }
 
 TEST_CASE("Shell map: the differential between homothetic spheres is the homothety")

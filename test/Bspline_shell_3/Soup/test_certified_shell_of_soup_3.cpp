@@ -185,12 +185,19 @@ TEST_CASE("Front door: points that are no numbers or do not exist are named")
   const BS::Shell_of_soup_3 no_point = CGAL::certified_shell_of_soup_3({ points, { { 0, 1 }, { 0, 1, 3 } } });
   CHECK(no_point.status() == BS::Shell_status::INVALID_PARAMETER);
   CHECK(no_point.offending_simplices.facets == std::vector<std::size_t>{ 1 });
+  REQUIRE(no_point.invalid_parameter);
+  CHECK(std::string(no_point.invalid_parameter.name) == "polygons");
+  CHECK(no_point.message() == "The parameter polygons is 3. It must be at least 0 and less than 3.");
 }
 
 TEST_CASE("Front door: parameters that make no sense, and visitors who stop, end at once")
 {
   const BS::Polygon_soup soup = soup_of(sphere(2));
-  CHECK(CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(-1.)).mesh_status == BS::Shell_status::INVALID_PARAMETER);
+  const BS::Shell_of_soup_3 negative = CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(-1.));
+  CHECK(negative.mesh_status == BS::Shell_status::INVALID_PARAMETER);
+  REQUIRE(negative.invalid_parameter);
+  CHECK(std::string(negative.invalid_parameter.name) == "relative_thickness");
+  CHECK(negative.message() == message(negative.invalid_parameter));
   struct Stop : BS::Default_shell_visitor
   {
     bool start_step(BS::Shell_step) { return false; }

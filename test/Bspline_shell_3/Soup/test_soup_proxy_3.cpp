@@ -385,6 +385,20 @@ TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, 
   CHECK(status(points, { { 0, 1, 2 } }, 1e-12) == BS::Shell_status::GRID_TOO_FINE);
   CHECK(status(points, { { 0, 1, 2 } }, 1e-6) == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
   const Polygons one{ { 0, 1, 2 } };
+  const auto check = [](const BS::Soup_proxy_3& proxy, const std::string& name, double value) {
+    CAPTURE(name);
+    CHECK(proxy.status() == BS::Shell_status::INVALID_PARAMETER);
+    REQUIRE(proxy.invalid_parameter());
+    CHECK(proxy.invalid_parameter().name == name);
+    CHECK(proxy.invalid_parameter().value == value);
+    CHECK_FALSE(proxy.invalid_parameter().bounds.contains(value));
+    CHECK(proxy.message() == message(proxy.invalid_parameter()));
+  };
+  check(CGAL::certified_soup_proxy_3(points, one, parameters::alpha(0.)), "alpha", 0);
+  check(CGAL::certified_soup_proxy_3(points, one, parameters::offset(-2.)), "offset", -2);
+  check(CGAL::certified_soup_proxy_3(points, one, parameters::time_limit(0.)), "time_limit", 0);
+  check(CGAL::certified_soup_proxy_3(points, one, parameters::least_cone_margin(2.)), "least_cone_margin", 2);
+  check(CGAL::certified_soup_proxy_3(points, std::vector<std::vector<std::size_t> >{ { 0, 1, 4 } }), "polygons", 4);
   CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::thickness(-1)).status() == BS::Shell_status::INVALID_PARAMETER);
   CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::resolution(0.)).status() == BS::Shell_status::INVALID_PARAMETER);
   Points large = points;

@@ -103,7 +103,7 @@ public:
     const std::string text = read_file(name);
     Reader in(name, text, true);
     in.expect("cubic_bspline_shell");
-    const Integer version = in.integer(2, 4);
+    in.integer(5, 5);       // the version
     in.expect("ascii").end_line();
     in.expect("unit");
     if(!(in.number() > 0)) in.fail("the unit is not positive");
@@ -159,11 +159,17 @@ public:
       if(!(least <= in.number())) in.fail("a facet range is empty");
       in.end_line();
     }
-    if(version >= 3) read_closing(in);
-    if(version >= 4) {
-      in.expect("truncation").end_line();
-      truncation.emplace(in);
+    read_closing(in);
+    const Integer paths = count(in, "paths");       // candidates, which no claim uses
+    for(Integer n = 0; n < paths; ++n) {
+      in.integer(0, (std::numeric_limits<Integer>::max)());
+      in.point();
+      in.point();
+      in.end_line();
     }
+    in.expect("truncation").end_line();
+    truncation.emplace(in);
+    if(truncation->is_empty()) truncation.reset();
     in.end_file();
     checksum = in.checksum;
     check_leaves();

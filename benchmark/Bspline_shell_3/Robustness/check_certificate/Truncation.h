@@ -138,6 +138,9 @@ public:
     }
   }
 
+  // whether nothing is replaced
+  bool is_empty() const { return point.empty() && cut_facet.empty() && core.empty() && disc.empty(); }
+
   // whether h is a homeomorphism from the cut facets to the cores and discs that leaves the other facets at the cut ones where they are
   void check() const
   {

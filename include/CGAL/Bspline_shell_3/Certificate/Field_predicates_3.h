@@ -74,6 +74,8 @@ public:
     for(Cell_index c = 0; c < field.number_of_cells(); ++c) m_largest_width = (std::max)(m_largest_width, field.cell(c).width());
   }
 
+  explicit Field_predicates_3(const Field&&) = delete;       // it would dangle
+
   const Field& field() const { return *m_field; }
 
   /// compares the field at `p` with `level`: exact. Nothing outside the domain, nor where the field has no value.

@@ -86,6 +86,7 @@ public:
     : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]())
     , m_places(new Cell_place[field.number_of_cells()]), m_cells(new Cell_bounds[field.number_of_cells()])
   {}
+  Second_order_bounds_3(const Field&&, const Threshold&, const Threshold&) = delete;       // it would dangle
 
   /// of a cell, in user units
   double width(Cell_index c) const { return place(c).width; }

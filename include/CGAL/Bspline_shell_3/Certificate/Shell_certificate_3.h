@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
 #include <CGAL/Bspline_shell_3/Certificate/internal/Recent_samples.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Certificate/segment_through_shell.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -32,7 +33,6 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -91,22 +91,30 @@ public:
   Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
+  Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete;       // it would dangle
 
   /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
-  /// bounds on cells, if it has some or they are given.
-  /// \pre there is a shell, and it outlives this object and stays as it is; `bounds` are those of the shell
+  /// bounds on cells, if it has some or they are given. If the shell is not certified, but a file had candidates of
+  /// paths through its components (`Bspline_shell_3::path_candidates()`), a mesh must have exactly one component in
+  /// each component through which such a path is proved to lead, and no other. If there is no shell, `status()` is its
+  /// status once a mesh was to be verified.
+  /// \pre the shell outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
-    CGAL_precondition(bool(shell));
     m_is_of_shell = true;
+    m_shell_status = shell.status();
     m_bounds = bounds ? std::move(bounds) : shell.cell_bounds();
     m_closing = shell.closing();
     m_truncation = shell.truncation();
     const Certificate_report& report = shell.report().certificate;
     m_proved = { shell.proved_cover(), report.covers, report.least_gradient, report.greatest_gradient };
-    m_shell_paths = shell.component_paths();
+    m_is_shell_certified = shell.is_certified();
+    m_shell_paths = m_is_shell_certified ? shell.component_paths() : shell.path_candidates();
+    m_are_paths_proved = m_is_shell_certified;
   }
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&,
+                               std::shared_ptr<const Bounds> = nullptr) = delete;
 
   /// examines a mesh: the one that the shell was built for, or any other.
   ///
@@ -138,12 +146,12 @@ public:
   bool verify(std::shared_ptr<const Input_mesh_3> input);
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
-  /// components of the shell. Undecided if one of them is not certified, or if every path is degenerate.
-  /// \pre both certificates are of the same field object, and of the same thresholds
+  /// components of the shell. Undecided if one of them is not certified, if their field objects or thresholds differ,
+  /// or if every path is degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
-    CGAL_precondition(m_field == other.m_field);
-    if(!is_certified() || !other.is_certified()) return Verdict::UNDECIDED;
+    const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;
+    if(!is_same_shell || !is_certified() || !other.is_certified()) return Verdict::UNDECIDED;
     std::vector<Crossing_path> paths = other.m_report.paths;
     paths.insert(paths.end(), other.m_report.spare_paths.begin(), other.m_report.spare_paths.end());
     return match_components(paths, *m_input).verdict();
@@ -235,6 +243,9 @@ private:
     empty.m_truncation = m_truncation;
     empty.m_proved = std::move(m_proved);
     empty.m_shell_paths = std::move(m_shell_paths);
+    empty.m_shell_status = m_shell_status;
+    empty.m_is_shell_certified = m_is_shell_certified;
+    empty.m_are_paths_proved = m_are_paths_proved;
     *this = std::move(empty);
   }
 
@@ -637,8 +648,22 @@ private:
     }
   }
 
+  // keeps those of the shell's paths that are proved
+  void prove_shell_paths()
+  {
+    if(m_are_paths_proved) return;
+    const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
+    const auto is_unproved = [&](const Crossing_path& path) {
+      return !leads_through_shell(*m_predicates, m_inner, m_outer, { point(path.source), point(path.target) });
+    };
+    m_shell_paths.erase(std::remove_if(m_shell_paths.begin(), m_shell_paths.end(), is_unproved), m_shell_paths.end());
+    m_are_paths_proved = true;
+  }
+
   // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
-  // other. Without a certified shell, the mesh defines the components.
+  // other. Without paths through a shell, the mesh defines the components. A shell that is not certified may have
+  // critical points where the mesh is not, and a file may have any paths: that a mesh is not met by them refutes
+  // nothing.
   void examine_components(const Input_mesh_3& input)
   {
     m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
@@ -650,14 +675,14 @@ private:
     m_draft.components = match.component_of_shell;
     // components that face along the gradient are counted with the same sign
     const bool is_transversal = found(Claim::TRANSVERSALITY) == Verdict::PROVED;
-    bool is_known = is_transversal;
+    bool is_known = is_transversal && m_is_shell_certified;
     for(std::size_t k = 0; k < match.crossings.size(); ++k) {
       const std::optional<int> count = match.crossings[k];
       is_known = is_known && count;
       if(count == 1) continue;
-      const bool is_empty = !count || *count == 0;
+      const bool is_empty = !count || *count == 0, is_refuted = count && is_transversal && m_is_shell_certified;
       Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE,
-                                      count && is_transversal ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      is_refuted ? Verdict::REFUTED : Verdict::UNDECIDED,
                                       is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
       w.component = k;
       if(!is_empty) w.count = *count;
@@ -683,40 +708,20 @@ private:
   {
     const auto t = input.triangle(f);
     const Triangle_mesh::Point middle = CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
-    const Cell_index c = m_field->locate(to_field(middle));
-    if(c == Field::npos) return Verdict::UNDECIDED;
-    // The gradient and the values are scaled, as squares of small or large ones would vanish or overflow.
-    const auto jet = m_field->cell(c).first_order_jet(to_field(middle));
-    const std::array<double, 3> gradient = internal::scaled_to_unit(jet.gradient);
-    const double unit = internal::reciprocal_power_of_two(jet.gradient), squared = internal::dot(gradient, gradient);
-    if(!(squared > 0)) return Verdict::UNDECIDED;
-    const auto along = [&](double s) {
-      return Triangle_mesh::Point(middle.x() + s * gradient[0], middle.y() + s * gradient[1], middle.z() + s * gradient[2]);
-    };
-    const double down = unit * (jet.value - m_inner.value(to_field(middle))),
-                 up = unit * (m_outer.value(to_field(middle)) - jet.value);
-    for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
-      const Triangle_mesh::Point p = along(-stretch * (down + (up + down) / 64) / squared),
-                                 q = along(stretch * (up + (up + down) / 64) / squared);
-      if(!m_predicates->is_beyond(to_field(p), m_inner, NEGATIVE) || !m_predicates->is_beyond(to_field(q), m_outer, POSITIVE)) continue;
-      const std::array<Point_3, 2> segment = { to_field(p), to_field(q) };
-      if(m_predicates->increases(segment) != Verdict::PROVED) return Verdict::UNDECIDED;
-      if constexpr(!Threshold::is_constant) {
-        if(m_predicates->increases_above(segment, m_inner) != Verdict::PROVED ||
-           m_predicates->increases_above(segment, m_outer) != Verdict::PROVED) return Verdict::UNDECIDED;
-      }
-      const auto crossings = counter.crossings<ConcurrencyTag>(p, q);
-      if(!crossings) return Verdict::UNDECIDED;
-      count = 0;
-      for(const auto& crossing : *crossings) count += crossing.second;
-      path.triangle = std::size_t(f);
-      path.source = to_array(p);
-      path.target = to_array(q);
-      const bool through = std::any_of(crossings->begin(), crossings->end(), [&](const auto& x) { return x.first == f; });
-      if(!through) return Verdict::UNDECIDED;
-      return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
-    }
-    return Verdict::UNDECIDED;
+    const auto segment = segment_through_shell(*m_predicates, m_inner, m_outer, to_field(middle));
+    if(!segment) return Verdict::UNDECIDED;
+    const auto point = [](const Point_3& p) { return Triangle_mesh::Point(p[0], p[1], p[2]); };
+    const Triangle_mesh::Point p = point((*segment)[0]), q = point((*segment)[1]);
+    const auto crossings = counter.crossings<ConcurrencyTag>(p, q);
+    if(!crossings) return Verdict::UNDECIDED;
+    count = 0;
+    for(const auto& crossing : *crossings) count += crossing.second;
+    path.triangle = std::size_t(f);
+    path.source = to_array(p);
+    path.target = to_array(q);
+    const bool through = std::any_of(crossings->begin(), crossings->end(), [&](const auto& x) { return x.first == f; });
+    if(!through) return Verdict::UNDECIDED;
+    return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
   }
 
   static constexpr std::size_t max_paths = 64;        // tried for a component
@@ -735,7 +740,9 @@ private:
     std::size_t components = 0;
     double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
   } m_proved;         // of the shell
-  std::vector<Crossing_path> m_shell_paths;           // through the components of a certified shell
+  std::vector<Crossing_path> m_shell_paths;           // through the components of the shell
+  Shell_status m_shell_status = Shell_status::SUCCESS;
+  bool m_is_shell_certified = false, m_are_paths_proved = true;
   std::optional<Field_predicates_3<Field> > m_predicates;
   std::shared_ptr<const Input_mesh_3> m_input = std::make_shared<const Input_mesh_3>();
   Shell_status m_status = Shell_status::NOT_BUILT;
@@ -759,6 +766,8 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   forget();
   m_arithmetic = arithmetic_self_test();
   if(m_arithmetic != Arithmetic_status::SOUND) return false;
+  m_status = m_shell_status;
+  if(m_status != Shell_status::SUCCESS) return false;
   if(!m_field->has_exact_cells()) {
     m_status = Shell_status::GRID_TOO_FINE;
     return false;
@@ -772,6 +781,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
     return false;
   }
   m_predicates.emplace(*m_field);
+  prove_shell_paths();
   examine_vertices<ConcurrencyTag>(*m_input);
   std::vector<Facet_verdict> facets = examine_facets<ConcurrencyTag>(*m_input);
   find_seeds(*m_input);

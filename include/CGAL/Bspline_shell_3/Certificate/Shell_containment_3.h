@@ -53,6 +53,7 @@ public:
     m_cover.emplace(shell.field(), shell.inner_threshold(), shell.outer_threshold());
     m_cover->adopt(*shell.proved_cover());
   }
+  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete;       // it would dangle
 
   /// a point; exact for constant thresholds
   bool operator()(const Point_3& p) const

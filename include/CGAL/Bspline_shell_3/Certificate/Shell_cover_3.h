@@ -65,6 +65,7 @@ public:
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int separating_depth = 3)
     : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth), m_first(field.number_of_cells(), unseen)
   {}
+  Shell_cover_3(const Field&&, const Threshold&, const Threshold&, int = 3) = delete;       // it would dangle
 
   const Field& field() const { return *m_field; }
 

@@ -24,7 +24,6 @@
 
 #include <CGAL/FPU.h>
 #include <CGAL/Kernel/global_functions_3.h>
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <boost/container/small_vector.hpp>
@@ -126,8 +125,10 @@ public:
     std::optional<std::size_t> m_rejecting;       // the vertex whose edge rejected the last place: it most likely rejects the next one, too
   };
 
-  /// \pre there is a shell, it outlives this object, and its field does not change
+  /// If there is no shell, all facets are rejected.
+  /// \pre the shell outlives this object, and its field does not change
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
+  explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete;       // it would dangle
 
   /// which of the facets that are accepted are proved
   Facet_proofs proofs() const { return m_proofs; }
@@ -227,7 +228,6 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(con
   , m_bounds(shell.cell_bounds() ? shell.cell_bounds()
                                  : std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
 {
-  CGAL_precondition(bool(shell));
   for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
     m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
 }

@@ -33,6 +33,7 @@ public:
 
   /// \pre `contains` outlives this object
   explicit Triangle_predicate_oracle(const Contains& contains) : m_contains(&contains) {}
+  explicit Triangle_predicate_oracle(const Contains&&) = delete;       // it would dangle
 
   template <typename Point_3>
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory&) const

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -70,6 +71,14 @@ public:
     end_step();
     m_report.status = status;
     return m_report;
+  }
+
+  /// ends the construction because of a parameter
+  /// \return the report, with `Shell_status::INVALID_PARAMETER`
+  Shell_report refuse(const Invalid_parameter& parameter)
+  {
+    m_report.invalid_parameter = parameter;
+    return end(Shell_status::INVALID_PARAMETER);
   }
 
   /// tests the arithmetic, and copies and checks the mesh.

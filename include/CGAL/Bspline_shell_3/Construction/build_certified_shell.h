@@ -70,12 +70,18 @@ struct Certified_shell_parameters
     constexpr double part = 1. / 8;
     return part * thickness;
   }
-  bool are_valid() const
+  /// the first parameter whose value is not allowed, if there is one
+  Invalid_parameter invalid() const
   {
-    const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
-    return (!resolution || is_positive(*resolution)) && is_positive(relative_thickness) && (!thickness || is_positive(*thickness))
-        && least_cone_margin >= 0 && least_cone_margin < 1
-        && refinement.max_bytes > 0 && refinement.max_cells > 0 && refinement.weights.are_valid();
+    Invalid_parameter found;
+    if(resolution) found.check("resolution", *resolution, Parameter_bounds::positive());
+    found.check("relative_thickness", relative_thickness, Parameter_bounds::positive());
+    if(thickness) found.check("thickness", *thickness, Parameter_bounds::positive());
+    found.check("least_cone_margin", least_cone_margin, { 0, 1, true, false });
+    found.check("effort_limit", refinement.max_cells, Parameter_bounds::positive_or_infinite());
+    found.check("memory_limit", refinement.max_bytes, Parameter_bounds::positive_or_infinite());
+    refinement.weights.check(found);
+    return found;
   }
 };
 
@@ -108,18 +114,25 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
   std::atomic<bool> is_thickness_valid(true);       // several threads ask for it
+  double invalid_thickness = 0;                     // written by one of them
   const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
     if(t > 0 && std::isfinite(t)) return t;
-    is_thickness_valid = false;       // and nothing is done with what is returned
-    return largest_thickness;
+    if(is_thickness_valid.exchange(false)) invalid_thickness = t;
+    return largest_thickness;         // it has no effect
   };
   // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be anything between the thresholds
   // on the mesh, and a sizing field asks for thicknesses that are not known yet.
   constexpr double thickest = 20, more = 0.3;       // cells
   const double spacing = lattice->spacing();
-  if(!parameters.sizing && !(largest_thickness < thickest * spacing)) return stop(Status::INVALID_PARAMETER);
+  if(!parameters.sizing) {
+    const double largest = thickest * spacing, relative = largest / input->unit();
+    Invalid_parameter& invalid = report.invalid_parameter;
+    if(parameters.thickness) invalid.check("thickness", *parameters.thickness, { 0, largest });
+    else invalid.check("relative_thickness", parameters.relative_thickness, { 0, relative });
+    if(invalid) return stop(Status::INVALID_PARAMETER);
+  }
   const double room = parameters.sizing ? spacing : (oracle ? largest_thickness : largest_thickness / 2) + more * spacing;
   const double rings = std::floor(room / spacing);
   Cells_near_mesh at_mesh = cells_near_mesh<ConcurrencyTag>(*input, *lattice, room - rings * spacing);
@@ -138,7 +151,10 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     report.rounds = refinement.rounds();
     throw;
   }
-  if(!is_thickness_valid) return stop(Status::INVALID_PARAMETER);
+  if(!is_thickness_valid) {
+    report.invalid_parameter.check("sizing", invalid_thickness, Parameter_bounds::positive());
+    return stop(Status::INVALID_PARAMETER);
+  }
   report.rounds = refinement.rounds();
   report.refinement = refined;
   if(refined == Refinement_status::LIMIT_REACHED) report.limit = refinement.limit();
@@ -183,7 +199,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   // the certificate makes the accuracy of the solver a matter of speed
   constexpr double tolerance = 1e-4;
   Conjugate_gradient_solver<ConcurrencyTag> solver(tolerance);
-  return build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+  return build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, Any_spd_solver(solver, false));
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES

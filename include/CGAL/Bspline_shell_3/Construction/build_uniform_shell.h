@@ -137,10 +137,16 @@ struct Uniform_shell_parameters
   double max_bytes = std::numeric_limits<double>::infinity();     ///< about
   bool allow_open_shell = false;
 
-  bool are_valid() const
+  /// the first parameter whose value is not allowed, if there is one
+  Invalid_parameter invalid() const
   {
-    const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
-    return is_positive(resolution) && (!spacing || is_positive(*spacing)) && (!rings || *rings > 0) && max_bytes > 0 && weights.are_valid();
+    Invalid_parameter found;
+    found.check("resolution", resolution, Parameter_bounds::positive());
+    if(spacing) found.check("grid_spacing", *spacing, Parameter_bounds::positive());
+    if(rings) found.check("number_of_rings", *rings, { 1, std::numeric_limits<double>::infinity(), true, false });
+    found.check("memory_limit", max_bytes, Parameter_bounds::positive_or_infinite());
+    weights.check(found);
+    return found;
   }
 };
 
@@ -170,7 +176,10 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
   const Input_mesh_3& input = *construction.input();
   const int rings = parameters.rings.value_or(2);
   const double spacing = parameters.spacing ? *parameters.spacing : input.unit() / parameters.resolution;
-  if(!(spacing < input.unit() * largest_relative_spacing)) return stop(Status::INVALID_PARAMETER);
+  const double largest_spacing = input.unit() * largest_relative_spacing;
+  if(parameters.spacing) report.invalid_parameter.check("grid_spacing", spacing, { 0, largest_spacing });
+  else report.invalid_parameter.check("resolution", parameters.resolution, { 1 / largest_relative_spacing });
+  if(report.invalid_parameter) return stop(Status::INVALID_PARAMETER);
   const std::optional<Lattice_3> chosen_lattice = construction.choose_lattice(spacing);
   if(!chosen_lattice) return stop(Status::GRID_TOO_FINE);
   const Lattice_3& lattice = *chosen_lattice;
@@ -259,7 +268,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
                                       const std::optional<Any_signed_distance_3>& oracle)
 {
   Conjugate_gradient_solver<ConcurrencyTag> solver;
-  return build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle, solver);
+  return build_uniform_shell<ConcurrencyTag>(construction, parameters, oracle, Any_spd_solver(solver, false));
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES

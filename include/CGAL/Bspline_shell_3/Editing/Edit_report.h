@@ -7,11 +7,14 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +28,8 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
+  Edit_end end = Edit_end::NOT_EDITED;          ///< why the edit ended, and so why a target was not reached
+  Invalid_parameter invalid_parameter;          ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
   /// Facets and vertices where the mesh is not in the shell, before the edit. The vertex of a tip stands for the
   /// triangles that replace the tip in the shell.
   Offending_simplices offending_simplices;
@@ -44,6 +49,12 @@ struct Edit_report
   double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;
 
   double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds + location_seconds; }
+  /// the message of the status; for `INVALID_PARAMETER`, that of the parameter
+  std::string message() const
+  {
+    return status == Edit_status::INVALID_PARAMETER && invalid_parameter ? Bspline_shells::message(invalid_parameter)
+                                                                         : Bspline_shells::message(status);
+  }
   /// whether the mesh was edited and the result is certified
   explicit operator bool() const { return status == Edit_status::SUCCESS; }
 };

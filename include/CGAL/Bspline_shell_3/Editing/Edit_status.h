@@ -18,7 +18,7 @@ enum class Edit_status
   EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; the others are proved to lie
                          ///< in the shell and to face along the gradient
   NO_SHELL,              ///< there is no shell
-  INVALID_PARAMETER,     ///< a length is not positive, not finite, or far too small for the mesh; or a limit is not positive
+  INVALID_PARAMETER,     ///< a parameter has a value that is not allowed (`Edit_report::invalid_parameter`)
   MEMORY_LIMIT_EXCEEDED, ///< the result, with what is needed to certify it, would need more memory than allowed
   TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
@@ -41,8 +41,8 @@ inline const char* message(Edit_status status)
     case Edit_status::NO_SHELL:
       return "There is no shell: its own status says why.";
     case Edit_status::INVALID_PARAMETER:
-      return "The target length of edges must be a positive number everywhere, not so small that there are more facets than have numbers, and the "
-             "memory limit must be positive.";
+      return "A parameter has a value that is not allowed: the report has its name and its bounds "
+             "(CGAL::Bspline_shells::Invalid_parameter).";
     case Edit_status::MEMORY_LIMIT_EXCEEDED:
       return "The result would need more memory than allowed: ask for longer edges, or raise the limit (memory_limit).";
     case Edit_status::TIME_LIMIT_EXCEEDED:

@@ -52,6 +52,7 @@ public:
   explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
     : m_oracle(&oracle), m_base_filter(base_filter), m_state(std::make_shared<State>())
   {}
+  explicit Shell_filter(const Oracle&&, const BaseFilter& = BaseFilter()) = delete;       // it would dangle
 
   /// the placement, or none if it is rejected
   template <typename Profile, typename OptionalPoint>

@@ -21,6 +21,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -69,7 +70,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *        mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in
  *        the shell. Constrained edges that lead to a tip end where it is cut.
  * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
- *        there are less than 2^30 facets
+ *        there are less than 2^30 facets. `Edit_report::end` is the reason why edges may have other lengths in the end.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `number_of_iterations(unsigned int)`: default 3
@@ -134,14 +135,15 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   if(usable != Status::SUCCESS) return ended(usable);
 
   // An edge with a target length that is none is left alone, and there is no result: it might be split for ever.
-  bool is_sizing_valid = true;
+  double shortest = std::numeric_limits<double>::infinity();
   const auto sizing = [&](const Point& p) -> double {
     double length = 0;
     if constexpr(std::is_arithmetic<Sizing>::value) (void)p, length = double(target_edge_length);
     else length = target_edge_length(p);
-    if(length > 0 && std::isfinite(length)) return length;
-    is_sizing_valid = false;
-    return std::numeric_limits<double>::quiet_NaN();
+    result.invalid_parameter.check("target_edge_length", length, Parameter_bounds::positive());
+    if(result.invalid_parameter) return std::numeric_limits<double>::quiet_NaN();
+    shortest = (std::min)(shortest, length);
+    return length;
   };
   for(auto v : vertices(mesh)) sizing(get(vpm, v));
   // Lengths in the wrong unit ask for more facets than have numbers, or than memory holds.
@@ -156,7 +158,11 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
   }
   const double memory_limit = choose_parameter(get_parameter(np, parameter_tags::memory_limit), 4e9);
-  if(!is_sizing_valid || !(expected < most_facets) || !(memory_limit > 0)) return ended(Status::INVALID_PARAMETER);
+  result.invalid_parameter.check("memory_limit", memory_limit, Parameter_bounds::positive_or_infinite());
+  // scaled so that there are as many facets as have numbers
+  if(!(expected < most_facets))
+    result.invalid_parameter.check("target_edge_length", shortest, { shortest * std::sqrt(expected / most_facets) });
+  if(result.invalid_parameter) return ended(Status::INVALID_PARAMETER);
   if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit)) return ended(Status::MEMORY_LIMIT_EXCEEDED);
 
   const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
@@ -177,7 +183,7 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
                              std::remove_cv_t<decltype(vertex_is_constrained)> >
       remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all, result);
-    for(unsigned int i = 0; i < iterations && is_sizing_valid; ++i) {
+    for(unsigned int i = 0; i < iterations && !result.invalid_parameter; ++i) {
       remesher.flip_to_larger_angles();
       remesher.split_long_edges();
       remesher.collapse_short_edges();
@@ -190,7 +196,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
     result.images = remesher.images();
     if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
       for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
-    return is_sizing_valid ? Status::SUCCESS : Status::INVALID_PARAMETER;
+    result.end = remesher.end();
+    return result.invalid_parameter ? Status::INVALID_PARAMETER : Status::SUCCESS;
   }));
 }
 

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_SIMPLIFY_IN_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
@@ -91,6 +92,7 @@ struct Collapse_state
   bool is_accepted = false;
   bool has_stopped = false;
   bool has_deferred = false;          // a place that was too expensive
+  Edit_end obstacle = Edit_end::MESH;         // why the selected edge has no place
   double cost = 0;                    // cost of the selected edge
   double largest_cost = 0;            // largest cost of a collapsed edge
   double allowance = 1;               // by what factor other places than the policy's may cost more
@@ -108,7 +110,23 @@ class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
-  Selecting_visitor(Visitor& visitor, Rules& rules, Collapse_state& state) : Base(visitor), m_rules(&rules), m_state(&state) {}
+  Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
+    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state)
+    , m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
+  {}
+
+  // why none of the edges that are left was collapsed: the shell is named before the filter
+  Edit_end end() const
+  {
+    if(m_state->has_stopped) return Edit_end::STOP_PREDICATE;
+    Edit_end end = Edit_end::MESH;
+    for(auto e : edges(*m_mesh)) {
+      const Edit_end obstacle = get(m_obstacle, e);
+      if(obstacle == Edit_end::SHELL) return obstacle;
+      if(obstacle == Edit_end::FILTER) end = obstacle;
+    }
+    return end;
+  }
 
   void OnStarted(TriangleMesh&) {}
   void OnFinished(TriangleMesh&) {}
@@ -123,6 +141,7 @@ public:
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
+    m_state->obstacle = Edit_end::MESH;       // unless a place is rejected
     m_state->cost = cost ? rounded(*cost) : 0;
   }
   template <typename Profile, typename OptionalPoint>
@@ -139,10 +158,19 @@ public:
     m_rules->after_collapse(profile, v);
     Base::OnCollapsed(profile, v);
   }
+  template <typename Profile>
+  void OnNonCollapsable(const Profile& profile)
+  {
+    Base::OnNonCollapsable(profile);
+    put(m_obstacle, edge(profile.v0_v1(), *m_mesh), m_state->obstacle);
+  }
 
 private:
+  TriangleMesh* m_mesh;
   Rules* m_rules;
   Collapse_state* m_state;
+  // why an edge was given up, the last time that it was
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;
 };
 
 // the caller's predicate, over several runs
@@ -207,6 +235,7 @@ public:
     if(!m_state->is_waiting) return placement;
     m_state->is_waiting = false;
 
+    const Placement_statistics before = m_filter->statistics();
     const bool is_allowed = allowed.are_all || !allowed.places.empty();
     m_state->is_accepted = is_allowed && bool(placement) && bool((*m_filter)(profile, placement));
     if(m_state->is_accepted || !is_allowed) return placement;
@@ -237,6 +266,11 @@ public:
         ++m_state->retried;
         return other.second;
       }
+    const Placement_statistics& now = m_filter->statistics();
+    constexpr Placement_verdict filter = Placement_verdict::BASE_FILTER;
+    const std::size_t by_filter = now.number(filter) - before.number(filter);
+    const std::size_t rejected = now.rejected() - before.rejected();
+    if(rejected > 0) m_state->obstacle = rejected > by_filter ? Edit_end::SHELL : Edit_end::FILTER;
     return placement;
   }
 
@@ -306,7 +340,7 @@ struct Accepted_filter
  * \param np optional named parameters:
  *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
  *     and so is the place to show progress, or to cancel: what has been done until then is certified and kept. By default, the mesh gets
- *     as coarse as the shell allows.
+ *     as coarse as the shell allows. If the target of a predicate is not reached, `Edit_report::end` is the reason.
  *   - `get_cost(C)`, `get_placement(P)`: models of `GetCost` and `GetPlacement`, both or none; by default
  *     `CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`. The other policies of \cgal will do.
  *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With `std::cref()` it is not copied.
@@ -404,7 +438,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     state.initial_edges = state.edges_without_closing(edges(mesh).size());
     typedef std::remove_reference_t<decltype(visitor)> Visitor;
     typedef Collapse_visitor<TriangleMesh, Visitor> History;
-    internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, rules, state);
+    internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, mesh, rules, state);
     const auto collapse = [&](const auto& cost, const auto& placement) {
       typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
       typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
@@ -435,6 +469,7 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
     result.selected = history.history().selected;
     result.collapsed = history.history().collapsed;
     result.retried = state.retried;
+    result.end = history.end();
     result.placements = filter.statistics();
     if constexpr(has_constraints)
       for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(constrained, e) ? 1 : 0;

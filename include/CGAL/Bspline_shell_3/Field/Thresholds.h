@@ -35,6 +35,7 @@ public:
 
   explicit Constant_threshold(double level = 0) : m_level(level) {}
   double level() const { return m_level; }      ///< in units of the field
+  bool operator==(const Constant_threshold& other) const { return m_level == other.m_level; }
 
   /// whether the threshold is tricubic on the leaf cells of a field: always
   template <typename Field>
@@ -80,6 +81,14 @@ public:
   explicit Spline_threshold(Field field) : m_data(std::make_shared<const Data>(std::move(field))) {}
 
   const Field& field() const { return m_data->field; }
+
+  /// whether both are the same function on the same cells
+  bool operator==(const Spline_threshold& other) const
+  {
+    if(m_data == other.m_data || !m_data || !other.m_data) return m_data == other.m_data;
+    const auto &a = field().coefficients(), &b = other.field().coefficients();
+    return a.size() == b.size() && a == b && has_cells_of(other.field());
+  }
 
   /// whether the threshold has the leaf cells of a field, under the same numbers
   template <typename OtherField>

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -21,6 +22,11 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Fit
  *
  * \brief a reference to any model of `SPDSolver`, so that fits are compiled once for all of them.
+ *
+ * Solutions are checked: if a solver returns `SUCCESS`, but its solution has another size than the right-hand side or a
+ * relative residual \f$|b - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. Zeros have a
+ * residual of 1. With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance is
+ * larger. A check costs about as much as one iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`
  */
@@ -31,13 +37,13 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// \tparam Solver a model of `SPDSolver`
+  /// \param solver the solver
+  /// \param is_checked whether solutions are checked; `false` is for solvers of this package, which measure their
+  ///        residuals
   /// \pre `solver` outlives this object
   template <typename Solver>
-  Any_spd_solver(Solver& solver)
-    : compute([&solver](const Matrix& lower, const Unknown_blocks& blocks) { return solver.compute(lower, blocks); }),
-      solve([&solver](const Vector& b, Vector& x) { return solver.solve(b, x); }),
-      iterations([&solver] { return std::size_t(solver.iterations()); }),
-      residual([&solver] { return double(solver.residual()); })
+  Any_spd_solver(Solver& solver, bool is_checked = true)
+    : Any_spd_solver(solver, is_checked, std::make_shared<const Matrix*>(nullptr))
   {}
   Any_spd_solver(Any_spd_solver&) = default;        // not the template
   Any_spd_solver(const Any_spd_solver&) = default;
@@ -50,6 +56,31 @@ public:
   std::function<std::size_t()> iterations;
   std::function<double()> residual;
   /// @}
+
+private:
+  // `matrix` is the last one, as both operations need it
+  template <typename Solver>
+  Any_spd_solver(Solver& solver, bool is_checked, const std::shared_ptr<const Matrix*>& matrix)
+    : compute([&solver, matrix](const Matrix& lower, const Unknown_blocks& blocks) {
+        *matrix = &lower;
+        return solver.compute(lower, blocks);
+      }),
+      solve([&solver, is_checked, matrix](const Vector& b, Vector& x) {
+        const Solver_status status = solver.solve(b, x);
+        return status == Solver_status::SUCCESS && is_checked ? check(**matrix, b, x) : status;
+      }),
+      iterations([&solver] { return std::size_t(solver.iterations()); }),
+      residual([&solver] { return double(solver.residual()); })
+  {}
+
+  static Solver_status check(const Matrix& lower, const Vector& b, const Vector& x)
+  {
+    constexpr double largest_residual = 0.1;
+    if(x.size() != b.size()) return Solver_status::WRONG_SOLUTION;
+    if(!x.allFinite()) return Solver_status::NOT_FINITE;
+    const Vector residual = b - lower.selfadjointView<Eigen::Lower>() * x;
+    return residual.norm() <= largest_residual * b.norm() ? Solver_status::SUCCESS : Solver_status::WRONG_SOLUTION;
+  }
 };
 
 } // namespace Bspline_shells

@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <Eigen/Core>
@@ -68,12 +69,16 @@ struct Energy_weights
   /// weight lets the field go on smoothly there, and solvers converge faster.
   double coefficients = 0;
 
-  /// whether all are finite and not negative
-  bool are_valid() const
+  /// Records the first weight that is negative or not finite.
+  void check(Invalid_parameter& invalid) const
   {
-    for(double w : { mu, zeta, singular_hessian, surface, normal, coefficients })
-      if(!(std::isfinite(w) && w >= 0)) return false;
-    return true;
+    const Parameter_bounds allowed = Parameter_bounds::not_negative();
+    invalid.check("energy_weights.mu", mu, allowed);
+    invalid.check("energy_weights.zeta", zeta, allowed);
+    invalid.check("energy_weights.singular_hessian", singular_hessian, allowed);
+    invalid.check("energy_weights.surface", surface, allowed);
+    invalid.check("energy_weights.normal", normal, allowed);
+    invalid.check("energy_weights.coefficients", coefficients, allowed);
   }
 
   /// all four terms, as in the paper

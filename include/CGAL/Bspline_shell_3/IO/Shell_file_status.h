@@ -20,7 +20,7 @@ enum class Shell_file_status
   CANNOT_OPEN,               ///< there is no such file, or it must not be read
   CANNOT_WRITE,              ///< the file cannot be made, or not completed
   NOT_A_SHELL,               ///< the file is something else, or what is to be written is no shell
-  VERSION_NOT_SUPPORTED,     ///< the file is of a later version
+  VERSION_NOT_SUPPORTED,     ///< the file is of another version
   OTHER_KIND,                ///< the file holds a shell with another kind of field or of thresholds
   DAMAGED                    ///< the file was cut off or altered, or contradicts itself
 };
@@ -39,7 +39,7 @@ inline const char* message(Shell_file_status status)
     case Shell_file_status::NOT_A_SHELL:
       return "This is no shell: the file holds something else, or no shell was built that could be written.";
     case Shell_file_status::VERSION_NOT_SUPPORTED:
-      return "The file is of a later version: update this package.";
+      return "The file is of another version of the format: write it again with this version of the package.";
     case Shell_file_status::OTHER_KIND:
       return "The file holds a shell with another kind of field or of thresholds: read it into a shell of that type.";
     case Shell_file_status::DAMAGED:

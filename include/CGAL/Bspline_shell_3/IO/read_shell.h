@@ -49,7 +49,7 @@ struct Shell_file_content
   std::vector<Position> leaves;
   std::vector<char> marks;
   std::vector<Level_range> facet_ranges;
-  bool has_closing = false;
+  std::vector<Crossing_path> paths;
   std::shared_ptr<const Shell_truncation_3> truncation;
   std::vector<Shell_closing_3::Point> closing_points;
   std::uint64_t border_points = 0;
@@ -68,6 +68,8 @@ struct Shell_file_content
     closing_kinds.push_back(Shell_closing_3::Kind(kind));
     return kind == 0 || kind == 1;
   }
+
+  bool has_closing() const { return !closing_points.empty() || border_points > 0 || !closing_triangles.empty(); }
 };
 
 // Vectors grow with what is read, never to what a count promises.
@@ -77,7 +79,7 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
     if(in.binary<char>() != c) return Shell_file_status::NOT_A_SHELL;
   const char tens = in.binary<char>();
   const int version = in.binary<char>() - '0';
-  if(tens != '0' || version < 1 || version > shell_file_version)
+  if(tens != '0' || version != shell_file_version)
     return in.is_bad() ? Shell_file_status::DAMAGED : Shell_file_status::VERSION_NOT_SUPPORTED;
   content.unit = in.binary<double>();
   content.levels.min = in.binary<double>();
@@ -92,7 +94,7 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
   if(content.kind.number() != kind) return Shell_file_status::DAMAGED;
   for(std::uint64_t n = 0; n < leaves && !in.is_bad(); ++n) {
     Shell_file_content::Position leaf;
-    leaf.level = version == 1 ? 0 : in.binary<std::uint8_t>();
+    leaf.level = in.binary<std::uint8_t>();
     for(int& i : leaf.point) i = in.binary<std::int32_t>();
     content.leaves.push_back(leaf);
     content.marks.push_back(in.binary<char>());
@@ -107,26 +109,26 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
     range.max = in.binary<double>();
     content.facet_ranges.push_back(range);
   }
-  content.has_closing = version > version_without_closing;
-  if(content.has_closing) {
-    const std::uint64_t points = in.binary<std::uint64_t>();
-    content.border_points = in.binary<std::uint64_t>();
-    const std::uint64_t triangles = in.binary<std::uint64_t>();
-    for(std::uint64_t n = 0; n < points && !in.is_bad(); ++n) {
-      content.closing_points.emplace_back();
-      for(double& x : content.closing_points.back()) x = in.binary<double>();
-    }
-    for(std::uint64_t n = 0; n < triangles && !in.is_bad(); ++n) {
-      std::array<std::uint64_t, 3> corners;
-      for(std::uint64_t& i : corners) i = in.binary<std::uint32_t>();
-      if(!content.add_closing_triangle(corners, in.binary<std::uint8_t>())) return Shell_file_status::DAMAGED;
-    }
-    content.has_closing = version == version_without_truncation || points > 0 || content.border_points > 0 || triangles > 0;
+  const std::uint64_t points = in.binary<std::uint64_t>();
+  content.border_points = in.binary<std::uint64_t>();
+  const std::uint64_t triangles = in.binary<std::uint64_t>();
+  for(std::uint64_t n = 0; n < points && !in.is_bad(); ++n) {
+    content.closing_points.emplace_back();
+    for(double& x : content.closing_points.back()) x = in.binary<double>();
   }
-  if(version > version_without_truncation) {
-    content.truncation = read_truncation(Row_input(in, true));
-    if(!content.truncation) return Shell_file_status::DAMAGED;
+  for(std::uint64_t n = 0; n < triangles && !in.is_bad(); ++n) {
+    std::array<std::uint64_t, 3> corners;
+    for(std::uint64_t& i : corners) i = in.binary<std::uint32_t>();
+    if(!content.add_closing_triangle(corners, in.binary<std::uint8_t>())) return Shell_file_status::DAMAGED;
   }
+  const std::uint64_t paths = in.binary<std::uint64_t>();
+  for(std::uint64_t n = 0; n < paths && !in.is_bad(); ++n) {
+    content.paths.emplace_back();
+    content.paths.back().component = std::size_t(in.binary<std::uint64_t>());
+    for(auto* p : { &content.paths.back().source, &content.paths.back().target })
+      for(double& x : *p) x = in.binary<double>();
+  }
+  if(!read_truncation(Row_input(in, true), content.truncation)) return Shell_file_status::DAMAGED;
   const std::uint64_t checksum = in.checksum();
   const bool intact = in.binary<std::uint64_t>() == checksum && !in.is_bad() && in.is_at_end();
   return intact ? Shell_file_status::SUCCESS : Shell_file_status::DAMAGED;
@@ -138,7 +140,7 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   Words first(in.line());
   first.word(ASCII_shell_magic).number(version);
   if(!first.are_as_expected()) return Shell_file_status::NOT_A_SHELL;
-  if(version < 1 || version > shell_file_version) return Shell_file_status::VERSION_NOT_SUPPORTED;
+  if(version != shell_file_version) return Shell_file_status::VERSION_NOT_SUPPORTED;
   if(!first.word("ascii").are_complete()) return Shell_file_status::NOT_A_SHELL;
 
   const Shell_file_status damaged = Shell_file_status::DAMAGED;
@@ -156,7 +158,7 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
 
   const auto position = [&](Words& words) {
     Shell_file_content::Position p = { 0, {} };
-    if(version > 1) words.number(p.level);
+    words.number(p.level);
     for(int& i : p.point) words.number(i);
     return p;
   };
@@ -178,10 +180,6 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
     content.leaves.push_back(position(words));
     int mark = 0;
     words.number(mark);
-    if(version == 1) {      // corner, width, error radius and Bernstein coefficients, which follow from the rest
-      double x;
-      for(int n = 0; n < 69; ++n) words.number(x);
-    }
     if(!words.are_complete() || (mark != 0 && mark != 1)) return damaged;
     content.marks.push_back(char(mark));
   }
@@ -191,28 +189,32 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
     if(!Words(in.line()).number(range.min).number(range.max).are_complete()) return damaged;
     content.facet_ranges.push_back(range);
   }
-  content.has_closing = version > version_without_closing;
-  if(content.has_closing) {
-    std::uint64_t triangles = 0;
-    if(!Words(in.line()).word("closing").number(count).number(content.border_points).number(triangles).are_complete()) return damaged;
-    for(; count > 0; --count) {
-      Shell_closing_3::Point p = {};
-      if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
-      content.closing_points.push_back(p);
-    }
-    content.has_closing = version == version_without_truncation || !content.closing_points.empty() || content.border_points > 0 || triangles > 0;
-    for(; triangles > 0; --triangles) {
-      std::array<std::uint64_t, 3> corners = {};
-      int kind = 0;
-      if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete()) return damaged;
-      if(!content.add_closing_triangle(corners, kind)) return damaged;
-    }
+  std::uint64_t triangles = 0;
+  if(!Words(in.line()).word("closing").number(count).number(content.border_points).number(triangles).are_complete())
+    return damaged;
+  for(; count > 0; --count) {
+    Shell_closing_3::Point p = {};
+    if(!Words(in.line()).number(p[0]).number(p[1]).number(p[2]).are_complete()) return damaged;
+    content.closing_points.push_back(p);
   }
-  if(version > version_without_truncation) {
-    if(!Words(in.line()).word("truncation").are_complete()) return damaged;
-    content.truncation = read_truncation(Row_input(in, false));
-    if(!content.truncation) return damaged;
+  for(; triangles > 0; --triangles) {
+    std::array<std::uint64_t, 3> corners = {};
+    int kind = 0;
+    if(!Words(in.line()).number(corners[0]).number(corners[1]).number(corners[2]).number(kind).are_complete())
+      return damaged;
+    if(!content.add_closing_triangle(corners, kind)) return damaged;
   }
+  if(!Words(in.line()).word("paths").number(count).are_complete()) return damaged;
+  for(; count > 0; --count) {
+    Words words(in.line());
+    content.paths.emplace_back();
+    words.number(content.paths.back().component);
+    for(auto* p : { &content.paths.back().source, &content.paths.back().target })
+      for(double& x : *p) words.number(x);
+    if(!words.are_complete()) return damaged;
+  }
+  if(!Words(in.line()).word("truncation").are_complete()) return damaged;
+  if(!read_truncation(Row_input(in, false), content.truncation)) return damaged;
   const std::string checksum = Checksum::text(in.checksum());
   const bool intact = Words(in.line()).word("checksum").word(checksum).are_complete() && in.is_at_end();
   return intact ? Shell_file_status::SUCCESS : damaged;
@@ -289,14 +291,12 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     report.thickness = content.levels.max;
     made = between(Threshold(spline(1)), Threshold(spline(2)));
   }
-  if(content.has_closing) {
-    if(content.border_points > content.closing_points.size()) return false;
-    const auto closing = std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
-                                                                 std::move(content.closing_triangles), std::move(content.closing_kinds));
-    if(!closing->is_valid()) return false;
-    made.set_closing(closing);
-  }
+  if(content.has_closing())
+    made.set_closing(std::make_shared<const Shell_closing_3>(
+      std::move(content.closing_points), std::size_t(content.border_points), std::move(content.closing_triangles),
+      std::move(content.closing_kinds)));
   made.set_truncation(std::move(content.truncation));
+  made.set_path_candidates(std::move(content.paths));
   if(!is_shell(made)) return false;
   shell = std::move(made);
   return true;
@@ -310,8 +310,13 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
  *
  * The field, cells, thresholds, facet ranges, closing and truncation are those that were written, bit by bit. Nothing that was cut off or altered is
- * taken for a shell: every file has a checksum, and what it says must agree. A damaged file costs no more time and
+ * taken for a shell: every file has a checksum, and its parts must agree. A damaged file costs no more time and
  * memory than an intact one of its length.
+ *
+ * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
+ * built for or another mesh in it. The file's paths through the components of the shell are candidates, which every
+ * certificate proves first (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of triangles
+ * and components, and the facet ranges are read as they are; no proof uses them.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
@@ -319,8 +324,7 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * \param in a stream, opened with `std::ios::binary`, which must end where the shell ends. It is read past its locale and
  * flags; the status tells how it went.
  * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma, thickness and the
- * numbers of triangles, components, cells and unknowns are known. Whether the shell is certified is not: that is to be proved
- * (`Shell_certificate_3`), not read.
+ * numbers of triangles, components, cells and unknowns are known.
  */
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>& shell)

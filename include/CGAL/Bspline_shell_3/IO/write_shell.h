@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/IO/internal/truncation_file.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 
 #include <Eigen/Core>
 
@@ -43,7 +44,7 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     for(int i : p) word(i);
   };
   out.text(ASCII_shell_magic);
-  word(file_version(shell));
+  word(shell_file_version);
   out.text(" ascii\nunit");
   word(shell.report().unit);
   if(kind.has_spline_thresholds) out.text("\nthickness");
@@ -91,7 +92,6 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     out.text("\n");
   }
 
-  if(file_version(shell) == version_without_closing) return;
   const Shell_closing_3 no_closing;
   const Shell_closing_3& closing = shell.closing() ? *shell.closing() : no_closing;
   out.text("closing");
@@ -112,9 +112,18 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
     word(int(closing.kinds()[t]));
     out.text("\n");
   }
-  if(!shell.truncation()) return;
+  const std::vector<Crossing_path> paths = paths_of_file(shell);
+  out.text("paths");
+  word(paths.size());
+  out.text("\n");
+  for(const Crossing_path& path : paths) {
+    out.decimal(path.component);
+    for(const auto& p : { path.source, path.target })
+      for(double x : p) word(x);
+    out.text("\n");
+  }
   out.text("truncation\n");
-  write_truncation(Row_output(out, false), *shell.truncation());
+  write_truncation(Row_output(out, false), shell.truncation().get());
 }
 
 // all but the checksum
@@ -126,7 +135,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
   const auto count = [&out](std::size_t n) { out.binary(std::uint64_t(n)); };
   out.text(binary_shell_magic);
   out.text("0");
-  out.decimal(file_version(shell));
+  out.decimal(shell_file_version);
   out.binary(shell.report().unit);
   out.binary(levels(shell).min);
   out.binary(levels(shell).max);
@@ -149,7 +158,6 @@ void write_binary_shell(File_output& out, const Shell& shell)
     out.binary(range.min);
     out.binary(range.max);
   }
-  if(file_version(shell) == version_without_closing) return;
   const Shell_closing_3 no_closing;
   const Shell_closing_3& closing = shell.closing() ? *shell.closing() : no_closing;
   count(closing.points().size());
@@ -161,7 +169,14 @@ void write_binary_shell(File_output& out, const Shell& shell)
     for(Shell_closing_3::Index i : closing.triangles()[t]) out.binary(std::uint32_t(i));
     out.binary(std::uint8_t(closing.kinds()[t]));
   }
-  if(shell.truncation()) write_truncation(Row_output(out, true), *shell.truncation());
+  const std::vector<Crossing_path> paths = paths_of_file(shell);
+  count(paths.size());
+  for(const Crossing_path& path : paths) {
+    count(path.component);
+    for(const auto& p : { path.source, path.target })
+      for(double x : p) out.binary(x);
+  }
+  write_truncation(Row_output(out, true), shell.truncation().get());
 }
 
 } // namespace internal
@@ -169,10 +184,11 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges, closing and truncation,
- * bit by bit. See \ref BsplineShell3FileFormats.
+ * \brief writes a shell, so that `read_shell()` reads the same shell: the same field, cells, thresholds, facet ranges,
+ * closing, truncation and paths through its components, bit by bit. See \ref BsplineShell3FileFormats.
  *
- * Of the report, the unit, the numbers of triangles and components, the thickness and what follows from the shell are written.
+ * The report is written in part: the unit, the numbers of triangles and components, and the thickness. The certificate
+ * is not written: `certify()` proves it again for the shell that was read.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`

@@ -38,6 +38,7 @@ public:
 
   /// \pre `mesh` outlives this object
   explicit Crossing_counter_3(const Triangle_mesh& mesh);
+  explicit Crossing_counter_3(const Triangle_mesh&&) = delete;       // it would dangle
 
   /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1 if it
   /// goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.

@@ -40,6 +40,7 @@ public:
 
   /// \pre `input` is built, and outlives the oracle
   explicit Mesh_signed_distance_3(const Input_mesh_3& input);
+  explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete;       // it would dangle
 
   /// the signed distance
   FT operator()(const Point_3& p) const { return sign(p) * distance(p); }

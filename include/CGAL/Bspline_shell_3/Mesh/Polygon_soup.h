@@ -35,6 +35,14 @@ namespace internal {
 
 // `EMPTY_MESH`; `INVALID_PARAMETER` if a polygon refers to a point that does not exist; `NOT_FINITE`; `COORDINATES_OUT_OF_RANGE`; or `SUCCESS`
 Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders);
+// The first position of a point in a polygon that is too large. \pre `check_soup()` found such polygons
+inline Invalid_parameter invalid_position(const Polygon_soup& soup, const Offending_simplices& offenders)
+{
+  Invalid_parameter invalid;
+  for(std::size_t v : soup.polygons[offenders.facets.front()])
+    invalid.check("polygons", double(v), { 0, double(soup.points.size()), true, false });
+  return invalid;
+}
 // Identifies points at equal positions. Returns where the first of each was, ascending.
 std::vector<std::size_t> merge_points(Polygon_soup& soup);
 // Triangles of a polygon, as positions of its corners: those with an area.

@@ -13,12 +13,14 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Projection
  *
  * \brief what became of a point that was to be moved along its integral curve. Every value but `SUCCESS` means that it has
- * no image.
+ * no image. A map has a status, too (`Shell_map_3::status()`).
  */
 enum class Flow_status
 {
   SUCCESS,
+  COMPONENTS_UNKNOWN,     ///< maps: it is not known whether both meshes lie in the same components of the shell
   OTHER_COMPONENTS,       ///< a component of the shell holds no part of the source, or none of the target
+  NO_SHELL,               ///< there is no shell
   INVALID_MESH,           ///< the target has facets that are no triangles, or coordinates that are no finite numbers
   NOT_FINITE,             ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,         ///< the point is not in the shell
@@ -36,6 +38,11 @@ inline const char* message(Flow_status status)
   switch(status) {
     case Flow_status::SUCCESS:
       return "The point was moved.";
+    case Flow_status::NO_SHELL:
+      return "There is no shell: its own status says why.";
+    case Flow_status::COMPONENTS_UNKNOWN:
+      return "It is not known whether both meshes lie in the same components of the shell: certify the shell "
+             "(CGAL::Bspline_shells::certify), and verify both meshes (CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::INVALID_MESH:
       return "The target must have triangles only, and finite coordinates: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Flow_status::OTHER_COMPONENTS:

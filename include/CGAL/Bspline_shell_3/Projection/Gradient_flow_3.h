@@ -64,6 +64,14 @@ struct Flow_differential
 
 namespace internal {
 
+// The result for a point without an image.
+inline Flow_differential no_differential(Flow_status status)
+{
+  Flow_differential result;
+  result.status = status;
+  return result;
+}
+
 // that of the projection along a normal
 inline Flow_differential orthogonal_differential(const std::array<double, 3>& normal)
 {
@@ -111,13 +119,14 @@ public:
   };
 
   /// \pre `shell` outlives this object
-  /// \param shell a shell
+  /// \param shell a shell; if it has none, all points have the status `NO_SHELL`
   /// \param tolerance of the tracing, user units; 0 stands for the default. The end is at most this far from the exact
   ///        one. That is an estimate: the errors of the steps are followed along the curve to first order. Curves that
   ///        diverge are traced in shorter steps. If `double`s do not suffice, the status is `TOO_MANY_STEPS`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
   {}
+  explicit Gradient_flow_3(const Shell&&, double = 0) = delete;       // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   double tolerance() const { return m_tolerance; }
@@ -128,6 +137,8 @@ public:
   Arrival trace(const Point& p, double level) const
   {
     Arrival arrival;
+    arrival.status = Flow_status::NO_SHELL;
+    if(!*m_shell) return arrival;
     typedef internal::Flow_velocity Velocity;
     Traced<Velocity::State> end;
     arrival.status = run<Velocity>(internal::rounded_coordinates(p), level, end);
@@ -140,6 +151,7 @@ public:
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {
+    if(!*m_shell) return internal::no_differential(Flow_status::NO_SHELL);
     typedef internal::Flow_velocity_with_differential Velocity;
     Traced<Velocity::State> end;
     const double unit = m_shell->report().unit;

@@ -80,6 +80,9 @@ public:
     static_cast<Projection_facets_3&>(*this) = Projection_facets_3(std::move(facets));
   }
 
+  template <typename VertexPointMap>
+  Projection_target_3(const TriangleMesh&&, VertexPointMap,
+                      const std::shared_ptr<const Shell_truncation_3>& = nullptr) = delete;
   Projection_target_3(const Projection_target_3&) = delete;
   Projection_target_3& operator=(const Projection_target_3&) = delete;
 

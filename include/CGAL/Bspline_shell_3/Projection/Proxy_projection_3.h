@@ -13,7 +13,6 @@
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <vector>
@@ -76,11 +75,11 @@ public:
   }
 
   /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal projection onto the plane of their
-  /// facet. \pre `image` is the image of `p`
+  /// facet. If the point has no image, the status is that of the image. \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
-    CGAL_precondition(bool(image));
+    if(!image) return internal::no_differential(image.status);
     return image.is_continued ? internal::orthogonal_differential(this->target().normal(this->target().facet_of(image.location.first)))
                               : Base::differential(p, image);
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/component_paths.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 
@@ -37,11 +38,17 @@ namespace Bspline_shells {
  *
  * \brief the map between two meshes in a shell, along the integral curves of its field.
  *
- * If both meshes have a certificate of the certified shell (`Shell_certificate_3`) the map is one-to-one. The map asks for no
- * certificate, but is refused, with the status `OTHER_COMPONENTS` for all images, if the shell is certified and a component of it holds
- * no part of one of the meshes, if they are closed: no vertex, and no crossing with the paths through the component.
- * It keeps what both directions need, a tree of boxes for each mesh, and shares it with copies and with its inverse; all of these may be used from
- * several threads at once. The shell and the
+ * If both meshes have a certificate of the certified shell (`Shell_certificate_3`), the map is one-to-one. The map
+ * requires no certificate, but compares the components of both meshes:
+ * - If the shell is certified and both meshes are closed, or closed by `Bspline_shell_3::closing()`, the map is refused
+ *   with `OTHER_COMPONENTS` if a component of the shell holds no part of one of the meshes: no vertex, and no crossing
+ *   with the paths through the component.
+ * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each
+ *   component has a path through it that crosses the other mesh, or is crossed by one through that mesh, the status is
+ *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped all the same.
+ *
+ * The map keeps the data that both directions need, a tree of boxes for each mesh, and shares it with copies and with
+ * its inverse; all of these may be used from several threads at once. The shell and the
  * meshes must outlive them, unchanged.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
@@ -70,7 +77,7 @@ public:
   typedef typename boost::graph_traits<Source_mesh>::vertex_descriptor Source_vertex;
 
   /// prepares the map. Both meshes must have triangles only: if not, all images have the status `INVALID_MESH`.
-  /// \param shell a shell
+  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
   /// \param source a mesh in it
   /// \param target another one
   /// \param np_source
@@ -88,18 +95,29 @@ public:
                   prepare<Projection_to_target>(shell, target, np_target, tolerance(np_source)))
   {}
 
+  // they would dangle
+  template <typename... NP>
+  Shell_map_3(const Shell&&, const Source_mesh&, const Target_mesh&, const NP&...) = delete;
+  template <typename... NP>
+  Shell_map_3(const Shell&, const Source_mesh&&, const Target_mesh&, const NP&...) = delete;
+  template <typename... NP>
+  Shell_map_3(const Shell&, const Source_mesh&, const Target_mesh&&, const NP&...) = delete;
+
   /// the map between the targets of two projections in the same shell
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {
-    if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
+    if(!shell()) m_status = Flow_status::NO_SHELL;
+    else if(!m_to_source.target().is_valid() || !m_to_target.target().is_valid()) m_status = Flow_status::INVALID_MESH;
     else if constexpr(std::is_same<Projection_to_source, Shell_projection_3<Shell, Source_mesh> >::value
                       && std::is_same<Projection_to_target, Shell_projection_3<Shell, Target_mesh> >::value)
-      if(misses_component(m_to_source.target()) || misses_component(m_to_target.target())) m_status = Flow_status::OTHER_COMPONENTS;
+      m_status = compare_components();
   }
 
-  /// whether points are mapped: `SUCCESS`, or the status that all images have
+  /// `SUCCESS`, or the status of all images. With `COMPONENTS_UNKNOWN`, points are mapped all the same.
   Flow_status status() const { return m_status; }
+  /// whether points are mapped; each image then has its own status
+  bool maps_points() const { return m_status == Flow_status::SUCCESS || m_status == Flow_status::COMPONENTS_UNKNOWN; }
 
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
@@ -107,8 +125,11 @@ public:
   const Projection_to_source& to_source() const { return m_to_source; }      ///< for points anywhere in the shell
   const Projection_to_target& to_target() const { return m_to_target; }      ///< for points anywhere in the shell
 
-  /// the same curves, the other way
-  Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const { return { m_to_target, m_to_source }; }
+  /// Returns the map along the same curves in the other direction. Takes constant time.
+  Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const
+  {
+    return { m_to_target, m_to_source, m_status };
+  }
 
   /// the point, in coordinates, of a location on the source
   Coordinates point(const Source_location& location) const
@@ -125,7 +146,7 @@ public:
   /// the image on the target of a location on the source
   Target_image operator()(const Source_location& location) const
   {
-    if(m_status != Flow_status::SUCCESS) return refused();
+    if(!maps_points()) return refused();
     return m_to_target(traced_point(location));
   }
 
@@ -134,10 +155,12 @@ public:
   Target_image operator()(Source_vertex v) const { return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source())); }
 
   /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal of the facet of
-  /// the image, or `Flow_differential::onto_level_set()`.
+  /// the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is that of the
+  /// image.
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
+    if(!image) return internal::no_differential(image.status);
     Flow_differential d = m_to_target.differential(traced_point(location), image);
     d.append_to_start(m_to_source.target().traced_derivative(m_to_source.target().facet_of(location.first), location.second));
     return d;
@@ -149,7 +172,7 @@ public:
   std::vector<Target_image> project(const LocationRange& locations, Visitor&& visitor = Visitor()) const
   {
     std::vector<Target_image> images(std::size_t(std::end(locations) - std::begin(locations)));
-    if(m_status != Flow_status::SUCCESS) {
+    if(!maps_points()) {
       std::fill(images.begin(), images.end(), refused());
       return images;
     }
@@ -160,6 +183,12 @@ public:
   }
 
 private:
+  template <typename, typename, typename, typename, typename> friend class Shell_map_3;
+
+  Shell_map_3(Projection_to_source to_source, Projection_to_target to_target, Flow_status status)
+    : m_to_source(std::move(to_source)), m_to_target(std::move(to_target)), m_status(status)
+  {}
+
   Target_image refused() const
   {
     Target_image image;
@@ -167,19 +196,37 @@ private:
     return image;
   }
 
-  // Whether a component of the shell holds no part of a mesh. What closes an open mesh in the shell counts as part of it; for other open meshes the
-  // count depends on the path.
+  Flow_status compare_components() const
+  {
+    const auto& source = m_to_source.target();
+    const auto& target = m_to_target.target();
+    if(shell().is_certified() && is_closed(source) && is_closed(target))
+      return (std::max)(find_missed_component(source), find_missed_component(target));
+    const bool are_shared = internal::share_components(shell(), source.traced_facets(), target.traced_facets());
+    return are_shared ? Flow_status::SUCCESS : Flow_status::COMPONENTS_UNKNOWN;
+  }
+
+  // The triangles that close an open mesh in the shell count as part of it. For other open meshes, crossings depend on
+  // the path.
   template <typename Target>
-  bool misses_component(const Target& target) const
+  bool is_closed(const Target& target) const
+  {
+    return target.traced_facets().is_closed() || has_border_of_closing(target);
+  }
+
+  // `OTHER_COMPONENTS` if a component of the shell holds no part of a mesh, `COMPONENTS_UNKNOWN` if all paths through
+  // it are degenerate, and no vertex is in it; otherwise `SUCCESS`.
+  // \pre the shell is certified, and `is_closed()` holds
+  template <typename Target>
+  Flow_status find_missed_component(const Target& target) const
   {
     typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
     const std::vector<Crossing_path> paths = shell().component_paths();
     const auto& traced = target.traced_facets();
-    const bool is_closed = target.is_closed();
-    if(paths.empty() || !(is_closed || has_border_of_closing(target))) return false;
     std::size_t number;
     const std::vector<typename Target::Index> component = traced.components(number);
-    const std::size_t facets = traced.number_of_facets(), all = facets + (is_closed ? 0 : shell().closing()->triangles().size());
+    const std::size_t facets = traced.number_of_facets(),
+                      all = facets + (traced.is_closed() ? 0 : shell().closing()->triangles().size());
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
     const Component_match match = match_components(paths, number + (all > facets ? 1 : 0), all, [&](std::size_t n) {
       std::array<Point, 3> t;
@@ -188,24 +235,31 @@ private:
       return t;
     }, [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
     std::vector<char> is_missed(match.crossings.size(), 0);
-    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k] == 0;
+    for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k].value_or(0) == 0;
     for(std::size_t k : match.component_of_shell)
       if(k != Component_match::none) is_missed[k] = 0;
-    const auto is_any_missed = [&] { return std::find(is_missed.begin(), is_missed.end(), 1) != is_missed.end(); };
-    if(!is_any_missed() || !shell().proved_cover()) return false;
+    const auto found = [&] {
+      Flow_status worst = Flow_status::SUCCESS;
+      for(std::size_t k = 0; k < is_missed.size(); ++k) {
+        const Flow_status status = match.crossings[k] ? Flow_status::OTHER_COMPONENTS : Flow_status::COMPONENTS_UNKNOWN;
+        if(is_missed[k]) worst = (std::max)(worst, status);
+      }
+      return worst;
+    };
+    if(found() == Flow_status::SUCCESS || !shell().proved_cover()) return found();
     // Meshes without a certificate may be there, and not be counted. Where components of the shell share one of the cover, it cannot tell which of them
     // a vertex is in.
     std::vector<char> has_boxes(is_missed.size(), 0);
     for(const Cover_box& box : *shell().proved_cover())
       if(box.component < has_boxes.size()) has_boxes[box.component] = 1;
-    if(std::find(has_boxes.begin(), has_boxes.end(), 0) != has_boxes.end()) return true;
+    if(std::find(has_boxes.begin(), has_boxes.end(), 0) != has_boxes.end()) return found();
     Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
     cover.adopt(*shell().proved_cover());
     for(const Coordinates& v : target.traced_vertices()) {
       const std::uint32_t k = cover.component(typename Shell::Point_3(v[0], v[1], v[2]));
       if(k < is_missed.size()) is_missed[k] = 0;
     }
-    return is_any_missed();
+    return found();
   }
 
   template <typename Target>

@@ -94,7 +94,7 @@ public:
   struct Hint { typename Target::Index facet = Target::npos; };
 
   /// \pre `shell` outlives this object, and `target` is not null
-  /// \param shell a shell
+  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
   /// \param target the mesh to project to, prepared; may be shared
   /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the end of
   ///        the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
@@ -104,6 +104,7 @@ public:
   {
     CGAL_precondition(m_target != nullptr);
   }
+  Shell_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete;       // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
@@ -122,8 +123,8 @@ public:
   Image operator()(const Point& p, Hint& hint) const
   {
     Image image;
-    if(!m_target->is_valid()) {
-      image.status = Flow_status::INVALID_MESH;
+    if(!*m_shell || !m_target->is_valid()) {
+      image.status = !*m_shell ? Flow_status::NO_SHELL : Flow_status::INVALID_MESH;
       return image;
     }
     const Coordinates start = internal::rounded_coordinates(p);
@@ -173,12 +174,13 @@ public:
   }
 
   /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are replaced:
-  /// `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`, which does not jump between facets. \pre
-  /// `image` is the image of `p`
+  /// `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`, which does
+  /// not jump between facets. If the point has no image, the status is that of the image. \pre `image` is the image of
+  /// `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
-    CGAL_precondition(bool(image));
+    if(!image) return internal::no_differential(image.status);
     Flow_differential d = Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
     d.prepend_to_end(m_target->traced_derivative(m_target->facet_of(image.location.first), image.location.second));
     return d;

@@ -57,6 +57,7 @@ public:
   {
     CGAL_precondition(m_target != nullptr);
   }
+  Soup_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete;       // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
@@ -67,8 +68,8 @@ public:
   Image operator()(const Point& p) const
   {
     Image image;
-    if(!m_target->is_valid() || m_target->number_of_facets() == 0) {
-      image.status = Flow_status::INVALID_MESH;
+    if(!*m_shell || !m_target->is_valid() || m_target->number_of_facets() == 0) {
+      image.status = !*m_shell ? Flow_status::NO_SHELL : Flow_status::INVALID_MESH;
       return image;
     }
     internal::Curve_hit hit;
@@ -99,11 +100,11 @@ public:
   }
 
   /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal projection onto the plane of their
-  /// facet. \pre `image` is the image of `p`
+  /// facet. If the point has no image, the status is that of the image. \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
-    CGAL_precondition(bool(image));
+    if(!image) return internal::no_differential(image.status);
     if(!image.is_continued) return Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
     return internal::orthogonal_differential(m_target->normal(m_target->facet_of(image.location.first)));
   }

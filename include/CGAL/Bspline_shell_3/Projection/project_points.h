@@ -31,7 +31,7 @@ namespace Bspline_shells {
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam PointRange a random access range of points
  * \tparam TriangleMesh a model of `FaceListGraph`
- * \param shell a shell
+ * \param shell a shell; if it has none, all images have the status `NO_SHELL`
  * \param points the points
  * \param target a mesh of triangles
  * \param np optional named parameters

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -100,19 +101,19 @@ public:
   }
   /// the thickness as a fraction of the longest side of the mesh's box
   FT relative_thickness() const { return thickness() / m_report.unit; }
-  /// whether all claims about the mesh were proved when the shell was built; `Bspline_shells::Shell_certificate_3` examines any
-  /// mesh at any time
+  /// whether all claims about the mesh are proved: when the shell was built, or, for a shell that was read from a file,
+  /// by `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines any mesh at any time.
   bool is_certified() const
   {
-    const auto& verdicts = m_report.certificate.verdicts;
-    return status() == Shell_status::SUCCESS
-        && std::all_of(verdicts.begin(), verdicts.end(), [](Bspline_shells::Verdict v) { return v == Bspline_shells::Verdict::PROVED; });
+    return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved();
   }
   /// the outcome in one sentence: why there is no shell, or whether it is certified
-  const char* message() const
+  std::string message() const
   {
-    if(!*this || m_report.refinement == Bspline_shells::Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
-    if(is_certified()) return Bspline_shells::message(m_report.refinement);
+    if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
+    const bool is_refined = m_report.refinement != Bspline_shells::Refinement_status::NOT_REFINED;
+    if(is_certified()) return is_refined ? Bspline_shells::message(m_report.refinement) : "There is a certified shell.";
+    if(!is_refined) return Bspline_shells::message(status());
     return m_report.refinement == Bspline_shells::Refinement_status::LIMIT_REACHED
          ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has "
            "the places."
@@ -144,28 +145,49 @@ public:
     return paths;
   }
 
-  /// the boxes of the cover by which it was proved, when the shell was built, that it has no critical point: what the certificates of other
-  /// meshes in the shell need not find out again. Empty if that was not proved, and for shells that were read from a file.
+  /// Paths that may lead through the components of the shell: candidates that a file had. None of them is proved;
+  /// each certificate of a mesh in the shell proves them first. Empty if the shell is certified.
+  const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
+  void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
+
+  /// Takes over the report of a certificate of a mesh in this shell. If it is certified, so is the shell, and its
+  /// components are those of the mesh: `Bspline_shells::certify()` does this.
+  /// \pre the claims of the report are proved
+  void set_certificate(Bspline_shells::Certificate_report report)
+  {
+    m_report.certificate = std::move(report);
+    m_cover.reset();
+    if(is_certified()) m_path_candidates.clear();
+  }
+
+  /// the boxes of the cover by which it was proved, when the shell was certified, that it has no critical point:
+  /// certificates of other meshes in the shell reuse it. Empty if that was not proved, and for shells that were read
+  /// from a file, until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
   /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of
   /// `report()`, or the least gradient in that is zero, and found out when it is needed
+  /// \post the shell may meet the cells of the cover, and no others
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
     CGAL_precondition(m_report.certificate.verdict(Bspline_shells::Claim::GRADIENT) == Bspline_shells::Verdict::PROVED);
+    m_cells.assign(m_field->number_of_cells(), 0);
+    for(const Bspline_shells::Cover_box& box : boxes)
+      if(box.component != Bspline_shells::Cover_box::no_component) m_cells[box.cell] = 1;
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
   }
 
   /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes use them, and add those of
-  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has examined, or that were read from a
-  /// file.
+  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has
+  /// examined.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
   /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
   void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
 
-  /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside. The
-  /// answer is that of `double` arithmetic.
+  /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside, and
+  /// so are all points if there is no shell. The answer is that of `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
+    if(!*this) return ON_UNBOUNDED_SIDE;
     const typename Field::Cell_index c = m_field->locate(p);
     if(c == Field::npos || !m_cells[c]) return ON_UNBOUNDED_SIDE;
     const FT f = m_field->cell(c).value(p);
@@ -180,6 +202,7 @@ private:
   std::vector<char> m_cells;
   std::vector<Level_range> m_facets;
   Shell_report m_report;
+  std::vector<Bspline_shells::Crossing_path> m_path_candidates;
   std::shared_ptr<const std::vector<Bspline_shells::Cover_box> > m_cover;
   std::shared_ptr<const Bounds> m_cell_bounds;
   std::shared_ptr<const Bspline_shells::Shell_closing_3> m_closing;

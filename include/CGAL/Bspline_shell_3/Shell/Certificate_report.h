@@ -226,6 +226,10 @@ struct Certificate_report
   Certificate_statistics statistics;
 
   Verdict verdict(Claim claim) const { return verdicts[std::size_t(claim)]; }
+  bool are_all_proved() const
+  {
+    return std::all_of(verdicts.begin(), verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
+  }
 
   /// of all claims, those that are left out of the list included
   std::size_t total_number_of_witnesses() const

@@ -14,6 +14,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <array>
@@ -32,6 +33,7 @@ struct Shell_report
 {
   Shell_status status = Shell_status::NOT_BUILT;
   Offending_simplices offending_simplices;    ///< where it failed
+  Invalid_parameter invalid_parameter;        ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
   Closing_report closing;                     ///< how the mesh was closed, if it is open
   Truncation_report truncation;               ///< where the mesh was truncated
   std::size_t triangles = 0;                  ///< of the mesh, polygons being cut into triangles; with those that close it; truncated

@@ -7,8 +7,9 @@
 #define CGAL_BSPLINE_SHELL_3_SOUP_SHELL_OF_SOUP_3_H
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
-#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
+#include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <cstddef>
@@ -78,6 +79,7 @@ struct Shell_of_soup_3
   Offending_simplices offending_simplices;
   /// if the mesh is refused: the number of points of the soup that are almost at others (`number_of_near_duplicates()`)
   std::size_t near_duplicates = 0;
+  Invalid_parameter invalid_parameter;                   ///< the refused one, if a status is `INVALID_PARAMETER`
   Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
   Shell shell_of_mesh;                                   ///< of that mesh
   std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
@@ -103,7 +105,8 @@ struct Shell_of_soup_3
   {
     if(mesh_status == Shell_status::SUCCESS) return shell_of_mesh.message();
     const bool has_proxy = proxy_status != Shell_status::NOT_BUILT;
-    std::string text = has_proxy ? internal::message_beside_proxy(mesh_status) : Bspline_shells::message(mesh_status);
+    std::string text = has_proxy ? internal::message_beside_proxy(mesh_status)
+                                 : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
       text += " Of its points, " + std::to_string(near_duplicates)
             + " are closer than 1e-6 of the box to another one: merge them.";
@@ -113,8 +116,8 @@ struct Shell_of_soup_3
   std::string message() const
   {
     if(proxy) return proxy->message();
-    if(internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status);
-    return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status());
+    if(internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status, invalid_parameter);
+    return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
   }
 };
 

@@ -10,8 +10,10 @@
 #include <CGAL/Bspline_shell_3/Projection/Soup_map_3.h>
 #include <CGAL/Bspline_shell_3/Soup/Proxy_report.h>
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -32,11 +34,14 @@ public:
   typedef Soup_map_3<Shell, Mesh> Map;
 
   /// no proxy, for a reason
-  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT, Offending_simplices offenders = Offending_simplices())
-    : m_status(status), m_offenders(std::move(offenders))
+  explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT,
+                        Offending_simplices offenders = Offending_simplices(),
+                        const Invalid_parameter& invalid = Invalid_parameter())
+    : m_status(status), m_offenders(std::move(offenders)), m_invalid_parameter(invalid)
   {}
   Soup_proxy_3(Soup_mesh_3 soup, Mesh mesh, Shell shell, const Proxy_report& report)
-    : m_status(shell.status()), m_soup(std::move(soup)), m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
+    : m_status(shell.status()), m_invalid_parameter(shell.report().invalid_parameter), m_soup(std::move(soup))
+    , m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
   {}
 
   /// whether there is a shell; if not, `status()` says why
@@ -44,11 +49,13 @@ public:
   Shell_status status() const { return m_status; }
   /// if there is no proxy: positions of polygons and points of the soup
   const Offending_simplices& offending_simplices() const { return m_offenders; }
+  /// the parameter that is refused, if the status is `INVALID_PARAMETER`
+  const Invalid_parameter& invalid_parameter() const { return m_invalid_parameter; }
   bool is_certified() const { return m_shell.is_certified(); }
   /// the outcome in one sentence
-  const char* message() const
+  std::string message() const
   {
-    if(!*this) return Bspline_shells::message(m_status);
+    if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
     return is_certified() && m_report.is_thicker_than_asked
          ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
          : m_shell.message();
@@ -68,6 +75,7 @@ public:
 private:
   Shell_status m_status;
   Offending_simplices m_offenders;
+  Invalid_parameter m_invalid_parameter;
   Soup_mesh_3 m_soup;
   Mesh m_mesh;
   Shell m_shell;

@@ -47,7 +47,7 @@ Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)
   Soup_shares shares;
   const std::size_t size = soup.number_of_facets();
   shares.facets.assign(size, Soup_point::HIDDEN);
-  if(map.status() != Flow_status::SUCCESS) return shares;
+  if(!map.maps_points()) return shares;
   double area = 0;
   for(std::size_t f = 0; f < size; ++f) area += internal::norm(soup.normal(Index(f)));
   if(!(area > 0)) return shares;

@@ -119,7 +119,9 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)
         ("vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
-        object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS ? "Its shell is not certified." : message(result.proxy_status));
+        object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS
+                                        ? "Its shell is not certified."
+                                        : message(result.proxy_status, result.invalid_parameter));
     }
     if(result.proxy) {
       const Proxy_report& proxy = result.proxy->report();

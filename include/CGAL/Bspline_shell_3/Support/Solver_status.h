@@ -17,7 +17,8 @@ enum class Solver_status
   NOT_POSITIVE_DEFINITE,    ///< the factorization broke down
   NOT_CONVERGED,            ///< the iteration limit was reached before the tolerance
   OUT_OF_MEMORY,            ///< the factorization needs more memory, or larger integers, than there are
-  NOT_FINITE                ///< the solution has infinite components, or some that are not numbers
+  NOT_FINITE,               ///< the solution has infinite components, or some that are not numbers
+  WRONG_SOLUTION            ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
 };
 
 } // namespace Bspline_shells

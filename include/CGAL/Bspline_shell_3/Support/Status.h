@@ -6,9 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_STATUS_H
 
+#include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -23,7 +25,7 @@ enum class Shell_status
 {
   SUCCESS,
   NOT_BUILT,                   ///< nothing was asked for yet
-  INVALID_PARAMETER,           ///< a named parameter has a value that it must not have
+  INVALID_PARAMETER,           ///< a parameter has a value that is not allowed (`Shell_report::invalid_parameter`)
   MISSING_FILE,                ///< there is no file of that name
   UNREADABLE_FILE,             ///< the file cannot be opened or read: it is a directory, or permission is denied
   UNSUPPORTED_FILE,            ///< the format, or the variant of it, is not read
@@ -67,8 +69,8 @@ inline const char* message(Shell_status status)
     case Shell_status::NOT_BUILT:
       return "There is no shell yet.";
     case Shell_status::INVALID_PARAMETER:
-      return "A parameter has no sensible value: resolution, spacing and memory limit must be positive numbers, weights and numbers of rings "
-             "not negative.";
+      return "A parameter has a value that is not allowed: the report has its name and its bounds "
+             "(CGAL::Bspline_shells::Invalid_parameter).";
     case Shell_status::MISSING_FILE:
       return "There is no such file: check its path.";
     case Shell_status::UNREADABLE_FILE:
@@ -135,6 +137,13 @@ inline const char* message(Shell_status status)
       return "The mesh has more vertices or edges than can be numbered (2^31): simplify it, or split it.";
   }
   return "";
+}
+
+/// \ingroup PkgBsplineShell3Support
+/// Returns the message of the status; for `INVALID_PARAMETER`, that of the parameter.
+inline std::string message(Shell_status status, const Invalid_parameter& parameter)
+{
+  return status == Shell_status::INVALID_PARAMETER && parameter ? message(parameter) : message(status);
 }
 
 /// \ingroup PkgBsplineShell3Support

@@ -176,7 +176,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   const Source& source = map.to_source().target();
   const Target& target = map.to_target().target();
   Transfer_report report;
-  if(map.status() != Flow_status::SUCCESS) {
+  if(!map.maps_points()) {
     internal::fail_all_facets(report, map, put_default_values);
     return report;
   }

@@ -67,7 +67,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
 
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(map.status() != Flow_status::SUCCESS) {
+  if(!map.maps_points()) {
     internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_labels, f); });
     return report;
   }

@@ -168,7 +168,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(map.status() != Flow_status::SUCCESS) {
+  if(!map.maps_points()) {
     internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_vectors, f); });
     return report;
   }
@@ -253,7 +253,7 @@ Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap 
   const auto& source = map.to_source().target();
   const auto& points = map.to_target().target().traced_vertices();
   std::vector<internal::Tangent_sample> samples(points.size());
-  if(map.status() == Flow_status::SUCCESS) {
+  if(map.maps_points()) {
     const auto field = internal::Tangent_field::interpolated(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
                                                              internal::positions_of_corners(source), symmetry);
     internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,

@@ -129,7 +129,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   const auto& source = map.to_source().target();
   const auto& target = map.to_target().target();
   Transfer_report report;
-  if(map.status() != Flow_status::SUCCESS) {
+  if(!map.maps_points()) {
     std::size_t n = 0;
     for(auto v : vertices(map.target())) {
       internal::record(report, n++, map.status());

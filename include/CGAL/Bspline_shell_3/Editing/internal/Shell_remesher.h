@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_SHELL_REMESHER_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -93,6 +94,7 @@ public:
 
   void split_long_edges()
   {
+    m_rejected_before = m_report.placements.rejected();       // splits and collapses begin here
     Queue queue;
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
@@ -137,8 +139,20 @@ public:
     }
   }
 
+  // The reason why edges differ from the target length.
+  Edit_end end() const
+  {
+    const auto is_about_right = [&](edge_descriptor e) {
+      const double length = relative_length(halfedge(e, m_mesh));
+      return m_frozen.has_edge(e) || (length >= shortest && length <= longest);
+    };
+    if(std::all_of(edges(m_mesh).begin(), edges(m_mesh).end(), is_about_right)) return Edit_end::TARGET;
+    return m_has_rejected ? Edit_end::SHELL : Edit_end::ITERATIONS;
+  }
+
   void flip_to_regular_valences()
   {
+    m_has_rejected = m_report.placements.rejected() > m_rejected_before;
     const auto deviation = [&](vertex_descriptor v, int change) { return std::abs(int(degree(v, m_mesh)) + change - 6); };
     for(edge_descriptor e : edges(m_mesh)) {
       const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
@@ -527,6 +541,8 @@ private:
   Remeshing_report& m_report;
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Key> >::type m_key;
   std::size_t m_serial = 0;
+  std::size_t m_rejected_before = 0;
+  bool m_has_rejected = false;        // whether the oracle rejected a split or a collapse in the last iteration
   // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one the next
   typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first_old;
   std::vector<std::size_t> m_next_old;

@@ -425,6 +425,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     constraints_before.restore(mesh);
     result.facets = result.facets_before;
     result.constrained_edges = 0;
+    result.end = Edit_end::NOT_EDITED;
     result.images.clear();
     result.frozen_facets.clear();
     return status;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 
 #include <Eigen/Core>
 
@@ -27,7 +28,7 @@ namespace Bspline_shells {
 namespace internal {
 
 constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "cubic_bspline_shell";
-constexpr int shell_file_version = 4, version_without_truncation = 3, version_without_closing = 2;    // files are as old readers know them where they can be
+constexpr int shell_file_version = 5;
 constexpr int largest_file_level = 30;      // of cells; no hierarchy has so many
 
 // Which type of shell a file holds.
@@ -68,10 +69,11 @@ Level_range levels(const Shell& shell)
   else return { 0, shell.thickness() };
 }
 
+// Paths through the components of a certified shell, or candidates of them that were read from a file.
 template <typename Shell>
-int file_version(const Shell& shell)
+std::vector<Crossing_path> paths_of_file(const Shell& shell)
 {
-  return shell.truncation() ? shell_file_version : shell.closing() ? version_without_truncation : version_without_closing;
+  return shell.is_certified() ? shell.component_paths() : shell.path_candidates();
 }
 
 // calls visit(level, p) for the lattice points of all free coefficients of a field, in their order
@@ -106,6 +108,9 @@ bool is_shell(const Shell& shell)
     for(const Shell_closing_3::Point& p : shell.closing()->points())
       if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
   if(shell.truncation() && !shell.truncation()->is_valid()) return false;
+  for(const Crossing_path& path : paths_of_file(shell))
+    for(const auto& p : { path.source, path.target })
+      if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
   const double unit = shell.report().unit;
   return is_range(levels(shell)) && std::isfinite(unit) && unit >= 0
       && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);

@@ -82,8 +82,11 @@ private:
   bool m_is_binary;
 };
 
-inline void write_truncation(Row_output out, const Shell_truncation_3& t)
+// six zeros if there is none
+inline void write_truncation(Row_output out, const Shell_truncation_3* truncation)
 {
+  const Shell_truncation_3 none;
+  const Shell_truncation_3& t = truncation ? *truncation : none;
   const auto count = [](const auto& range) { return std::uint32_t(range.size()); };
   const std::size_t corners = t.number_of_corners(), inner = t.planar().size() - t.cuts().size();
   out.row(std::uint32_t(corners), count(t.cuts()), std::uint32_t(inner), count(t.cut_facets()), count(t.cores()), count(t.discs()));
@@ -99,12 +102,16 @@ inline void write_truncation(Row_output out, const Shell_truncation_3& t)
   }
 }
 
-// Null if the file has no valid truncation. Vectors grow with what is read, never to what a count promises.
-inline std::shared_ptr<const Shell_truncation_3> read_truncation(Row_input in)
+// Reads a truncation, or null if the file has none. Whether it is valid is not tested. Vectors grow with the numbers
+// that are read, never to the size that a count promises.
+// \return `false` if rows are missing
+inline bool read_truncation(Row_input in, std::shared_ptr<const Shell_truncation_3>& truncation)
 {
   typedef Shell_truncation_3 Truncation;
   std::uint32_t corners, cuts, inner, cut_facets, cores, discs;
-  if(!in.row(corners, cuts, inner, cut_facets, cores, discs)) return nullptr;
+  if(!in.row(corners, cuts, inner, cut_facets, cores, discs)) return false;
+  truncation = nullptr;
+  if((corners | cuts | inner | cut_facets | cores | discs) == 0) return true;
   std::vector<Truncation::Point> points;
   std::vector<Truncation::Planar_point> planar;
   std::vector<Truncation::Cut> cut;
@@ -113,44 +120,44 @@ inline std::shared_ptr<const Shell_truncation_3> read_truncation(Row_input in)
   std::vector<Truncation::Disc> disc;
   for(std::uint64_t n = std::uint64_t(corners) + cuts + inner; n > 0; --n) {
     points.emplace_back();
-    if(!in.row(points.back()[0], points.back()[1], points.back()[2])) return nullptr;
+    if(!in.row(points.back()[0], points.back()[1], points.back()[2])) return false;
   }
   for(std::uint64_t n = std::uint64_t(cuts) + inner; n > 0; --n) {
     planar.emplace_back();
-    if(!in.row(planar.back()[0], planar.back()[1])) return nullptr;
+    if(!in.row(planar.back()[0], planar.back()[1])) return false;
   }
   for(; cuts > 0; --cuts) {
     cut.emplace_back();
-    if(!in.row(cut.back().center, cut.back().first, cut.back().second, cut.back().s, cut.back().t)) return nullptr;
+    if(!in.row(cut.back().center, cut.back().first, cut.back().second, cut.back().s, cut.back().t)) return false;
   }
   for(; cut_facets > 0; --cut_facets) {
     cut_facet.emplace_back();
-    if(!in.row(cut_facet.back()[0], cut_facet.back()[1], cut_facet.back()[2])) return nullptr;
+    if(!in.row(cut_facet.back()[0], cut_facet.back()[1], cut_facet.back()[2])) return false;
   }
   for(; cores > 0; --cores) {
     core.emplace_back();
     auto& t = core.back().triangle;
-    if(!in.row(t[0], t[1], t[2], core.back().facet)) return nullptr;
+    if(!in.row(t[0], t[1], t[2], core.back().facet)) return false;
   }
   for(; discs > 0; --discs) {
     disc.emplace_back();
     Truncation::Disc& d = disc.back();
     std::uint32_t rim, triangles;
-    if(!in.row(d.center, rim, triangles)) return nullptr;
+    if(!in.row(d.center, rim, triangles)) return false;
     for(; rim > 0; --rim) {
       std::uint32_t point, facet;
-      if(!in.row(point, facet)) return nullptr;
+      if(!in.row(point, facet)) return false;
       d.rim.push_back(point);
       d.facets.push_back(facet);
     }
     for(; triangles > 0; --triangles) {
       d.triangles.emplace_back();
-      if(!in.row(d.triangles.back()[0], d.triangles.back()[1], d.triangles.back()[2])) return nullptr;
+      if(!in.row(d.triangles.back()[0], d.triangles.back()[1], d.triangles.back()[2])) return false;
     }
   }
-  const auto truncation = std::make_shared<const Truncation>(std::move(points), std::move(cut_facet), std::move(cut), std::move(core), std::move(disc),
-                                                             std::move(planar));
-  return truncation->is_valid() ? truncation : nullptr;
+  truncation = std::make_shared<const Truncation>(std::move(points), std::move(cut_facet), std::move(cut),
+                                                  std::move(core), std::move(disc), std::move(planar));
+  return true;
 }
 
 } // namespace internal

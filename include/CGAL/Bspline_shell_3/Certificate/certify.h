@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_CERTIFY_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_CERTIFY_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Certificate
+ *
+ * \brief Proves the certificate of a mesh in a shell, and certifies the shell with it: for shells that were read from a
+ * file, and for shells of `bspline_shell_3()`.
+ *
+ * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`). It has the report of the
+ * certificate, the cover, the bounds on cells, and the paths through its components, as if it had been built for the
+ * mesh. The components of the shell are those in which the mesh lies. If the shell was read from a file, the mesh must
+ * have exactly one component in each component that the shell had when it was written. Everything is proved from the
+ * field and the thresholds: the file's paths tell which components to ask for, and are proved first.
+ *
+ * If a claim is not proved, a certified shell is left as it is. Other shells get the report, whose witnesses name the
+ * places, and stay not certified.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Field a model of `BsplineField_3`
+ * \tparam Threshold a model of `ShellThreshold`
+ * \tparam PolygonMesh a model of `FaceListGraph`
+ * \param shell the shell. Certificates, maps and edits that refer to it must not be in use.
+ * \param mesh the mesh that the shell was built for, or any other mesh in the shell, as for
+ *        `Shell_certificate_3::verify()`
+ * \param np `vertex_point_map` as in all of \cgal
+ * \return the certificate of the mesh. It converts to `true` if all claims are proved; otherwise it has the reasons.
+ * \cgalHeading{Cost} that of the certificate
+ */
+template <typename ConcurrencyTag = Parallel_if_available_tag,
+          typename Field, typename Threshold, typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Shell_certificate_3<Field, Threshold> certify(Bspline_shell_3<Field, Threshold>& shell, const PolygonMesh& mesh,
+                                              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  Shell_certificate_3<Field, Threshold> certificate(shell);
+  const bool is_certified = certificate.template verify<ConcurrencyTag>(mesh, np);
+  if(certificate.status() != Shell_status::SUCCESS || (shell.is_certified() && !is_certified)) return certificate;
+  shell.set_certificate(certificate.report());
+  shell.set_cell_bounds(certificate.bounds());
+  if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
+  return certificate;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_CERTIFY_H
