@@ -509,7 +509,8 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   };
   const double max_seconds = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, parameter_tags::time_limit), std::numeric_limits<double>::infinity());
-  if(!(max_seconds > 0)) return Edit_status::INVALID_PARAMETER;
+  result.invalid_parameter.check("time_limit", max_seconds, Parameter_bounds::positive_or_infinite());
+  if(result.invalid_parameter) return Edit_status::INVALID_PARAMETER;
   Run run(max_seconds);
   const Run::Scope scope(&run);
   const bool freezes = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
