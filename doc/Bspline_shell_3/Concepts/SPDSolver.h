@@ -31,8 +31,8 @@ public:
   /// solves the system with the last matrix.
   /// \param b the right-hand side
   /// \param[in,out] x an approximation of the solution, from which an iterative solver may start, and the solution
-  /// \return `SUCCESS`, or the reason why `x` does not solve the system to the solver's tolerance. With `SUCCESS`, `x` must have
-  /// the size of `b`, and \f$|b - Ax| \le |b| / 10\f$: `CGAL::Bspline_shells::Any_spd_solver` checks both.
+  /// \return `SUCCESS`, or the reason why `x` does not solve the system to the solver's tolerance. With `SUCCESS`, `x`
+  /// must have the size of `b`, and \f$|b - Ax| \le |b| / 10\f$: `CGAL::Bspline_shells::Any_spd_solver` checks both.
   CGAL::Bspline_shells::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
 /// @}

@@ -38,7 +38,8 @@ const Mesh& two_spheres()
 }
 const Varying_shell& two_shells()
 {
-  static const Varying_shell shell = CGAL::certified_bspline_shell_3(two_spheres(), BS::parameters::relative_thickness(0.05));
+  static const Varying_shell shell
+    = CGAL::certified_bspline_shell_3(two_spheres(), BS::parameters::relative_thickness(0.05));
   REQUIRE(shell.is_certified());
   return shell;
 }
@@ -68,7 +69,8 @@ Varying_shell with_paths(const std::function<void(Lines& paths)>& change)
 
 bool has(const BS::Certificate_report& report, BS::Certificate_witness::Reason reason)
 {
-  return std::any_of(report.witnesses.begin(), report.witnesses.end(), [&](const BS::Certificate_witness& w) { return w.reason == reason; });
+  return std::any_of(report.witnesses.begin(), report.witnesses.end(),
+                     [&](const BS::Certificate_witness& w) { return w.reason == reason; });
 }
 
 bool are_same_paths(const std::vector<BS::Crossing_path>& a, const std::vector<BS::Crossing_path>& b)
@@ -117,7 +119,7 @@ TEST_CASE("certify: another mesh in the same components certifies the shell as w
   CHECK(Map(shell, two_spheres(), moved).status() == Flow_status::SUCCESS);
 }
 
-TEST_CASE("certify: a mesh that lacks a component of the shell that was written is not certified, neither before nor after")
+TEST_CASE("certify: a mesh that lacks a component of the shell is not certified, neither before nor after")
 {
   for(bool is_certified : { false, true }) {
     Varying_shell shell = read_two_shells();
@@ -194,12 +196,18 @@ TEST_CASE("certify: paths of a file that do not lead through the shell are no re
   };
   check([&](Lines& paths) { replace(paths, [&](auto x) { return text({ x[3], x[4], x[5], x[0], x[1], x[2] }); }); });
   check([&](Lines& paths) {
-    replace(paths, [&](auto x) { return text({ x[0], x[1], x[2], (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2 }); });
+    replace(paths, [&](auto x) {
+      return text({ x[0], x[1], x[2], (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2 });
+    });
   });
   check([&](Lines& paths) {
-    replace(paths, [&](auto x) { return text({ (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2, x[3], x[4], x[5] }); });
+    replace(paths, [&](auto x) {
+      return text({ (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2, x[3], x[4], x[5] });
+    });
   });
-  check([&](Lines& paths) { replace(paths, [&](auto x) { return text({ x[0], x[1] + 40, x[2], x[3], x[4] + 40, x[5] }); }); });
+  check([&](Lines& paths) {
+    replace(paths, [&](auto x) { return text({ x[0], x[1] + 40, x[2], x[3], x[4] + 40, x[5] }); });
+  });
   check([&](Lines& paths) { replace(paths, [&](auto x) { return text({ x[0], x[1], x[2], x[0], x[1], x[2] }); }); });
   check([&](Lines& paths) { replace(paths, [&](auto) { return text({ 1e300, 0, 0, -1e300, 0, 0 }); }); });
 }
@@ -219,7 +227,8 @@ TEST_CASE("certify: a file that gives two components one number, or leaves one o
   };
   check(with_paths([](Lines& paths) { for(std::string& line : paths) line = with_word(line, 0, "0"); }));
   check(with_paths([](Lines& paths) {
-    paths.erase(std::remove_if(paths.begin(), paths.end(), [](const std::string& line) { return line[0] == '1'; }), paths.end());
+    const auto is_of_second = [](const std::string& line) { return line[0] == '1'; };
+    paths.erase(std::remove_if(paths.begin(), paths.end(), is_of_second), paths.end());
   }));
 }
 
@@ -251,8 +260,8 @@ TEST_CASE("certify: paths of a shell that is not certified do not count, though 
 {
   BS::Shell_report report = two_shells().report();
   report.certificate.verdicts[std::size_t(BS::Claim::ONE_SHEET)] = Verdict::UNDECIDED;
-  const Varying_shell shell(two_shells().field(), two_shells().inner_threshold(), two_shells().outer_threshold(), two_shells().shell_cells(),
-                            {}, report);
+  const Varying_shell shell(two_shells().field(), two_shells().inner_threshold(), two_shells().outer_threshold(),
+                            two_shells().shell_cells(), {}, report);
   CHECK_FALSE(shell.is_certified());
   CHECK(shell.component_paths().empty());
   CHECK(written(shell, Format::ASCII).find("\npaths 0\n") != std::string::npos);

@@ -198,8 +198,8 @@ TEST_CASE("Components: without a certificate of the shell, paths through both me
   report.status = BS::Shell_status::SUCCESS;
   report.unit = 2;
   const Shell shell(certified.field(), BS::Level_range{ -0.09, 0.09 }, certified.shell_cells(), {}, report);
-  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(large_sphere(0.99), small_sphere(1.02)), small = small_sphere(),
-             large = large_sphere();
+  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(large_sphere(0.99), small_sphere(1.02)),
+             small = small_sphere(), large = large_sphere();
   const auto status = [&](const Shell& s, const Mesh& source, const Mesh& target) {
     const BS::Shell_map_3 map(s, source, target);
     CHECK(map.inverse().status() == map.status());
@@ -216,7 +216,7 @@ TEST_CASE("Components: without a certificate of the shell, paths through both me
   CHECK(status(shell, small, small_sphere(1.3)) == BS::Flow_status::COMPONENTS_UNKNOWN);
   // points have images where there are any
   CHECK(number_of_images(BS::Shell_map_3(shell, mesh, small)) == small.number_of_faces());
-  // the same for open meshes in a certified shell: half of a sphere is in the component of the sphere
+  // Open meshes in a certified shell: half of a sphere is in the component of the sphere.
   Mesh half = small_sphere(1.01);
   for(auto f : half.faces())
     if(half.point(half.target(half.halfedge(f))).z() > 0) CGAL::Euler::remove_face(half.halfedge(f), half);

@@ -313,7 +313,10 @@ TEST_CASE("A solver that returns zeros, garbage or a vector of another size with
 {
   struct Liar
   {
-    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&) { return BS::Solver_status::SUCCESS; }
+    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&)
+    {
+      return BS::Solver_status::SUCCESS;
+    }
     BS::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
     {
       x = Eigen::VectorXd::Constant(b.size() + more, value);
@@ -562,8 +565,10 @@ TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are o
     CHECK_FALSE(parameter.bounds.contains(value));
     CHECK(shell.message() == message(parameter));
   };
-  for(double x : { nan, infinity, 0., -1., 1e-9 }) check(CGAL::bspline_shell_3(mesh, P::resolution(x)), "resolution", x);
-  for(double x : { nan, infinity, 0., -1., 1e6 }) check(CGAL::bspline_shell_3(mesh, P::grid_spacing(x)), "grid_spacing", x);
+  for(double x : { nan, infinity, 0., -1., 1e-9 })
+    check(CGAL::bspline_shell_3(mesh, P::resolution(x)), "resolution", x);
+  for(double x : { nan, infinity, 0., -1., 1e6 })
+    check(CGAL::bspline_shell_3(mesh, P::grid_spacing(x)), "grid_spacing", x);
   for(int rings : { 0, -3 }) check(CGAL::bspline_shell_3(mesh, P::number_of_rings(rings)), "number_of_rings", rings);
   for(double x : { nan, 0., -1. }) check(CGAL::bspline_shell_3(mesh, P::memory_limit(x)), "memory_limit", x);
   for(double x : { nan, infinity, -1. }) {

@@ -262,7 +262,7 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   check(CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(0.)), "time_limit", 0);
   check(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(-1.)), "memory_limit", -1);
   check(CGAL::certified_bspline_shell_3(mesh, parameters::least_cone_margin(1.)), "least_cone_margin", 1);
-  // at most twenty root cells
+  // The thickness must be less than twenty root cells.
   check(CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(5.)), "relative_thickness", 5);
   check(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(10.)), "thickness", 10);
   check(CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3&) { return -0.5; })), "sizing", -0.5);
@@ -270,7 +270,10 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   // a solver that returns zeros
   struct Zeros
   {
-    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&) { return BS::Solver_status::SUCCESS; }
+    BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&)
+    {
+      return BS::Solver_status::SUCCESS;
+    }
     BS::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
     {
       x = Eigen::VectorXd::Zero(b.size());

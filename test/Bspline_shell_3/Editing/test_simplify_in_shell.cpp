@@ -371,7 +371,7 @@ TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a 
   // a target that the shell does not allow, and one that it does
   CHECK(end(P::stop(BS::Facet_count_stop_predicate(4)), sphere_shell()) == Edit_end::SHELL);
   CHECK(end(P::stop(BS::Facet_count_stop_predicate(200)), sphere_shell()) == Edit_end::STOP_PREDICATE);
-  // where filter and shell reject places, it is the shell
+  // If filter and shell reject places, the shell is named.
   const auto is_on_one_side = [](const auto& profile, auto placement) {
     return profile.p0().x() < 0 ? decltype(placement)() : placement;
   };

@@ -451,8 +451,9 @@ TEST_CASE("files: foreign files, other versions, no file at all")
     CHECK(read(foreign, shell) == Status::NOT_A_SHELL);
   CHECK(read(std::string(100000, '\0'), shell) == Status::NOT_A_SHELL);
   for(const char* version : { "1", "4", "6", "55" }) {
-    CHECK(read("cubic_bspline_shell " + std::string(version) + " ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
-    CHECK(read("cubic_bspline_shell " + std::string(version) + " something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
+    const std::string begin = "cubic_bspline_shell " + std::string(version);
+    CHECK(read(begin + " ascii" + text.substr(text.find('\n')), shell) == Status::VERSION_NOT_SUPPORTED);
+    CHECK(read(begin + " something\nelse", shell) == Status::VERSION_NOT_SUPPORTED);
   }
   for(const char* version : { "04", "06", "15" })
     CHECK(read("BSHELL" + (version + bytes.substr(8)), shell) == Status::VERSION_NOT_SUPPORTED);

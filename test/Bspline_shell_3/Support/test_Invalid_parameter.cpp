@@ -11,7 +11,8 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 using BS::Parameter_bounds;
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 std::string sentence(double value, const Parameter_bounds& bounds)
 {
@@ -50,7 +51,8 @@ TEST_CASE("Invalid parameters: the message has the name, the value and the bound
   CHECK(sentence(1, Parameter_bounds::positive()) == "");
   CHECK(sentence(-1, Parameter_bounds::positive()) == "The parameter size is -1. It must be greater than 0 and finite.");
   CHECK(sentence(0, Parameter_bounds::positive_or_infinite()) == "The parameter size is 0. It must be greater than 0.");
-  CHECK(sentence(infinity, Parameter_bounds::not_negative()) == "The parameter size is inf. It must be at least 0 and finite.");
+  CHECK(sentence(infinity, Parameter_bounds::not_negative())
+        == "The parameter size is inf. It must be at least 0 and finite.");
   CHECK(sentence(1.5, { 0, 1, true, false }) == "The parameter size is 1.5. It must be at least 0 and less than 1.");
   CHECK(sentence(nan_value, { 0, 1, true, true }) == "The parameter size is nan. It must be at least 0 and at most 1.");
 }
