@@ -44,7 +44,7 @@ draw() {      # PREFIX
   xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "results/$name.new.png" \
     2>"$build/render.log" && [ -s "results/$name.new.png" ] && mv "results/$name.new.png" "$1.png"
 }
-# 4 and 7: all files are there that there can be, and what is wrong is said already
+# after 4 and 7, the results are complete but for what the program has named
 if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
   for prefix in "results/$name.failed" "results/$name"; do
     if [ "${prefix}_places.ply" -nt "$begin" ]; then

@@ -22,7 +22,8 @@ int main(int argc, char** argv)
 {
   std::string file;
   double resolution;
-  const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution).read(argc, argv);
+  const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution)
+                      .read(argc, argv);
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;

@@ -1,4 +1,4 @@
-// What the examples with files share: the command line, messages on meshes that are refused, and files that are complete or not there.
+// Shared by the examples with files: the command line, messages on refused meshes, and writing of whole files.
 #ifndef EXAMPLE_FILES_H
 #define EXAMPLE_FILES_H
 
@@ -131,8 +131,9 @@ inline void list_places(std::ostream& out, const char* kind, const std::vector<s
   out << (places.size() > 10 ? " ... (" + std::to_string(places.size()) + ")" : "") << std::endl;
 }
 
-// what is wrong, in which file if it is known, and where
-inline void complain(const std::string& message, const BS::Offending_simplices& offenders, const std::string& file = std::string())
+// Prints a message after the file and line that it is about, and then the places.
+inline void complain(const std::string& message, const BS::Offending_simplices& offenders,
+                     const std::string& file = std::string())
 {
   if(!file.empty()) std::cerr << file << (offenders.line > 0 ? ", line " + std::to_string(offenders.line) : "") << ": ";
   std::cerr << message << std::endl;
@@ -150,7 +151,7 @@ bool read_mesh(const std::string& file, Mesh& mesh)
   return status == BS::Shell_status::SUCCESS;
 }
 
-// the same, after a message if it is false
+// Returns `success`, and prints a message if it is false.
 inline bool is_written(bool success, const std::string& file)
 {
   if(!success) std::cerr << "Cannot write " << file << std::endl;
@@ -159,9 +160,12 @@ inline bool is_written(bool success, const std::string& file)
 
 // a file that is complete or not there, and then with a message
 template <typename Writer>
-bool write_result(const std::string& file, const Writer& write) { return is_written(BS::write_file(file, write), file); }
+bool write_result(const std::string& file, const Writer& write)
+{
+  return is_written(BS::write_file(file, write), file);
+}
 
-// as OFF or PLY, by the name, in text; or a message
+// Writes a text in OFF or PLY, by the name of the file.
 template <typename Mesh>
 bool save(const std::string& file, const Mesh& mesh)
 {

@@ -32,7 +32,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-// what the programs return, if not 0
+// exit codes beside 0
 enum Exit_code { WRONG_USAGE = Arguments::wrong_usage, CANNOT_WRITE = 3, NO_SURFACE = 4, NOT_CERTIFIED = 5,
                  NOT_SIMPLIFIED = 6, POINTS_LOST = 7, NO_SHELL = 10 };
 
@@ -91,7 +91,7 @@ public:
     return 0;
   }
 
-  // where a result is until it takes its place
+  // the name of a result until it takes its place
   std::string pending(const std::string& ending) const { return m_prefix + ".new" + ending; }
 
   // Moves the files that were written to their places, and returns the exit code. With success, also in part, they
@@ -174,7 +174,7 @@ inline bool write_mesh(const std::string& file, const Mesh& mesh)
   });
 }
 
-// why there is a proxy: what the polygons are not, and where
+// the reason for a proxy, and the places where the polygons are not a mesh
 inline void print_reason(const BS::Shell_of_soup_3& found)
 {
   std::cout << "no mesh       " << found.mesh_message() << "\n";

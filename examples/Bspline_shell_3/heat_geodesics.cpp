@@ -42,8 +42,8 @@ int main(int argc, char** argv)
   std::string file;
   double edges = 100;
   int number = 0;
-  const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES along the longest side of the box, default 100] "
-                                        "[SOURCE, a vertex, default 0]\n")
+  const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES along the longest side of the box, "
+                                        "default 100] [SOURCE, a vertex, default 0]\n")
                                 .required(file).optional(edges).optional(number);
   if(const auto code = arguments.read(argc, argv)) return *code;
   Mesh mesh;

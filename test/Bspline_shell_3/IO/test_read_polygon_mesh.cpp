@@ -142,7 +142,8 @@ bool is_tetrahedron_STL(const std::string& name, const std::string& text)
   const Temporary_file file(name, text);
   Mesh mesh;
   return read_polygon_mesh(file.name, mesh) == Shell_status::SUCCESS && mesh.number_of_vertices() == 4
-      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh) && CGAL::Polygon_mesh_processing::volume(mesh) == Approx(2.5 / 6);
+      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh)
+      && CGAL::Polygon_mesh_processing::volume(mesh) == Approx(2.5 / 6);
 }
 
 } // namespace

@@ -26,7 +26,8 @@ inline constexpr double near_duplicate_distance = 1e-6;      ///< of the longest
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief returns the number of points that have another, different point closer than `near_duplicate_distance`, in each coordinate.
+ * \brief returns the number of points that have another, different point closer than `near_duplicate_distance`, in each
+ * coordinate.
  *
  * Points at equal positions count as one.
  *
@@ -47,7 +48,8 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
   const auto cell_at = [&](std::size_t v, const std::array<double, 3>& shift) {
     Cell cell;
     for(int a = 0; a < 3; ++a)
-      cell[a] = static_cast<std::int64_t>(std::floor((points[v][a] - box.min_coord(a) + shift[a] * distance) / (2 * distance)));
+      cell[a] = static_cast<std::int64_t>(
+        std::floor((points[v][a] - box.min_coord(a) + shift[a] * distance) / (2 * distance)));
     return cell;
   };
   std::vector<std::pair<Cell, std::size_t> > entries(points.size());

@@ -63,7 +63,8 @@ private:
   std::size_t comment_in(std::string_view line) const
   {
     std::size_t position = line.find(m_comment);
-    while(position != line.npos && position > 0 && line[position - 1] == '.') position = line.find(m_comment, position + 1);
+    while(position != line.npos && position > 0 && line[position - 1] == '.')
+      position = line.find(m_comment, position + 1);
     return position;
   }
 

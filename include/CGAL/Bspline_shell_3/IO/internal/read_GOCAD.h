@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Reads positions and facets of a GOCAD surface. CGAL's reader stops at "nan", and at vertices that refer to others (ATOM).
+// Reads positions and facets of a GOCAD surface. CGAL's reader stops at "nan" and skips vertices that refer to others.
 inline Shell_status read_GOCAD(Text_soup& result)
 {
   Text_rows rows(result.text(), 0, '#');

@@ -24,7 +24,8 @@ namespace internal {
 inline bool is_binary_STL(std::string_view text)
 {
   constexpr std::size_t header = 84, facet = 50;
-  return text.size() >= header && text.size() - header == facet * std::size_t(from_little_endian<std::uint32_t>(&text[80]));
+  return text.size() >= header
+      && text.size() - header == facet * std::size_t(from_little_endian<std::uint32_t>(&text[80]));
 }
 
 // pre: is_binary_STL(text)
@@ -35,7 +36,8 @@ inline void read_binary_STL(std::string_view text, Polygon_soup& soup)
     soup.polygons.push_back({ first, first + 1, first + 2 });
     for(std::size_t v = 0; v < 3; ++v) {
       const char* const p = &text[facet + 12 + 12 * v];       // behind the normal
-      soup.points.emplace_back(from_little_endian<float>(p), from_little_endian<float>(p + 4), from_little_endian<float>(p + 8));
+      soup.points.emplace_back(from_little_endian<float>(p), from_little_endian<float>(p + 4),
+                               from_little_endian<float>(p + 8));
     }
   }
 }

@@ -132,7 +132,7 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
-  // of the places where planes are passed: a thousandth of the tolerance, or what the rounding of coordinates allows
+  // A curve passes planes at places of this precision: a thousandth of the tolerance, or four units in the last place.
   double crossing_precision() const { return m_crossing_precision; }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
