@@ -1,4 +1,4 @@
-// Refinement_budget.h: what the rounds so far say of the next one. Seconds are put in by hand: no clock runs, but in the last test.
+// Refinement_budget.h: whether the limits allow another round. No clock runs, but in the last test.
 #include <CGAL/Bspline_shell_3/Construction/Refinement_budget.h>
 
 #include <catch2/catch.hpp>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -154,6 +155,7 @@ template <typename Function>
 inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
 {
   for(auto first = uses.begin(), last = first; first != uses.end(); first = last) {
+    Run::poll();
     while(last != uses.end() && last->has_same_edge(*first)) ++last;
     f(first, last);
   }
