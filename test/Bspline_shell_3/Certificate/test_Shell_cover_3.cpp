@@ -903,3 +903,15 @@ TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what p
     CHECK(cover.least_gradient<Tag>() == std::ldexp(reference.least_gradient<Tag>(), exponent));
   }
 }
+
+TEST_CASE("Covers: a field is said to be steeper than a threshold only if all functions within its radius are")
+{
+  // x + y + z: its slope is sqrt(3), and 0.7 sqrt(3) = 1.21 for one of the functions
+  BS::Enclosed_tricubic f;
+  for(int n = 0; n < 64; ++n) f.coefficients[std::size_t(n)] = (n % 4 + n / 4 % 4 + n / 16) / 3.;
+  f.radius = 0.05;
+  std::array<double, 3> direction;
+  CHECK(BS::internal::is_monotone(f, 1.2, direction));
+  CHECK_FALSE(BS::internal::is_monotone(f, 1.22, direction));
+  CHECK_FALSE(BS::internal::is_monotone(f, 1.7, direction));
+}

@@ -260,7 +260,7 @@ class Package_tests(Tests):
     def learn(self, output):
         """finds out how long each test and each test file takes"""
         self.seconds = collections.defaultdict(float)
-        for name, file, seconds in re.findall(r'<TestCase name="([^"]*)"[^>]*filename="[^"]*?(\w+)\.cpp".*?<OverallResult[^>]*durationInSeconds="([^"]*)"',
+        for name, file, seconds in re.findall(r'<TestCase name="([^"]*)"[^>]*filename="[^"]*?(\w+)\.cpp".*?<OverallResult success=[^>]*durationInSeconds="([^"]*)"',
                                               output, re.DOTALL):
             for key in (xml.sax.saxutils.unescape(name, {"&quot;": '"'}), file, ""):
                 self.seconds[key] += float(seconds)
