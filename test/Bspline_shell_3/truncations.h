@@ -32,8 +32,8 @@ struct Truncation_parts
   bool is_valid() const { return assembled().is_valid(); }
 };
 
-// Cuts off vertices a quarter of the way along their edges. A fan of triangles replaces each: from its first cut or, with
-// `has_point`, from the middle of its cuts.
+// Cuts off vertices a quarter of the way along their edges. A fan of triangles replaces each: from its first cut or,
+// with `has_point`, from the middle of its cuts.
 inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& centers, bool has_point)
 {
   typedef Truncation_parts::Index Index;
@@ -86,7 +86,8 @@ inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::
       parts.points.push_back(middle);
       parts.planar.push_back({ 0, 0 });
     }
-    else for(std::size_t i = 1; i + 1 < size; ++i) disc.triangles.push_back({ disc.rim[0], disc.rim[i], disc.rim[i + 1] });
+    else for(std::size_t i = 1; i + 1 < size; ++i)
+      disc.triangles.push_back({ disc.rim[0], disc.rim[i], disc.rim[i + 1] });
   }
   for(const auto& pair : facet) {
     std::vector<Mesh::Vertex_index> v;

@@ -40,7 +40,10 @@ Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, con
   result.facets_before = mesh.number_of_faces();
   return BS::internal::edit_and_certify<CGAL::Sequential_tag>(
     mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), shell,
-    BS::Facet_proofs::ALL, np, result, [&](const auto&, const auto&, const auto&) { edit(mesh); return Status::SUCCESS; });
+    BS::Facet_proofs::ALL, np, result, [&](const auto&, const auto&, const auto&) {
+      edit(mesh);
+      return Status::SUCCESS;
+    });
 }
 
 const auto nothing = [](Mesh&) {};
@@ -93,7 +96,9 @@ TEST_CASE("With frozen facets, an edit must keep them, leave all others in the s
   };
   CHECK(status(nothing) == Status::EDITED_EXCEPT_FROZEN);
   // a vertex within the shell, and one beyond it
-  const auto scaled = [](double s) { return [s](Mesh& m) { m.point(far(m)) = CGAL::ORIGIN + s * (m.point(far(m)) - CGAL::ORIGIN); }; };
+  const auto scaled = [](double s) {
+    return [s](Mesh& m) { m.point(far(m)) = CGAL::ORIGIN + s * (m.point(far(m)) - CGAL::ORIGIN); };
+  };
   CHECK(status(scaled(1.02)) == Status::EDITED_EXCEPT_FROZEN);
   CHECK(status(scaled(3)) == Status::NOT_CERTIFIED);
   // the frozen vertex is moved, and stays beyond the shell

@@ -547,7 +547,8 @@ Mesh open_pyramid()
   Mesh mesh;
   const auto top = mesh.add_vertex(Point_3(0, 0, 1));
   std::vector<Mesh::Vertex_index> v;
-  for(const Point_3& p : { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) }) v.push_back(mesh.add_vertex(p));
+  for(const Point_3& p : { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) })
+    v.push_back(mesh.add_vertex(p));
   for(int i = 0; i < 4; ++i) mesh.add_face(top, v[i], v[(i + 1) % 4]);
   return mesh;
 }
@@ -556,7 +557,8 @@ Mesh open_pyramid()
 Closing base_of_pyramid(const Closing::Point& below)
 {
   return Closing({ { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, below }, 4,
-                 { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } }, std::vector<Closing::Kind>(4, Closing::Kind::CAP));
+                 { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
+                 std::vector<Closing::Kind>(4, Closing::Kind::CAP));
 }
 
 } // namespace

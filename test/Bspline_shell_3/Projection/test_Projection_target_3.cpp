@@ -1,4 +1,4 @@
-// Projection_target_3.h, Truncated_facets.h: the facets of a truncated mesh, their neighbors, and places of the mesh on them.
+// Projection_target_3.h, Truncated_facets.h: the facets of a truncated mesh, their neighbors, and places on them.
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include "truncations.h"
 
@@ -52,8 +52,8 @@ TEST_CASE("Traced facets are neighbors across each of their edges")
     const Target target(mesh, mesh.points(), truncation);
     REQUIRE(target.is_valid());
     const BS::Projection_facets_3& facets = target.traced_facets();
-    const std::size_t expected = mesh.number_of_faces() - truncation->cut_facets().size() + truncation->number_of_new_facets();
-    CHECK(facets.number_of_facets() == expected);
+    const std::size_t kept = mesh.number_of_faces() - truncation->cut_facets().size();
+    CHECK(facets.number_of_facets() == kept + truncation->number_of_new_facets());
     std::size_t right = 0;
     for(Target::Index f = 0; f < facets.number_of_facets(); ++f)
       for(int i = 0; i < 3; ++i) {
