@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Field_cells.h>
 
 #include <algorithm>
@@ -21,9 +22,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a shell's field, split as its cover is: boxes of the cover are leaves, or several leaves where
-// small ones are near. These are selected. Outside of the cover they touch excluded boxes only, where a level between
-// the thresholds is not passed. So no part of the level set in the selected leaves has an end.
+// The leaf cells of a shell's field, some of them split: no leaf has both boxes of the shell's cover and boxes where
+// the level may be passed outside of the cover. Leaves with boxes of the cover are selected. Boxes of the cover only
+// touch each other and excluded boxes, where a level between the thresholds is not passed. So no part of the level set
+// in the selected leaves has an end.
+//
+// Leaves are also split where boxes of the cover in them are monotone in nearly opposite directions: two parts of the
+// level set are near each other, and each of them gets its own leaves.
 //
 // Leaves that touch differ by one level at most. Leaves of the field that are not split keep their numbers; the others
 // follow.
@@ -186,10 +191,28 @@ private:
 
   static bool is_in_shell(const Cover_box& b) { return b.component != Cover_box::no_component; }
 
-  // splits a cell that has several boxes, some of them of the cover
+  // whether two boxes of the cover are monotone in directions with an angle of more than 120 degrees
+  static bool are_opposite(const Cover_box* begin, const Cover_box* end)
+  {
+    constexpr double cosine = -0.5;
+    std::vector<std::array<double, 3> > directions;
+    for(const Cover_box* b = begin; b != end; ++b)
+      if(is_in_shell(*b) && b->kind == Box_kind::MONOTONE) {
+        const double length = norm(b->proof);
+        directions.push_back({ b->proof[0] / length, b->proof[1] / length, b->proof[2] / length });
+      }
+    for(std::size_t m = 0; m < directions.size(); ++m)
+      for(std::size_t n = 0; n < m; ++n)
+        if(dot(directions[m], directions[n]) < cosine) return true;
+    return false;
+  }
+
+  // splits a cell as far as its boxes ask for it
   void separate(const Place& p, int depth, const Cover_box* begin, const Cover_box* end)
   {
-    if(end - begin == 1 || std::none_of(begin, end, is_in_shell)) return;
+    const auto is_elsewhere = [](const Cover_box& b) { return !is_in_shell(b) && b.kind != Box_kind::EXCLUDED; };
+    if(std::none_of(begin, end, is_in_shell)) return;
+    if(std::none_of(begin, end, is_elsewhere) && !are_opposite(begin, end)) return;
     split(p);
     for(int o = 0; o < 8; ++o) {
       // boxes in an octant are consecutive
