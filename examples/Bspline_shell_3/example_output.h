@@ -9,7 +9,7 @@
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
-#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/io.h>
@@ -182,15 +182,13 @@ inline void print_reason(const BS::Shell_of_soup_3& found)
   list_places(std::cout, "              vertices", found.offending_simplices.vertices);
 }
 
-// One of the two bounding surfaces. Returns 0, or what is to be returned. Where a threshold varies, parts of its level set that are no
-// part of the surface may pass the cells.
+// One of the two bounding surfaces. Returns 0, or what is to be returned.
 template <typename Shell>
 int write_surface(const std::string& file, const Shell& shell, const typename Shell::Threshold& threshold)
 {
   Mesh surface;
-  const BS::Level_set_status status = BS::extract_level_set<CGAL::Parallel_if_available_tag>(
-    shell.field(), threshold, surface, BS::parameters::filter([&](auto cell) { return shell.shell_cells()[cell] != 0; })
-                                                      .skip_open_components(!Shell::Threshold::is_constant));
+  const BS::Level_set_status status
+    = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold, surface);
   if(status != BS::Level_set_status::SUCCESS) {
     std::cerr << "No " << file << ". " << message(status) << std::endl;
     return NO_SURFACE;

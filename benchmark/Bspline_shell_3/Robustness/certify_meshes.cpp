@@ -2,13 +2,15 @@
 // dies: every mesh has a process of its own.
 //
 //   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M] [--max-seconds S]
-//     [--max-memory-mb M] [--write-shells DIR]
+//     [--max-memory-mb M] [--write-shells DIR] [--surfaces]
 //
 // By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
 // for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
 // --no-truncation: singular vertices are accepted, and left as they are; meshes only.
 // --max-seconds: the time limit; a mesh that takes a quarter more is given up.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
+// --surfaces: the inner and the outer surface of each shell are extracted. "surfaces" has their numbers of components
+// and their Euler characteristics, beside those of the mesh, and whether they are closed and 2-manifold.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
 // The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one;
 // or "proxy", with shares of the area, sampled, and the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only,
@@ -21,13 +23,18 @@
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 #include <CGAL/certified_shell_of_soup_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -38,6 +45,7 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -50,7 +58,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 struct Options
 {
   double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0, cone_margin = BS::Certified_shell_parameters().least_cone_margin;
-  bool paper = false, constant = false, proxy = true, truncation = true;
+  bool paper = false, constant = false, proxy = true, truncation = true, surfaces = false;
   std::string directory;
 };
 
@@ -121,6 +129,52 @@ bool write_files(const std::string& file, const Options& options, const Shell& s
       && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
            return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
          });
+}
+
+struct Topology
+{
+  bool is_closed_manifold;
+  std::size_t components;
+  long euler_characteristic;
+};
+
+Topology topology(const Mesh& mesh)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<Mesh::Halfedge_index> pinched;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(pinched));
+  std::vector<std::size_t> component(num_faces(mesh));
+  return { CGAL::is_closed(mesh) && pinched.empty(),
+           PMP::connected_components(mesh, CGAL::make_property_map(component)),
+           long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces()) };
+}
+
+// the shell's two surfaces beside the mesh that was certified, which may have vertices without facets
+template <typename Shell, typename Certificate>
+std::string surfaces(const Options& options, const Shell& shell, const Certificate& certificate)
+{
+  if(!options.surfaces) return "";
+  Mesh mesh = certificate.examined_mesh();
+  CGAL::Polygon_mesh_processing::remove_isolated_vertices(mesh);
+  std::ostringstream out;
+  const auto add = [&](const char* name, const Topology& t) {
+    out << "\"" << name << "\":{\"closed_manifold\":" << (t.is_closed_manifold ? "true" : "false")
+        << ",\"components\":" << t.components << ",\"euler_characteristic\":" << t.euler_characteristic << "}";
+  };
+  out << ",\"surfaces\":{";
+  add("mesh", topology(mesh));
+  CGAL::Real_timer timer;
+  timer.start();
+  for(bool outer : { false, true }) {
+    Mesh surface;
+    const BS::Level_set_status status = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(
+      shell, outer ? shell.outer_threshold() : shell.inner_threshold(), surface);
+    out << ",";
+    if(status == BS::Level_set_status::SUCCESS) add(outer ? "outer" : "inner", topology(surface));
+    else out << "\"" << (outer ? "outer" : "inner") << "\":" << quoted(message(status));
+  }
+  out << ",\"seconds\":" << timer.time() << "}";
+  return out.str();
 }
 
 // the smallest and the largest threshold; none, if the shell is empty
@@ -240,9 +294,10 @@ void certify(const std::string& file, const Options& options)
     const double seconds = timer.time();
     if(!result) return refuse(result.status(), result.offending_simplices);
     BS::Shell_certificate_3 certificate(result.shell());
-    if(!options.directory.empty()) certificate.verify(result.mesh());
+    if(!options.directory.empty() || options.surfaces) certificate.verify(result.mesh());
     print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "", seconds,
-          write_files(file, options, result.shell(), certificate), proxy_properties(result));
+          write_files(file, options, result.shell(), certificate),
+          proxy_properties(result) + surfaces(options, result.shell(), certificate));
     return;
   }
 
@@ -254,9 +309,9 @@ void certify(const std::string& file, const Options& options)
     if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
     const double seconds = timer.time();
     BS::Shell_certificate_3 certificate(shell);
-    if(!options.directory.empty()) certificate.verify(mesh);
+    if(!options.directory.empty() || options.surfaces) certificate.verify(mesh);
     print(file, shell.closing() ? "virtually closed" : shell.truncation() ? "truncated" : "closed", shell, shell.report().certificate, shell.is_certified(), "", seconds,
-          write_files(file, options, shell, certificate));
+          write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
     return;
   }
   const auto shell = CGAL::bspline_shell_3(mesh,
@@ -273,7 +328,8 @@ void certify(const std::string& file, const Options& options)
   std::string reason;
   if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
   else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
-  print(file, "closed", shell, certificate.report(), certificate.is_certified(), reason, seconds, write_files(file, options, shell, certificate));
+  print(file, "closed", shell, certificate.report(), certificate.is_certified(), reason, seconds,
+        write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
 }
 
 // in a process of its own; reports what the process cannot report any more
@@ -324,6 +380,7 @@ int main(int argc, char** argv)
     else if(arg == "--constant") options.constant = true;
     else if(arg == "--no-proxy") options.proxy = false;
     else if(arg == "--no-truncation") options.truncation = false;
+    else if(arg == "--surfaces") options.surfaces = true;
     else if(arg == "--cone-margin" && has_value) options.cone_margin = positive(argv[++i]);
     else if(arg == "--thickness" && has_value) options.thickness = positive(argv[++i]);
     else if(arg == "--gamma" && has_value) options.gamma = positive(argv[++i]);
@@ -336,7 +393,7 @@ int main(int argc, char** argv)
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
     std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M]"
-                 " [--max-seconds S] [--max-memory-mb M] [--write-shells DIR]\n";
+                 " [--max-seconds S] [--max-memory-mb M] [--write-shells DIR] [--surfaces]\n";
     return 2;
   }
   for(const std::string& file : files) certify_apart(file, options);

@@ -7,6 +7,7 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <cmath>
@@ -64,7 +65,70 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
 }
 
+// a sheet in the plane z = 0, of triangles between circles around the origin
+Mesh rings(const std::vector<double>& radii, int sectors)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(double r : radii)
+    for(int s = 0; s < sectors; ++s) {
+      const double angle = 2 * std::acos(-1.) * s / sectors;
+      v.push_back(mesh.add_vertex(Point_3(r * std::cos(angle), r * std::sin(angle), 0)));
+    }
+  for(std::size_t r = 0; r + 1 < radii.size(); ++r)
+    for(int s = 0; s < sectors; ++s) {
+      const auto at = [&](std::size_t ring, int sector) {
+        return v[ring * std::size_t(sectors) + std::size_t(sector % sectors)];
+      };
+      mesh.add_face(at(r, s), at(r + 1, s), at(r + 1, s + 1));
+      mesh.add_face(at(r, s), at(r + 1, s + 1), at(r, s + 1));
+    }
+  return mesh;
+}
+
+// a unit square in the plane z = 0, or part of it: n x n squares, each of two triangles
+template <typename Is_kept>
+Mesh squares(int n, const Is_kept& is_kept)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i) v.push_back(mesh.add_vertex(Point_3(double(i) / n, double(j) / n, 0)));
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      if(!is_kept(i, j)) continue;
+      const auto at = [&](int k, int l) { return v[std::size_t(l * (n + 1) + k)]; };
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  CGAL::Polygon_mesh_processing::remove_isolated_vertices(mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
 } // namespace
+
+TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned, of any size")
+{
+  const auto is_in_L = [](int i, int j) { return i < 5 || j < 5; };
+  const std::pair<Mesh, double> meshes[] = {
+    { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80), 1 },     // its closing's 80 largest facets are alike, at a crease
+    { rings({ 0.5, 1. }, 7), 1e6 }, { squares(1, is_in_L), 1e-6 }, { squares(10, is_in_L), 1 },
+    { subdivided(subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)))), 1e-6 }, { pyramid(6, 1.), 1e6 },
+    { torus(1, 0.4, 32, 16), 1 }
+  };
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  for(const auto& [mesh, size] : meshes)
+    for(bool is_turned : { false, true }) {
+      Mesh other = mesh;
+      for(auto v : other.vertices()) {
+        const Vector_3 p = size * (mesh.point(v) - CGAL::ORIGIN);
+        const Vector_3 q(p.x(), c * p.y() - s * p.z(), s * p.y() + c * p.z());
+        other.point(v) = CGAL::ORIGIN + (is_turned ? Vector_3(c * q.x() - s * q.y(), s * q.x() + c * q.y(), q.z()) : p);
+      }
+      CHECK(CGAL::certified_bspline_shell_3(other).is_certified());
+    }
+}
 
 TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the shell that was built, and change no certificate")
 {

@@ -8,7 +8,6 @@
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
-#include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -19,7 +18,6 @@
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
@@ -452,37 +450,6 @@ TEST_CASE("Level set: of a threshold that varies it is where the field equals it
   REQUIRE(extract_level_set(field, 1, by_number) == Level_set_status::SUCCESS);
   REQUIRE(extract_level_set(field, CGAL::Bspline_shells::Constant_threshold(1), by_constant) == Level_set_status::SUCCESS);
   CHECK(by_number.number_of_faces() == by_constant.number_of_faces());
-}
-
-TEST_CASE("Level set: the surfaces of a certified shell are closed, on either side of the mesh, and like it")
-{
-  const Mesh mesh = [] {
-    Mesh box;
-    CGAL::make_hexahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 0.6, 0), Point_3(0, 0.6, 0), Point_3(0, 0.6, 0.3), Point_3(0, 0, 0.3),
-                          Point_3(1, 0, 0.3), Point_3(1, 0.6, 0.3), box);
-    return box;
-  }();
-  const CGAL::Certified_bspline_shell_3 shell =
-    CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12).relative_thickness(0.005));
-  REQUIRE(shell.is_certified());
-  REQUIRE(shell.field().number_of_levels() > 1);
-  const auto in_shell = [&](auto c) { return shell.shell_cells()[c] != 0; };
-  double volume[2];
-  for(bool outer : { false, true }) {
-    const auto& threshold = outer ? shell.outer_threshold() : shell.inner_threshold();
-    Mesh surface;
-    REQUIRE(extract_level_set(shell.field(), threshold, surface, CGAL::parameters::filter(in_shell)) == Level_set_status::SUCCESS);
-    check_closed_manifold(surface);
-    CHECK(euler_characteristic(surface) == 2);
-    CHECK_FALSE(PMP::does_self_intersect(surface));
-    double largest = 0;
-    for(auto v : surface.vertices())
-      largest = (std::max)(largest, std::abs(*shell.field().value(surface.point(v)) - threshold.value(surface.point(v))));
-    CHECK(largest < 1e-11);
-    volume[outer] = PMP::volume(surface);
-  }
-  CHECK(volume[0] < 0.18);
-  CHECK(volume[1] > 0.18);
 }
 
 TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all of it")

@@ -598,6 +598,24 @@ private:
     return std::nullopt;
   }
 
+  // The facets of a component that paths are tried through: large ones, whose middles are far from edges, in turns with
+  // others from everywhere. The largest facets of a symmetric mesh may be copies of each other, and all lie at creases,
+  // where gradients turn too fast for a straight path.
+  static std::vector<Face_index> path_facets(std::vector<std::pair<double, Face_index> >& facets)
+  {
+    constexpr std::size_t half = max_paths / 2;
+    std::vector<Face_index> spread, candidates;
+    if(facets.size() > max_paths)
+      for(std::size_t n = 0; n < half; ++n) spread.push_back(facets[n * (facets.size() / half)].second);
+    const std::size_t largest = (std::min)(max_paths, facets.size()) - spread.size();
+    std::partial_sort(facets.begin(), facets.begin() + std::ptrdiff_t(largest), facets.end());
+    for(std::size_t n = 0; n < largest; ++n) {
+      candidates.push_back(facets[n].second);
+      if(n < spread.size()) candidates.push_back(spread[n]);
+    }
+    return candidates;
+  }
+
   // P5
   template <typename ConcurrencyTag>
   void examine_paths(const Input_mesh_3& input, const Crossing_counter_3& counter)
@@ -611,26 +629,27 @@ private:
     begin(Claim::DEGREE_ONE);
     for(std::size_t c = 0; c < input.number_of_components(); ++c) {
       internal::Run::poll();
-      // large facets first: their middles are far from edges
-      const std::size_t tries = (std::min)(max_paths, facets[c].size());
-      std::partial_sort(facets[c].begin(), facets[c].begin() + tries, facets[c].end());
+      const std::vector<Face_index> candidates = path_facets(facets[c]);
       Verdict verdict = Verdict::UNDECIDED;
       Crossing_path path;
       path.component = c;
       int count = 0;
-      Face_index facet = facets[c].front().second;
+      Face_index facet = candidates.front();
       std::size_t n = 0;
-      for(; n < tries && verdict == Verdict::UNDECIDED; ++n) {
-        verdict = try_path<ConcurrencyTag>(input, counter, facets[c][n].second, { 1, 1, 1 }, path, count);
-        if(verdict == Verdict::REFUTED) facet = facets[c][n].second;
+      for(; n < max_paths && verdict == Verdict::UNDECIDED; ++n) {
+        const Face_index tried = candidates[n % candidates.size()];
+        const std::array<double, 3>& point = path_points[n / candidates.size() % path_points.size()];
+        verdict = try_path<ConcurrencyTag>(input, counter, tried, point, path, count);
+        if(verdict == Verdict::REFUTED) facet = tried;
       }
       if(verdict == Verdict::PROVED) {
         m_draft.paths.push_back(path);
         // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet them.
-        const std::size_t end = (std::min)(n - 1 + max_spare_paths, facets[c].size());
-        for(std::size_t m = n - 1; m < end; ++m)
-          if(try_path<ConcurrencyTag>(input, counter, facets[c][m].second, { 0.871, 0.978, 1.151 }, path, count) == Verdict::PROVED)
-            m_draft.spare_paths.push_back(path);
+        const std::size_t first = (n - 1) % candidates.size();
+        const std::size_t end = (std::min)(first + max_spare_paths, candidates.size());
+        for(std::size_t m = first; m < end; ++m)
+          if(try_path<ConcurrencyTag>(input, counter, candidates[m], { 0.871, 0.978, 1.151 }, path, count)
+             == Verdict::PROVED) m_draft.spare_paths.push_back(path);
         continue;
       }
       // only without critical points is the count the same for all paths
@@ -725,6 +744,9 @@ private:
   }
 
   static constexpr std::size_t max_paths = 64;        // tried for a component
+  // barycentric coordinates of the points of facets that they pass; the first for all facets, then the next
+  static constexpr std::array<std::array<double, 3>, 4> path_points
+    = { { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } } };
   static constexpr std::size_t max_spare_paths = 3;   // for a component
   static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
 

@@ -7,11 +7,10 @@
 #define CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_LEVEL_SET_H
 
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
-#include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
-#include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
-#include <CGAL/Bspline_shell_3/Surface/internal/Tetrahedral_subdivision.h>
+#include <CGAL/Bspline_shell_3/Surface/Level_set_status.h>
+#include <CGAL/Bspline_shell_3/Surface/internal/Field_cells.h>
+#include <CGAL/Bspline_shell_3/Surface/internal/Level_set_soup.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -19,421 +18,14 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <limits>
-#include <numeric>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 
-/*!
- * \ingroup PkgBsplineShell3Surface
- *
- * \brief what became of a level set. Every value but `SUCCESS` means that no facet was made.
- */
-enum class Level_set_status
-{
-  SUCCESS,
-  LEVEL_SET_EMPTY,           ///< the field does not pass the level on the selected cells
-  LEVEL_SET_LEAVES_CELLS     ///< the level set reaches a face of a selected cell that has no selected cell behind it
-};
-
-/// \ingroup PkgBsplineShell3Surface
-/// what is wrong and what can be done about it, in one sentence
-inline const char* message(Level_set_status status)
-{
-  switch(status) {
-    case Level_set_status::SUCCESS:
-      return "The level set was extracted.";
-    case Level_set_status::LEVEL_SET_EMPTY:
-      return "The field does not pass the level on the selected cells: choose a level between its least and largest value there.";
-    case Level_set_status::LEVEL_SET_LEAVES_CELLS:
-      return "The level set runs into the end of the selected cells, so that its mesh would have a border: select all cells that it passes, or "
-             "widen the band of cells.";
-  }
-  return "";
-}
-
 namespace internal {
-
-// Marching tetrahedra. Leaves that the level certainly misses are left out. The topology depends on the nodes' signs
-// alone, and these on the node, not on the leaf that asks; a node on the level counts as above. So the triangles of
-// each tetrahedron fit those of its neighbors, and the surface is a closed manifold unless a tetrahedron has no
-// neighbor. Vertices lie on edges. An edge is owned by the first selected leaf around it, which numbers its edges
-// consecutively: other leaves find a vertex by the owner and the edge in it.
-template <typename Field, typename Threshold>
-class Level_set_soup
-{
-  typedef typename Field::Cell_index Index;
-  typedef Tetrahedral_subdivision<std::decay_t<decltype(std::declval<const Field&>().cells())> > Subdivision;
-  typedef typename Subdivision::Surroundings Surroundings;
-  typedef typename Subdivision::Node Node;
-  typedef std::uint64_t Edge;       // two nodes of a leaf
-
-public:
-  typedef std::array<double, 3> Point;
-  typedef std::array<std::size_t, 3> Triangle;
-
-  template <typename ConcurrencyTag, typename Cell_filter>
-  static Level_set_status extract(const Field& field, const Threshold& threshold, int n, Cell_filter& filter, bool skip_open,
-                                  std::vector<Point>& points, std::vector<Triangle>& triangles)
-  {
-    Level_set_soup soup(field, threshold, n);
-    soup.template find_candidates<ConcurrencyTag>(filter);
-    const bool leaves = soup.template find_vertices<ConcurrencyTag>();
-    if(leaves && !skip_open) return Level_set_status::LEVEL_SET_LEAVES_CELLS;
-    if(soup.m_edges.empty()) return Level_set_status::LEVEL_SET_EMPTY;
-    soup.template place_vertices<ConcurrencyTag>(points);
-    triangles = soup.template make_triangles<ConcurrencyTag>();
-    if(leaves) remove_open_components(points, triangles);
-    return triangles.empty() ? Level_set_status::LEVEL_SET_LEAVES_CELLS : Level_set_status::SUCCESS;
-  }
-
-private:
-  // What is known of a leaf: its number among the candidates, the selected leaves that the level may pass, or one of
-  // these. All of a leaf that is `above` (`below`) is proved to be.
-  static constexpr Index above = Field::npos, below = Field::npos - 1, not_selected = Field::npos - 2;
-  static constexpr std::size_t chunk = 256;
-
-  Level_set_soup(const Field& field, const Threshold& threshold, int n)
-    : m_field(field), m_threshold(threshold), m_subdivision(field.cells(), n), m_last(2 * n)
-  {}
-
-  static bool is_candidate(Index state) { return state < not_selected; }
-
-  // the field minus the threshold, on a leaf
-  Enclosed_tricubic function(Index c) const { return m_threshold.difference(enclosed_value(m_field.cell(c)), c); }
-  Tricubic_cell_3 cell(Index c, const Enclosed_tricubic& f) const
-  {
-    return Tricubic_cell_3(m_field.cell(c).corner(), m_field.cell(c).width(), f.coefficients.data(), f.radius);
-  }
-
-  template <typename ConcurrencyTag, typename Cell_filter>
-  void find_candidates(Cell_filter& filter)
-  {
-    m_state.resize(m_field.number_of_cells());
-    for_each_chunk<ConcurrencyTag>(m_state.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) {
-        const Level_range range = function(Index(c)).range();
-        m_state[c] = range.min > 0 ? above : range.max < 0 ? below : not_selected;
-      }
-    });
-    for(Index c = 0; c < m_state.size(); ++c)
-      if(m_state[c] == not_selected && filter(c)) {
-        m_state[c] = Index(m_candidates.size());
-        m_candidates.push_back(c);
-      }
-  }
-
-  // Copies of the polynomials on two sides of a face differ in their last bits, and a copy may contradict what is
-  // proved of the other leaf. So the sign comes from the first leaf around the node of which one is proved, else from
-  // the value in the first leaf.
-  bool is_above(Index c, const Enclosed_tricubic& f, const Node& v) const
-  {
-    if(std::all_of(v.begin(), v.end(), [&](int i) { return i > 0 && i < m_last; }))
-      return !(cell(c, f).value(position(c, v)) < 0);
-    const Node at = m_subdivision.in_space(c, v);
-    Index proved = not_selected, first = Field::npos;
-    m_subdivision.visit_leaves_around(at, at, [&](Index n) {
-      if(m_state[n] == above || m_state[n] == below) {
-        proved = m_state[n];
-        return true;
-      }
-      if(first == Field::npos) first = n;
-      return false;
-    });
-    if(proved != not_selected) return proved == above;
-    return !(cell(first, first == c ? f : function(first)).value(position(first, m_subdivision.in_leaf(first, at))) < 0);
-  }
-
-  bool is_above(std::size_t candidate, const Node& v) const
-  {
-    return m_is_above[candidate * m_subdivision.number_of_nodes() + m_subdivision.number(v)] != 0;
-  }
-
-  Edge edge(const Node& v, const Node& w) const
-  {
-    const auto numbers = std::minmax({ m_subdivision.number(v), m_subdivision.number(w) });
-    return Edge(numbers.first) * m_subdivision.number_of_nodes() + numbers.second;
-  }
-  std::array<Node, 2> nodes(Edge e) const
-  {
-    return { m_subdivision.node(std::size_t(e / m_subdivision.number_of_nodes())),
-             m_subdivision.node(std::size_t(e % m_subdivision.number_of_nodes())) };
-  }
-
-  // the candidate that owns an edge of a candidate, and the edge in it
-  std::pair<Index, Edge> owner(std::size_t candidate, Edge e) const
-  {
-    const Index c = m_candidates[candidate];
-    const std::array<Node, 2> vw = nodes(e);
-    const Node v = m_subdivision.in_space(c, vw[0]), w = m_subdivision.in_space(c, vw[1]);
-    std::pair<Index, Edge> result;
-    m_subdivision.visit_leaves_around(v, w, [&](Index n) {
-      if(!is_candidate(m_state[n])) return false;
-      result = { m_state[n], n == c ? e : edge(m_subdivision.in_leaf(n, v), m_subdivision.in_leaf(n, w)) };
-      return true;
-    });
-    return result;
-  }
-
-  // the edges of a candidate with a vertex, ascending
-  std::vector<Edge> cut_edges(std::size_t candidate, const Surroundings& surroundings) const
-  {
-    std::vector<Edge> edges;
-    m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < i; ++j)
-          if(is_above(candidate, corners[i]) != is_above(candidate, corners[j])) edges.push_back(edge(corners[i], corners[j]));
-    });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
-  }
-
-  // signs, and the edges with a vertex; returns whether the level set leaves the selected leaves
-  template <typename ConcurrencyTag>
-  bool find_vertices()
-  {
-    const std::size_t size = m_candidates.size(), nodes = m_subdivision.number_of_nodes();
-    std::vector<char> leaves((size + chunk - 1) / chunk, 0);
-    m_is_above.resize(size * nodes);
-    m_first_edge.assign(size + 1, 0);
-    m_edges = collect_from_chunks<ConcurrencyTag, Edge>(size, chunk, [&](std::size_t begin, std::size_t end, std::vector<Edge>& own) {
-      for(std::size_t n = begin; n < end; ++n) {
-        const Index c = m_candidates[n];
-        const Surroundings surroundings(m_subdivision, c);
-        const Enclosed_tricubic f = function(c);
-        char* const signs = &m_is_above[n * nodes];
-        std::fill(signs, signs + nodes, char(is_above(c, f, Node{ 0, 0, 0 })));
-        m_subdivision.visit_nodes(surroundings, [&](const Node& v) { signs[m_subdivision.number(v)] = is_above(c, f, v); });
-        if(!is_cut(n)) continue;
-        const std::size_t before = own.size();
-        for(Edge e : cut_edges(n, surroundings))
-          if(owner(n, e).first == n) own.push_back(e);
-        m_first_edge[n + 1] = own.size() - before;
-        if(leaves_at_a_face(n, surroundings)) leaves[begin / chunk] = 1;
-      }
-    });
-    for(std::size_t n = 0; n < size; ++n) m_first_edge[n + 1] += m_first_edge[n];
-    return std::find(leaves.begin(), leaves.end(), 1) != leaves.end();
-  }
-
-  bool is_cut(std::size_t candidate) const
-  {
-    const auto begin = m_is_above.begin() + std::ptrdiff_t(candidate * m_subdivision.number_of_nodes());
-    const auto end = begin + std::ptrdiff_t(m_subdivision.number_of_nodes());
-    return std::find(begin, end, char(*begin == 0)) != end;
-  }
-
-  // whether there is no candidate behind a triangle on a face of the leaf that is cut: one whose nodes have both signs
-  bool leaves_at_a_face(std::size_t candidate, const Surroundings& surroundings) const
-  {
-    bool leaves = false;
-    m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int axis, bool positive) {
-      if(corners[1][axis] != (positive ? m_last : 0)) return;
-      const bool sign = is_above(candidate, corners[1]);
-      if(is_above(candidate, corners[2]) == sign && is_above(candidate, corners[3]) == sign) return;
-      const Index c = m_candidates[candidate];
-      const Index behind = m_subdivision.leaf_behind(m_subdivision.in_space(c, corners[1]), m_subdivision.in_space(c, corners[2]),
-                                                     m_subdivision.in_space(c, corners[3]), axis, positive);
-      leaves = leaves || behind == Field::npos || !is_candidate(m_state[behind]);
-    });
-    return leaves;
-  }
-
-  template <typename ConcurrencyTag>
-  void place_vertices(std::vector<Point>& points) const
-  {
-    points.resize(m_edges.size());
-    for_each_chunk<ConcurrencyTag>(m_candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) {
-        if(m_first_edge[n] == m_first_edge[n + 1]) continue;
-        const Enclosed_tricubic f = function(m_candidates[n]);
-        for(std::size_t e = m_first_edge[n]; e < m_first_edge[n + 1]; ++e) points[e] = vertex(n, f, m_edges[e]);
-      }
-    });
-  }
-
-  Point vertex(std::size_t candidate, const Enclosed_tricubic& f, Edge e) const
-  {
-    const Index c = m_candidates[candidate];
-    const Tricubic_cell_3 cell = this->cell(c, f);
-    const std::array<Node, 2> ends = nodes(e);
-    const Point p = position(c, ends[0]), q = position(c, ends[1]);
-    const auto at = [&](double t) {
-      return Point{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) };
-    };
-    const double t = root([&](double t) { return cell.value(at(t)); }, is_above(candidate, ends[0]), f.radius);
-    // At the ends, the vertices of many edges would coincide. A distance of some thousand roundings of the coordinates
-    // keeps all points apart and all triangles from collapsing, whatever the rounding does to the points.
-    double reach = 0, length = 0;
-    for(int a = 0; a < 3; ++a) {
-      reach = (std::max)({ reach, std::abs(p[a]), std::abs(q[a]) });
-      length = (std::max)(length, std::abs(q[a] - p[a]));
-    }
-    const double margin = (std::min)(0.25, 1024 * std::numeric_limits<double>::epsilon() * reach / length);
-    return at((std::min)((std::max)(t, margin), 1 - margin));
-  }
-
-  // A zero of f in [0, 1], to within the tolerance on values or to the last bits: regula falsi (Illinois), with a
-  // bisection now and then. An end with the wrong sign, or none, is on the level but for rounding: it is the zero.
-  template <typename Function>
-  static double root(const Function& f, bool is_above_at_0, double tolerance)
-  {
-    constexpr int max_steps = 120;
-    double low = is_above_at_0 ? 1 : 0, high = 1 - low, f_low = f(low), f_high = f(high);
-    if(!(f_low < 0)) return low;
-    if(!(f_high > 0)) return high;
-    int last = 0;
-    double t = 0.5;
-    for(int step = 1; step <= max_steps; ++step) {
-      if(!(std::abs(high - low) > 2 * std::numeric_limits<double>::epsilon())) break;
-      t = low + (high - low) * (f_low / (f_low - f_high));
-      if(step % 4 == 0 || !((std::min)(low, high) < t && t < (std::max)(low, high))) t = low + (high - low) / 2;
-      const double f_t = f(t);
-      if(std::abs(f_t) <= tolerance) break;
-      if(f_t < 0) {
-        low = t;
-        f_low = f_t;
-        if(last < 0) f_high /= 2;
-        last = -1;
-      } else {
-        high = t;
-        f_high = f_t;
-        if(last > 0) f_low /= 2;
-        last = 1;
-      }
-    }
-    return t;
-  }
-
-  template <typename ConcurrencyTag>
-  std::vector<Triangle> make_triangles() const
-  {
-    const auto cut = [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
-      for(std::size_t n = begin; n < end; ++n) {
-        if(!is_cut(n)) continue;
-        const Surroundings surroundings(m_subdivision, m_candidates[n]);
-        const std::vector<Edge> edges = cut_edges(n, surroundings);
-        std::vector<std::size_t> vertices;
-        for(Edge e : edges) vertices.push_back(vertex_number(owner(n, e)));
-        const auto crossing = [&](const Node& v, const Node& w) {
-          return vertices[std::size_t(std::lower_bound(edges.begin(), edges.end(), edge(v, w)) - edges.begin())];
-        };
-        m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
-          cut_tetrahedron(n, corners, crossing, found);
-        });
-      }
-    };
-    return collect_from_chunks<ConcurrencyTag, Triangle>(m_candidates.size(), chunk, cut);
-  }
-
-  template <typename Crossing>
-  void cut_tetrahedron(std::size_t candidate, const std::array<Node, 4>& corners, const Crossing& crossing_of,
-                       std::vector<Triangle>& triangles) const
-  {
-    // the corners below, then those above; every swap turns the tetrahedron over
-    int order[4], below_count = 0, above_count = 0, above_corner[4];
-    bool is_direct = true;
-    for(int i = 0; i < 4; ++i) {
-      if(is_above(candidate, corners[i])) {
-        above_corner[above_count++] = i;
-      } else {
-        order[below_count++] = i;
-        if(above_count % 2) is_direct = !is_direct;
-      }
-    }
-    if(below_count == 0 || above_count == 0) return;
-    std::copy(above_corner, above_corner + above_count, order + below_count);
-
-    const auto crossing = [&](int i, int j) { return crossing_of(corners[order[i]], corners[order[j]]); };
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-      if(is_direct) triangles.push_back({ a, b, c });
-      else triangles.push_back({ a, c, b });
-    };
-    if(below_count == 1) {
-      add(crossing(0, 1), crossing(0, 2), crossing(0, 3));
-    } else if(below_count == 3) {
-      add(crossing(0, 3), crossing(1, 3), crossing(2, 3));
-    } else {
-      const std::size_t a = crossing(0, 2), b = crossing(0, 3), c = crossing(1, 3), d = crossing(1, 2);
-      add(a, b, c);
-      add(a, c, d);
-    }
-  }
-
-  std::size_t vertex_number(const std::pair<Index, Edge>& owned_edge) const
-  {
-    const auto begin = m_edges.begin() + std::ptrdiff_t(m_first_edge[owned_edge.first]);
-    const auto end = m_edges.begin() + std::ptrdiff_t(m_first_edge[owned_edge.first + 1]);
-    return std::size_t(std::lower_bound(begin, end, owned_edge.second) - m_edges.begin());
-  }
-
-  Point position(Index c, const Node& v) const
-  {
-    const auto cell = m_field.cell(c);
-    Point p = cell.corner();
-    for(int a = 0; a < 3; ++a) p[a] += v[a] * cell.width() / m_last;
-    return p;
-  }
-
-  // those with an edge that only one triangle has
-  static void remove_open_components(std::vector<Point>& points, std::vector<Triangle>& triangles)
-  {
-    std::vector<std::size_t> parent(points.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    const auto root = [&](std::size_t v) {
-      while(parent[v] != v) v = parent[v] = parent[parent[v]];
-      return v;
-    };
-    typedef std::array<std::size_t, 2> Halfedge;
-    std::vector<Halfedge> halfedges, opposites;
-    for(const Triangle& t : triangles)
-      for(std::size_t i = 0; i < 3; ++i) {
-        const std::size_t v = t[i], w = t[(i + 1) % 3];
-        parent[root(v)] = root(w);
-        halfedges.push_back({ v, w });
-        opposites.push_back({ w, v });
-      }
-    std::sort(halfedges.begin(), halfedges.end());
-    std::sort(opposites.begin(), opposites.end());
-    std::vector<Halfedge> border;
-    std::set_difference(halfedges.begin(), halfedges.end(), opposites.begin(), opposites.end(), std::back_inserter(border));
-    std::vector<char> is_open(points.size(), 0);       // of roots
-    for(const Halfedge& h : border) is_open[root(h[0])] = 1;
-
-    std::vector<std::size_t> number(points.size());
-    std::size_t kept = 0;
-    for(std::size_t v = 0; v < points.size(); ++v) {
-      number[v] = kept;
-      if(!is_open[root(v)]) points[kept++] = points[v];
-    }
-    points.resize(kept);
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const Triangle& t) { return is_open[root(t[0])] != 0; }),
-                    triangles.end());
-    for(Triangle& t : triangles)
-      for(std::size_t& v : t) v = number[v];
-  }
-
-  const Field& m_field;
-  const Threshold& m_threshold;
-  const Subdivision m_subdivision;
-  const int m_last;                            // coordinate of nodes in a leaf
-  std::vector<Index> m_state;                  // per leaf
-  std::vector<Index> m_candidates;             // their leaves, ascending
-  std::vector<char> m_is_above;                // per candidate and node
-  std::vector<Edge> m_edges;                   // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
-  std::vector<std::size_t> m_first_edge;       // per candidate, that of the first edge it owns
-};
 
 struct All_cells
 {
@@ -446,8 +38,8 @@ struct All_cells
 /*!
  * \ingroup PkgBsplineShell3Surface
  *
- * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a threshold: the
- * inner or the outer surface of a shell.
+ * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a
+ * threshold. See `extract_shell_surface()` for the surfaces of a shell.
  *
  * Each leaf cell is cut into subcells and these into tetrahedra that also fit each other where small leaves meet larger ones. Each
  * tetrahedron that the level passes gets one or two triangles (*marching tetrahedra*). The mesh is closed and 2-manifold by
@@ -471,8 +63,7 @@ struct All_cells
  *   - `filter(F)`: which cells to use, a functor `bool(Field::Cell_index)`; default all. It selects the components of a
  *     level set by the cells that they pass. Pass `std::cref(filter)` not to copy it
  *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so that only
- *     if all do there is none; default `false`. The surfaces of a certified shell do not leave its cells, but other parts of
- *     the level set may pass these cells
+ *     if all do there is none; default `false`
  *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2
  *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
  *
@@ -489,7 +80,8 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef std::conditional_t<std::is_arithmetic<Level>::value, Constant_threshold, Level> Threshold;
-  typedef internal::Level_set_soup<Field, Threshold> Soup;
+  typedef internal::Field_cells<Field, Threshold> Cells;
+  typedef internal::Level_set_soup<Cells> Soup;
 
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, out));
   const int ratio = choose_parameter(get_parameter(np, internal_np::subdivision_ratio), 2);
@@ -501,8 +93,9 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
 
   std::vector<typename Soup::Point> points;
   std::vector<typename Soup::Triangle> triangles;
+  const Threshold threshold(level);
   const Level_set_status status =
-    Soup::template extract<ConcurrencyTag>(field, Threshold(level), ratio, filter, skip_open, points, triangles);
+    Soup::template extract<ConcurrencyTag>(Cells(field, threshold), ratio, filter, skip_open, points, triangles);
   if(status == Level_set_status::SUCCESS)
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                           CGAL::parameters::vertex_point_map(vpm));

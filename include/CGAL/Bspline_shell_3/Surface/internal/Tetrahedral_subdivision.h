@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -20,13 +21,14 @@ namespace internal {
 // one level at most, as graded ones do.
 //
 // Nodes are corners of tetrahedra. They have integer coordinates: in a leaf, from 0 to 2n along each axis; in space, in units of
-// 1/2n of the smallest leaves' width.
+// 1/2n of the smallest leaves' width, which may take more than 32 bits.
 template <typename Cells>
 class Tetrahedral_subdivision
 {
 public:
   typedef typename Cells::Index Index;
   typedef std::array<int, 3> Node;
+  typedef std::array<std::int64_t, 3> Node_in_space;
 
   Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1) {}
 
@@ -39,28 +41,30 @@ public:
     return { int(number % row), int(number / row % row), int(number / row / row) };
   }
 
-  Node in_space(Index c, Node v) const
+  Node_in_space in_space(Index c, const Node& v) const
   {
-    for(int a = 0; a < 3; ++a) v[a] = (m_cells->lattice_point(c)[a] * 2 * m_n + v[a]) * scale(c);
-    return v;
+    Node_in_space w;
+    for(int a = 0; a < 3; ++a) w[a] = (std::int64_t(m_cells->lattice_point(c)[a]) * 2 * m_n + v[a]) * scale(c);
+    return w;
   }
-  Node in_leaf(Index c, Node v) const
+  Node in_leaf(Index c, const Node_in_space& w) const
   {
-    for(int a = 0; a < 3; ++a) v[a] = v[a] / scale(c) - m_cells->lattice_point(c)[a] * 2 * m_n;
+    Node v;
+    for(int a = 0; a < 3; ++a) v[a] = int(w[a] / scale(c) - std::int64_t(m_cells->lattice_point(c)[a]) * 2 * m_n);
     return v;
   }
 
-  // calls visit(c) for the leaves that contain the middle of two nodes in space, in an order that depends on this point alone,
+  // calls visit(c) for the leaves that contain the middle of two nodes, in an order that depends on this point alone,
   // until it returns true
   template <typename Visitor>
-  void visit_leaves_around(const Node& v, const Node& w, const Visitor& visit) const
+  void visit_leaves_around(const Node_in_space& v, const Node_in_space& w, const Visitor& visit) const
   {
     const int width = 4 * m_n;
     Node first;
     bool is_between[3];
     for(int a = 0; a < 3; ++a) {
       first[a] = floor_quotient(v[a] + w[a], width);
-      is_between[a] = first[a] * width == v[a] + w[a];
+      is_between[a] = std::int64_t(first[a]) * width == v[a] + w[a];
     }
     for(int o = 0; o < 8; ++o) {
       Node cell = first;
@@ -73,8 +77,9 @@ public:
     }
   }
 
-  // the leaf behind a triangle on a face of a leaf; its corners are in space
-  Index leaf_behind(const Node& u, const Node& v, const Node& w, int axis, bool positive) const
+  // the leaf behind a triangle on a face of a leaf
+  Index leaf_behind(const Node_in_space& u, const Node_in_space& v, const Node_in_space& w, int axis,
+                    bool positive) const
   {
     Node cell;
     for(int a = 0; a < 3; ++a) cell[a] = floor_quotient(u[a] + v[a] + w[a], 6 * m_n);
@@ -151,7 +156,7 @@ public:
 
 private:
   static std::size_t cubed(std::size_t x) { return x * x * x; }
-  static int floor_quotient(int i, int d) { return i / d - (i % d < 0 ? 1 : 0); }
+  static int floor_quotient(std::int64_t i, int d) { return int(i / d - (i % d < 0 ? 1 : 0)); }
   int scale(Index c) const { return 1 << (m_finest - m_cells->level(c)); }
 
   // visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SURFACE_LEVEL_SET_STATUS_H
+#define CGAL_BSPLINE_SHELL_3_SURFACE_LEVEL_SET_STATUS_H
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Surface
+ *
+ * \brief the outcome of the extraction of a level set. Every value but `SUCCESS` means that no facet was made.
+ */
+enum class Level_set_status
+{
+  SUCCESS,
+  LEVEL_SET_EMPTY,           ///< the field does not pass the level on the selected cells
+  LEVEL_SET_LEAVES_CELLS,    ///< the level set reaches a face of a selected cell that has no selected cell behind it
+  LEVEL_SET_UNRESOLVED       ///< the surfaces of several components of a shell cannot be told apart
+};
+
+/// \ingroup PkgBsplineShell3Surface
+/// what is wrong and what can be done about it, in one sentence
+inline const char* message(Level_set_status status)
+{
+  switch(status) {
+    case Level_set_status::SUCCESS:
+      return "The level set was extracted.";
+    case Level_set_status::LEVEL_SET_EMPTY:
+      return "The field does not pass the level on the selected cells: choose a level between its least and largest "
+             "value there.";
+    case Level_set_status::LEVEL_SET_LEAVES_CELLS:
+      return "The level set runs into the end of the selected cells, so that its mesh would have a border: select all "
+             "cells that it passes, or widen the band of cells.";
+    case Level_set_status::LEVEL_SET_UNRESOLVED:
+      return "Surfaces of several components of the shell are closer together, or smaller, than subcells: ask for a "
+             "larger subdivision ratio.";
+  }
+  return "";
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SURFACE_LEVEL_SET_STATUS_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_SHELL_SURFACE_H
+#define CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_SHELL_SURFACE_H
+
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Surface/Level_set_status.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
+#include <CGAL/Bspline_shell_3/Surface/internal/Level_set_soup.h>
+#include <CGAL/Bspline_shell_3/Surface/internal/Shell_cells.h>
+#include <CGAL/Bspline_shell_3/Surface/internal/Soup_components.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+namespace internal {
+
+// where a path, on which the field less the threshold increases, passes the threshold
+template <typename Field, typename Threshold>
+std::array<double, 3> crossing_of_path(const Field& field, const Threshold& threshold, const Crossing_path& path)
+{
+  std::array<double, 3> low = path.source, high = path.target, middle = low;
+  constexpr int steps = 60;
+  for(int n = 0; n < steps; ++n) {
+    for(int a = 0; a < 3; ++a) middle[a] = low[a] + (high[a] - low[a]) / 2;
+    const typename Field::Point_3 p(middle[0], middle[1], middle[2]);
+    (*field.value(p) < threshold.value(p) ? low : high) = middle;
+  }
+  return middle;
+}
+
+inline std::size_t nearest_point(const std::array<double, 3>& p, const std::vector<std::array<double, 3> >& points)
+{
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t n = 0; n < points.size(); ++n) {
+    double squared = 0;
+    for(int a = 0; a < 3; ++a) squared += (points[n][a] - p[a]) * (points[n][a] - p[a]);
+    if(squared < least) { least = squared; nearest = n; }
+  }
+  return nearest;
+}
+
+// Keeps the components nearest to where paths pass the threshold. False if several paths lead to the same one.
+template <typename Field, typename Threshold>
+bool keep_components_on_paths(const Field& field, const Threshold& threshold, const std::vector<Crossing_path>& paths,
+                              std::vector<Soup_components::Point>& points,
+                              std::vector<Soup_components::Triangle>& triangles)
+{
+  Soup_components components(points.size(), triangles);
+  std::vector<char> is_kept(points.size(), 0);
+  for(const Crossing_path& path : paths) {
+    char& is_known = is_kept[components.component(nearest_point(crossing_of_path(field, threshold, path), points))];
+    if(is_known) return false;
+    is_known = 1;
+  }
+  components.keep(is_kept, points, triangles);
+  return true;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Surface
+ *
+ * \brief makes a triangle mesh of the inner or the outer surface of a shell, as `extract_level_set()` does of a level
+ * set.
+ *
+ * Where thresholds vary, other parts of the level set may pass through the same cells. The cover and the paths by
+ * which the shell is certified exclude them. The mesh is closed and 2-manifold. It has one component for each component
+ * of the shell. Cells are subdivided where they separate parts of the level set.
+ *
+ * If the shell has a cover (`Bspline_shell_3::proved_cover()`) but is not certified, the mesh has all parts of the
+ * level set in the cover. Without a cover it has the closed parts in `Bspline_shell_3::shell_cells()`; if thresholds
+ * are constant, none of the parts there may be open.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
+ * \tparam Threshold a model of `ShellThreshold`
+ * \tparam TriangleMesh a model of `MutableFaceGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param shell the shell
+ * \param threshold `Bspline_shell_3::inner_threshold()`, `Bspline_shell_3::outer_threshold()`, or one between both
+ * \param out the mesh, to which the surface is added; unchanged if there is none to add
+ * \param np optional named parameters:
+ *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2. It is doubled, up to 16, until the
+ *     surfaces of all components are apart
+ *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
+ *
+ * \return whether there is a mesh, or why not
+ * \pre there is a shell; `subdivision_ratio` is at least 1 and at most 256
+ * \cgalHeading{Cost} that of `extract_level_set()`, and for each component of the shell one look at every vertex
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Field, typename Threshold, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& shell, const Threshold& threshold,
+                                       TriangleMesh& out,
+                                       const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef internal::Shell_cells<Field, Threshold> Cells;
+  typedef internal::Level_set_soup<Cells> Soup;
+
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, out));
+  const int ratio = choose_parameter(get_parameter(np, internal_np::subdivision_ratio), 2);
+  CGAL_precondition(bool(shell));
+  CGAL_precondition(ratio >= 1 && ratio <= 256);
+  if(!shell.proved_cover()) {
+    const auto is_in_shell = [&](typename Field::Cell_index c) { return shell.shell_cells()[c] != 0; };
+    return extract_level_set<ConcurrencyTag>(shell.field(), threshold, out,
+                                             parameters::filter(is_in_shell)
+                                                        .skip_open_components(!Threshold::is_constant)
+                                                        .subdivision_ratio(ratio)
+                                                        .vertex_point_map(vpm));
+  }
+  const Cells cells(shell.field(), threshold, *shell.proved_cover());
+  const auto is_selected = [&](typename Cells::Index c) { return cells.is_selected(c); };
+  std::vector<typename Soup::Point> points;
+  std::vector<typename Soup::Triangle> triangles;
+  constexpr int finest = 16;
+  for(int n = ratio; ; n *= 2) {
+    const Level_set_status status
+      = Soup::template extract<ConcurrencyTag>(cells, n, is_selected, false, points, triangles);
+    if(status == Level_set_status::LEVEL_SET_LEAVES_CELLS) return status;
+    const bool is_found = status == Level_set_status::SUCCESS;
+    if(is_found && (!shell.is_certified() ||
+                    internal::keep_components_on_paths(shell.field(), threshold, shell.report().certificate.paths,
+                                                       points, triangles))) break;
+    if(2 * n > finest) return is_found ? Level_set_status::LEVEL_SET_UNRESOLVED : status;
+  }
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
+                                                        CGAL::parameters::vertex_point_map(vpm));
+  return Level_set_status::SUCCESS;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_SHELL_SURFACE_H

@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
+#include "test_meshes.h"
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
+#include <CGAL/certified_bspline_shell_3.h>
+
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+namespace PMP = CGAL::Polygon_mesh_processing;
+typedef BS::Uniform_bspline_field_3<> Field;
+typedef CGAL::Bspline_shell_3<Field> Shell;
+typedef BS::Shell_certificate_3<Field> Certificate;
+using BS::Level_set_status;
+using BS::extract_shell_surface;
+
+// its Euler characteristic
+int check_closed_manifold(const Mesh& mesh)
+{
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(CGAL::is_closed(mesh));
+  std::vector<Mesh::Halfedge_index> pinched;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(pinched));
+  CHECK(pinched.empty());
+  return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
+}
+
+// the volumes inside both surfaces, which are closed, on their thresholds, and of the mesh's Euler characteristic
+template <typename Shell>
+std::array<double, 2> check_surfaces(const Shell& shell, int euler_characteristic)
+{
+  std::array<double, 2> volumes;
+  for(int side = 0; side < 2; ++side) {
+    const auto& threshold = side == 1 ? shell.outer_threshold() : shell.inner_threshold();
+    Mesh surface;
+    REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
+    CHECK(check_closed_manifold(surface) == euler_characteristic);
+    CHECK_FALSE(PMP::does_self_intersect(surface));
+    double largest = 0;
+    for(auto v : surface.vertices())
+      largest = (std::max)(largest,
+                           std::abs(*shell.field().value(surface.point(v)) - threshold.value(surface.point(v))));
+    CHECK(largest < 1e-11 * shell.report().unit);
+    volumes[std::size_t(side)] = PMP::volume(surface);
+  }
+  return volumes;
+}
+
+// Two balls, about the points (-0.54, 0, 0) and (0.66, 0, 0): about the distance to the nearer one. Between them there
+// is a saddle, and the outer surfaces of both come into one cell.
+const double left_center = -0.54, right_center = 0.66;
+constexpr BS::Level_range levels{ 0.36, 0.54 };
+
+const Field& two_balls()
+{
+  static const Field field = [] {
+    const double width = 0.125;
+    const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 0, 0, 0), width);
+    std::vector<std::uint64_t> keys;
+    for(int k = -7; k < 7; ++k)
+      for(int j = -7; j < 7; ++j)
+        for(int i = -12; i < 13; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+    std::sort(keys.begin(), keys.end());
+    Field f{ BS::Cell_complex_3(lattice, keys) };
+    Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
+    for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
+      const auto& p = f.functions().point(Field::Cell_index(n));
+      const double u = width * p[0], along = (std::min)(std::abs(u - left_center), std::abs(u - right_center));
+      x[Eigen::Index(n)] = std::hypot(along, width * std::hypot(double(p[1]), double(p[2])));
+    }
+    f.set_coefficients(x);
+    return f;
+  }();
+  return field;
+}
+
+Mesh left_ball() { return sphere(3, 0.45, Point_3(left_center, 0, 0)); }
+Mesh right_ball() { return sphere(3, 0.45, Point_3(right_center, 0, 0)); }
+
+Certificate certificate_of(const Mesh& mesh)
+{
+  Certificate certificate(two_balls(), BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
+  return certificate;
+}
+
+// the shell of a certificate's mesh, with the boxes of a cover
+Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>& cover)
+{
+  std::vector<char> cells(two_balls().number_of_cells(), 0);
+  for(const BS::Cover_box& box : certificate.cover()->boxes())
+    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 1;
+  report.certificate = certificate.report();
+  Shell shell(two_balls(), levels, cells, {}, report);
+  if(!cover.empty()) shell.set_proved_cover(cover);
+  REQUIRE(shell.is_certified());
+  return shell;
+}
+
+bool is_left(const Mesh& mesh)
+{
+  return std::all_of(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) {
+    return mesh.point(v).x() < (left_center + right_center) / 2;
+  });
+}
+
+} // namespace
+
+TEST_CASE("Surfaces of a shell: closed, on either side of the mesh, and like it")
+{
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(
+    box(Point_3(0, 0, 0), Point_3(1, 0.6, 0.3)), BS::parameters::resolution(12).relative_thickness(0.005));
+  REQUIRE(shell.is_certified());
+  REQUIRE(shell.field().number_of_levels() > 1);
+  const auto [inner, outer] = check_surfaces(shell, 2);
+  CHECK(inner < 0.18);
+  CHECK(outer > 0.18);
+}
+
+TEST_CASE("Surfaces of a shell: of an open mesh they surround what closes it, too")
+{
+  const Mesh mesh = sheet({ 0, 0.2, 0.4, 0.6, 0.8, 1 }, { 0, 0.25, 0.5 }, [](double x, double) { return x * x / 8; });
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(mesh);
+  REQUIRE(shell.is_certified());
+  REQUIRE(shell.closing());
+  const auto [inner, outer] = check_surfaces(shell, 2);
+  CHECK(0 < inner);
+  CHECK(inner < outer);
+}
+
+TEST_CASE("Surfaces of a shell: where a plate is thinner than cells are wide, both sides of the inner one are apart")
+{
+  const Mesh plate = box(Point_3(0, 0, 0), Point_3(1, 1, 0.05));
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(plate);
+  REQUIRE(shell.is_certified());
+  check_surfaces(shell, 2);
+}
+
+TEST_CASE("Surfaces of a shell: parts of the level set in the same cells are left out, by smaller boxes of the cover")
+{
+  const Certificate certificate = certificate_of(left_ball());
+  const Shell shell = shell_of(certificate, certificate.cover()->boxes());
+  // cells alone do not separate the surfaces
+  Mesh surface;
+  const auto is_in_shell = [&](Field::Cell_index c) { return shell.shell_cells()[c] != 0; };
+  CHECK(BS::extract_level_set(two_balls(), levels.max, surface, BS::parameters::filter(is_in_shell))
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+  for(const auto& threshold : { shell.inner_threshold(), shell.outer_threshold(), BS::Constant_threshold(0.45) }) {
+    surface.clear();
+    REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
+    CHECK(check_closed_manifold(surface) == 2);
+    CHECK(is_left(surface));
+    const double radius = std::cbrt(PMP::volume(surface) * 3 / (4 * std::acos(-1.)));
+    CHECK(radius == Approx(threshold.level()).epsilon(0.03));
+  }
+}
+
+TEST_CASE("Surfaces of a shell: parts of the level set in the same component of the cover are left out, by paths")
+{
+  Mesh both = left_ball();
+  CGAL::copy_face_graph(right_ball(), both);
+  std::vector<BS::Cover_box> cover = certificate_of(both).cover()->boxes();
+  for(BS::Cover_box& box : cover)
+    if(box.component != BS::Cover_box::no_component) box.component = 0;
+  Mesh surface;
+  const Shell shell = shell_of(certificate_of(left_ball()), cover);
+  REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
+  CHECK(check_closed_manifold(surface) == 2);
+  CHECK(is_left(surface));
+
+  // but not those of other components of the mesh
+  const Shell shell_of_both = shell_of(certificate_of(both), cover);
+  surface.clear();
+  REQUIRE(extract_shell_surface(shell_of_both, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
+  CHECK(check_closed_manifold(surface) == 4);
+}
+
+TEST_CASE("Surfaces of a shell: without a cover, those in its cells")
+{
+  Mesh both = left_ball();
+  CGAL::copy_face_graph(right_ball(), both);
+  const Shell shell = shell_of(certificate_of(both), {});
+  Mesh surface;
+  REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
+  CHECK(check_closed_manifold(surface) == 4);
+  const Shell one = shell_of(certificate_of(left_ball()), {});
+  CHECK(extract_shell_surface(one, one.outer_threshold(), surface) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("Surfaces of a shell: several threads make the same mesh, which is added to what is there")
+{
+  const Certificate certificate = certificate_of(left_ball());
+  const Shell shell = shell_of(certificate, certificate.cover()->boxes());
+  const auto& threshold = shell.outer_threshold();
+  Mesh one, several;
+  REQUIRE(extract_shell_surface<CGAL::Sequential_tag>(shell, threshold, one) == Level_set_status::SUCCESS);
+  REQUIRE(extract_shell_surface<CGAL::Parallel_tag>(shell, threshold, several) == Level_set_status::SUCCESS);
+  CHECK(is_equal(one, several));
+  const auto coarse = CGAL::parameters::subdivision_ratio(1);
+  REQUIRE(extract_shell_surface(shell, shell.inner_threshold(), one, coarse) == Level_set_status::SUCCESS);
+  CHECK(check_closed_manifold(one) == 4);
+}
+#endif
