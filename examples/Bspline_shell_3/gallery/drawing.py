@@ -34,13 +34,16 @@ def draw_layers(shells, picture):
 
 
 def wrong_side(name):
-    """The share of the area of a bowl around the origin that has the color of the other side: it is yellow inside."""
+    """The share of the area that has the color of the other side, of a bowl around the origin that is yellow inside.
+
+    Facets of the rim face neither inwards nor outwards, and do not count."""
     data = painted(name)
     corners = vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)].astype(float)
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas, inside = np.linalg.norm(normals, axis=1), np.einsum("ij,ij->i", normals, corners.mean(axis=1)) < 0
+    normals, centers = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners.mean(axis=1)
+    areas, outwards = np.linalg.norm(normals, axis=1), np.einsum("ij,ij->i", normals, centers)
+    is_side = np.abs(outwards) > 0.5 * areas * np.linalg.norm(centers, axis=1)
     yellow = vtk_to_numpy(data.GetCellData().GetScalars())[:, 2] < 128
-    return areas[yellow != inside].sum() / areas.sum()
+    return areas[is_side & (yellow != (outwards < 0))].sum() / areas.sum()
 
 
 if __name__ == "__main__":
