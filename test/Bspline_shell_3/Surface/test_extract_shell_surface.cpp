@@ -13,6 +13,7 @@
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -70,27 +71,27 @@ std::array<double, 2> check_surfaces(const Shell& shell, int euler_characteristi
   return volumes;
 }
 
-// Two balls, about the points (-0.54, 0, 0) and (0.66, 0, 0): about the distance to the nearer one. Between them there
-// is a saddle, and the outer surfaces of both come into one cell.
-const double left_center = -0.54, right_center = 0.66;
-constexpr BS::Level_range levels{ 0.36, 0.54 };
+// About -8 (r - 0.7)^2 in spherical coordinates. Both sides of its ridge pass the levels, and cells are wider than the
+// gap between both shells. The ridge of the spline is at 0.693.
+const double ridge = 0.693;
+constexpr BS::Level_range levels{ -0.36, -0.062 };
 
-const Field& two_balls()
+const Field& two_shells()
 {
   static const Field field = [] {
     const double width = 0.125;
     const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 0, 0, 0), width);
     std::vector<std::uint64_t> keys;
-    for(int k = -7; k < 7; ++k)
-      for(int j = -7; j < 7; ++j)
-        for(int i = -12; i < 13; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+    for(int k = -9; k < 9; ++k)
+      for(int j = -9; j < 9; ++j)
+        for(int i = -9; i < 9; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
     std::sort(keys.begin(), keys.end());
     Field f{ BS::Cell_complex_3(lattice, keys) };
     Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
     for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
       const auto& p = f.functions().point(Field::Cell_index(n));
-      const double u = width * p[0], along = (std::min)(std::abs(u - left_center), std::abs(u - right_center));
-      x[Eigen::Index(n)] = std::hypot(along, width * std::hypot(double(p[1]), double(p[2])));
+      const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+      x[Eigen::Index(n)] = -8 * (r - 0.7) * (r - 0.7);
     }
     f.set_coefficients(x);
     return f;
@@ -98,36 +99,55 @@ const Field& two_balls()
   return field;
 }
 
-Mesh left_ball() { return sphere(3, 0.45, Point_3(left_center, 0, 0)); }
-Mesh right_ball() { return sphere(3, 0.45, Point_3(right_center, 0, 0)); }
+Mesh small_sphere() { return sphere(3, 0.56); }
+Mesh both_spheres()
+{
+  Mesh mesh = sphere(3, 0.85);
+  PMP::reverse_face_orientations(mesh);
+  CGAL::copy_face_graph(small_sphere(), mesh);
+  return mesh;
+}
 
 Certificate certificate_of(const Mesh& mesh)
 {
-  Certificate certificate(two_balls(), BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  Certificate certificate(two_shells(), BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
   REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
   return certificate;
 }
 
-// the shell of a certificate's mesh, with the boxes of a cover
-Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>& cover)
+// The boxes of the cover of a certificate, without those beyond the ridge. Boxes that touch there join both shells in
+// the cover, but each of them is on one side, or excluded.
+std::vector<BS::Cover_box> boxes_within_ridge(const Certificate& certificate)
 {
-  std::vector<char> cells(two_balls().number_of_cells(), 0);
-  for(const BS::Cover_box& box : certificate.cover()->boxes())
+  std::vector<BS::Cover_box> boxes = certificate.cover()->boxes();
+  for(BS::Cover_box& box : boxes) {
+    const CGAL::Bbox_3 b = certificate.cover()->bbox(box);
+    const Point_3 center((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
+    if(CGAL::squared_distance(center, Point_3(0, 0, 0)) > ridge * ridge) box.component = BS::Cover_box::no_component;
+  }
+  return boxes;
+}
+
+// the shell of a certificate's mesh, with these boxes
+Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>& boxes, bool has_cover = true)
+{
+  std::vector<char> cells(two_shells().number_of_cells(), 0);
+  for(const BS::Cover_box& box : boxes)
     if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
   BS::Shell_report report;
   report.status = BS::Shell_status::SUCCESS;
   report.unit = 1;
   report.certificate = certificate.report();
-  Shell shell(two_balls(), levels, cells, {}, report);
-  if(!cover.empty()) shell.set_proved_cover(cover);
+  Shell shell(two_shells(), levels, cells, {}, report);
+  if(has_cover) shell.set_proved_cover(boxes);
   REQUIRE(shell.is_certified());
   return shell;
 }
 
-bool is_left(const Mesh& mesh)
+bool is_small(const Mesh& mesh)
 {
   return std::all_of(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) {
-    return mesh.point(v).x() < (left_center + right_center) / 2;
+    return CGAL::squared_distance(mesh.point(v), Point_3(0, 0, 0)) < ridge * ridge;
   });
 }
 
@@ -165,38 +185,37 @@ TEST_CASE("Surfaces of a shell: where a plate is thinner than cells are wide, bo
 
 TEST_CASE("Surfaces of a shell: parts of the level set in the same cells are left out, by smaller boxes of the cover")
 {
-  const Certificate certificate = certificate_of(left_ball());
-  const Shell shell = shell_of(certificate, certificate.cover()->boxes());
+  const Certificate certificate = certificate_of(small_sphere());
+  const Shell shell = shell_of(certificate, boxes_within_ridge(certificate));
   // cells alone do not separate the surfaces
   Mesh surface;
   const auto is_in_shell = [&](Field::Cell_index c) { return shell.shell_cells()[c] != 0; };
-  CHECK(BS::extract_level_set(two_balls(), levels.max, surface, BS::parameters::filter(is_in_shell))
+  CHECK(BS::extract_level_set(two_shells(), levels.max, surface, BS::parameters::filter(is_in_shell))
         == Level_set_status::LEVEL_SET_LEAVES_CELLS);
-  for(const auto& threshold : { shell.inner_threshold(), shell.outer_threshold(), BS::Constant_threshold(0.45) }) {
+  double volume = 0;
+  for(const auto& threshold : { shell.inner_threshold(), BS::Constant_threshold(-0.2), shell.outer_threshold() }) {
     surface.clear();
     REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
     CHECK(check_closed_manifold(surface) == 2);
-    CHECK(is_left(surface));
-    const double radius = std::cbrt(PMP::volume(surface) * 3 / (4 * std::acos(-1.)));
-    CHECK(radius == Approx(threshold.level()).epsilon(0.03));
+    CHECK(is_small(surface));
+    CHECK(PMP::volume(surface) > volume);
+    volume = PMP::volume(surface);
   }
 }
 
 TEST_CASE("Surfaces of a shell: parts of the level set in the same component of the cover are left out, by paths")
 {
-  Mesh both = left_ball();
-  CGAL::copy_face_graph(right_ball(), both);
-  std::vector<BS::Cover_box> cover = certificate_of(both).cover()->boxes();
+  std::vector<BS::Cover_box> cover = certificate_of(both_spheres()).cover()->boxes();
   for(BS::Cover_box& box : cover)
     if(box.component != BS::Cover_box::no_component) box.component = 0;
   Mesh surface;
-  const Shell shell = shell_of(certificate_of(left_ball()), cover);
+  const Shell shell = shell_of(certificate_of(small_sphere()), cover);
   REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
   CHECK(check_closed_manifold(surface) == 2);
-  CHECK(is_left(surface));
+  CHECK(is_small(surface));
 
   // but not those of other components of the mesh
-  const Shell shell_of_both = shell_of(certificate_of(both), cover);
+  const Shell shell_of_both = shell_of(certificate_of(both_spheres()), cover);
   surface.clear();
   REQUIRE(extract_shell_surface(shell_of_both, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
   CHECK(check_closed_manifold(surface) == 4);
@@ -204,20 +223,19 @@ TEST_CASE("Surfaces of a shell: parts of the level set in the same component of 
 
 TEST_CASE("Surfaces of a shell: without a cover, those in its cells")
 {
-  Mesh both = left_ball();
-  CGAL::copy_face_graph(right_ball(), both);
-  const Shell shell = shell_of(certificate_of(both), {});
+  const Certificate of_both = certificate_of(both_spheres()), of_one = certificate_of(small_sphere());
+  const Shell shell = shell_of(of_both, of_both.cover()->boxes(), false);
   Mesh surface;
   REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
   CHECK(check_closed_manifold(surface) == 4);
-  const Shell one = shell_of(certificate_of(left_ball()), {});
+  const Shell one = shell_of(of_one, boxes_within_ridge(of_one), false);
   CHECK(extract_shell_surface(one, one.outer_threshold(), surface) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
 TEST_CASE("Surfaces of a shell: several threads make the same mesh, which is added to what is there")
 {
-  const Certificate certificate = certificate_of(left_ball());
+  const Certificate certificate = certificate_of(small_sphere());
   const Shell shell = shell_of(certificate, certificate.cover()->boxes());
   const auto& threshold = shell.outer_threshold();
   Mesh one, several;
