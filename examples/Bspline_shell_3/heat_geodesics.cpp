@@ -48,7 +48,7 @@ int main(int argc, char** argv)
   if(const auto code = arguments.read(argc, argv)) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
-  const Mesh::Vertex_index source(Mesh::size_type(number));
+  const Mesh::Vertex_index source{ Mesh::size_type(number) };
   if(!mesh.has_valid_index(source)) return *arguments.wrong("There is no vertex " + std::to_string(number) + ".");
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell.is_certified()) {
