@@ -51,12 +51,19 @@ private:
 
   Flow_status trace(const Coordinates& start, Index near, double step_tolerance, Hit& hit) const;
 
+  // of the angle at which the curve passes the plane of a facet
+  double sine(const Curve& curve, Index facet) const
+  {
+    const Coordinates& normal = m_facets->normal(facet);
+    return dot(normal, curve.derivative()) / (norm(normal) * curve.speed());
+  }
+
   // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
   // iteration. Fails if that is not during the step; `s` is then a guess of where.
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
-    const double precision = curve.crossing_precision() / speed;
+    const double precision = curve.crossing_precision(sine(curve, facet)) / speed;
     double first = curve.begin(), last = curve.value();
     if(first > last) std::swap(first, last);
     s = curve.value();
@@ -116,14 +123,14 @@ private:
       Coordinates x = curve.state();
       const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
       goal += ds;
-      if(!(std::abs(ds) * curve.speed() <= curve.crossing_precision())) continue;
+      const double sine = this->sine(curve, hit.facet);
+      if(!(std::abs(ds) * curve.speed() <= curve.crossing_precision(sine))) continue;
       for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
       const auto position = m_facets->position(hit.facet, x);
       hit.value = goal;
       hit.barycentric = position.nearest;
       const Curve_error error = curve.error();
-      const double slope = dot(m_facets->normal(hit.facet), curve.derivative()) / (norm(m_facets->normal(hit.facet)) * curve.speed());
-      hit.error = { error.at_end() / slope, error.at_start() };
+      hit.error = { error.at_end() / sine, error.at_start() };
       hit.is_beyond_border = position.outside > 0 && m_facets->neighbor(hit.facet, position.edge) == Projection_facets_3::npos;
       const Coordinates image = m_facets->point(hit.facet, position.nearest);
       const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
@@ -138,7 +145,7 @@ private:
   {
     Curve curve(*m_shell, m_tolerance);
     curve.start(start);
-    const double margin = curve.crossing_precision();       // as precisely as curves end at facets
+    const double margin = curve.crossing_precision(1);       // as precisely as curves end at facets
     double least = margin;
     best = Hit();
     const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);

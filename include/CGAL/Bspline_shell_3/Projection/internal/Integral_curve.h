@@ -105,7 +105,7 @@ public:
   // user units.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
     : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance)
-    , m_crossing_precision((std::max)(1e-3 * tolerance, 4 * coordinate_rounding(shell))), m_velocity{ shell.field().cell(0) }
+    , m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
   {}
   Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
@@ -132,8 +132,9 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
-  // A curve passes planes at places of this precision: a thousandth of the tolerance, or four units in the last place.
-  double crossing_precision() const { return m_crossing_precision; }
+  // of the places where planes are passed, at an angle with this sine: a thousandth of the tolerance, or the rounding of
+  // coordinates if that is more
+  double crossing_precision(double sine) const { return (std::max)(1e-3 * m_tolerance, 4 * m_rounding / sine); }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
   double value() const { return m_end_s; }          // of f
@@ -348,7 +349,7 @@ private:
   }
 
   const Shell* m_shell;
-  double m_tolerance, m_step_tolerance, m_crossing_precision;
+  double m_tolerance, m_step_tolerance, m_rounding;
   Velocity m_velocity;
   Stepper m_stepper;
   Cell_index m_cell = Field::npos;                  // of the last step

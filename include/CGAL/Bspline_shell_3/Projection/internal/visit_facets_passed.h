@@ -63,7 +63,7 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
         hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
         x = curve.at(hit.value);
         const double h = facets.height(facet, x);
-        if(std::abs(h) * tolerance <= curve.crossing_precision() * near) break;
+        if(std::abs(h) * tolerance <= curve.crossing_precision(1) * near) break;
         if((h < 0) == (h1 < 0)) h0 /= 2;
         else { s0 = s1; h0 = h1; }
         s1 = hit.value;
