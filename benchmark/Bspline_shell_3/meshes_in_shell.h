@@ -88,9 +88,9 @@ inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_
 }
 
 // [--points N] [MESH ...]
-struct Arguments
+struct Benchmark_arguments
 {
-  Arguments(int argc, char** argv, std::size_t default_points, const std::string& default_file) : points(default_points)
+  Benchmark_arguments(int argc, char** argv, std::size_t default_points, const std::string& default_file) : points(default_points)
   {
     for(int i = 1; i < argc; ++i) {
       if(std::string(argv[i]) == "--points" && i + 1 < argc) points = std::size_t(std::atoll(argv[++i]));

@@ -39,7 +39,7 @@ double microseconds_one_by_one(const Map& map, const Locations& locations, std::
 int main(int argc, char** argv)
 {
   print_JSON_numbers();
-  const Arguments arguments(argc, argv, 1000000, MESHES "/armadillo.off");
+  const Benchmark_arguments arguments(argc, argv, 1000000, MESHES "/armadillo.off");
   for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
     const double unit = shell.report().unit;
     const auto locations = random_locations(mesh, arguments.points, 1);

@@ -155,7 +155,7 @@ void measure(const std::string& name, const Shell& shell, const Mesh& mesh, cons
 int main(int argc, char** argv)
 {
   print_JSON_numbers();
-  const Arguments arguments(argc, argv, 100000, MESHES "/elephant.off");
+  const Benchmark_arguments arguments(argc, argv, 100000, MESHES "/elephant.off");
   for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
     measure(name, shell, mesh, moved, "moved by " + std::to_string(part), arguments.points);
     Mesh coarse = mesh;
