@@ -106,7 +106,7 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   weights.mu = 0;
   CHECK(cube_problem().energy(weights).weight(Term::NORMAL) == 5);
   const auto invalid = [&] {
-    BS::Invalid_parameter parameter;
+    CGAL::Bspline_shells::Invalid_parameter parameter;
     weights.check(parameter);
     return parameter ? std::string(parameter.name) : std::string();
   };
