@@ -49,7 +49,7 @@ bool is_embedded(const Mesh& cone, const BS::internal::Tip& tip, const BS::inter
   const BS::Shell_truncation_3 truncation = BS::internal::assemble_truncation(cone, { tip }, { disc });
   if(!truncation.is_valid()) return false;
   Mesh result = cone;
-  truncation.apply(result, result.points());
+  REQUIRE(truncation.apply(result, result.points()));
   return !PMP::does_self_intersect<CGAL::Sequential_tag>(result);
 }
 

@@ -48,8 +48,9 @@ Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_re
   CHECK(found->discs().size() == report.truncated());
   Mesh result = checked.mesh();
   const auto applied = found->apply(result, result.points());
-  CHECK(applied.patches > 0);
-  CHECK(std::count(applied.facets.begin(), applied.facets.end(), Mesh::null_face()) == 0);
+  REQUIRE(applied);
+  CHECK(applied->patches > 0);
+  CHECK(std::count(applied->facets.begin(), applied->facets.end(), Mesh::null_face()) == 0);
   result.collect_garbage();
   CHECK(CGAL::is_valid_polygon_mesh(result));
   CHECK(CGAL::is_closed(result));
