@@ -86,12 +86,12 @@ TEST_CASE("Curve error: curves are traced again until the tolerance is kept, and
       return Flow_status::SUCCESS;
     });
   };
-  CHECK(keep(0.9, 0.9, 0, 0) == Flow_status::SUCCESS);
+  CHECK(keep(0.4, 0.4, 0, 0) == Flow_status::SUCCESS);
   CHECK(asked.size() == 1);
-  CHECK(keep(500, 1, 0, 0) == Flow_status::SUCCESS);
+  CHECK(keep(500, 0.4, 0, 0) == Flow_status::SUCCESS);
   CHECK(asked.size() == 2);
   CHECK(result.error.at_image <= 1e-9);
-  CHECK(keep(1, 500, 0, 0) == Flow_status::SUCCESS);
+  CHECK(keep(0.4, 500, 0, 0) == Flow_status::SUCCESS);
   CHECK(asked.size() == 2);
   CHECK(result.error.at_start <= 1e-9);
   // rounding at the image, and at the start

@@ -100,8 +100,9 @@ TEST_CASE("Round trips: far from the origin, the default tolerance allows for th
     const Shell shell = CGAL::certified_bspline_shell_3(a, P::relative_thickness(0.05));
     REQUIRE(shell.is_certified());
     const double tolerance = Map(shell, a, a).to_target().tolerance();
-    CHECK(tolerance > 1e-9 * shell.report().unit);
-    CHECK(tolerance <= 512 * 1e-9);      // at 5e6, a unit in the last place is 0.93e-9
+    CHECK(tolerance >= 1e-9 * shell.report().unit);
+    CHECK(tolerance > 200 * 1e-9);       // at 5e6, a unit in the last place is 0.93e-9
+    CHECK(tolerance <= 512 * 1e-9);
     check_round_trips(shell, a, certified_mesh_in_shell(shell, a));
   }
 }

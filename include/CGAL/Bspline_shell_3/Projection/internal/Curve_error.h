@@ -84,6 +84,7 @@ template <typename Result, typename Trace>
 Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
 {
   constexpr int most_repetitions = 3;
+  constexpr double safety = 2;              // of estimates to first order
   constexpr double aim = 0.25;              // of the tolerance: errors are not exactly proportional to those of the steps
   constexpr double least_steps = 1e-5;      // of the tolerance: of the default one, the rounding of coordinates
   double step_tolerance = tolerance;
@@ -91,7 +92,7 @@ Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
   if(status != Flow_status::SUCCESS) return status;
   for(int repetition = 0; repetition < most_repetitions; ++repetition) {
     const double error = (std::max)(result.error.at_image, result.error.at_start);
-    if(error <= tolerance || !(step_tolerance > least_steps * tolerance)) break;
+    if(safety * error <= tolerance || !(step_tolerance > least_steps * tolerance)) break;
     step_tolerance = (std::max)(step_tolerance * aim * tolerance / error, least_steps * tolerance);
     Result closer;
     if(trace(step_tolerance, closer) != Flow_status::SUCCESS) break;

@@ -78,6 +78,7 @@ struct Flow_velocity_with_differential
 template <typename Shell>
 double coordinate_rounding(const Shell& shell)
 {
+  if(!shell) return 0;
   const std::array<double, 3> corner = shell.field().cell(0).corner();
   double largest = 0;
   for(double x : corner) largest = (std::max)(largest, std::abs(x));

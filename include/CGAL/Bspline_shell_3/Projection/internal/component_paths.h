@@ -63,7 +63,9 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
     for(std::size_t n = 0; n < tries && paths.size() < before + max_paths; ++n) {
       // not the middle, through which regular meshes have edges
       const auto p = mesh.facets.point(facets[c][n].second, { 0.29, 0.33, 0.38 });
-      const auto segment = segment_through_shell(predicates, inner, outer, Point_3(p[0], p[1], p[2]));
+      const Point_3 middle(p[0], p[1], p[2]);
+      if(shell.bounded_side(middle) == ON_UNBOUNDED_SIDE) continue;
+      const auto segment = segment_through_shell(predicates, inner, outer, middle);
       if(!segment) continue;
       const auto coordinates = [](const Point_3& q) { return std::array<double, 3>{ q[0], q[1], q[2] }; };
       paths.push_back({ c, std::size_t(facets[c][n].second), coordinates((*segment)[0]), coordinates((*segment)[1]) });
