@@ -58,8 +58,8 @@ namespace CGAL {
  *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
  *     shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds within
  *     each pass; the caller's own solver, oracle and sizing field are not interrupted.
- *   - `effort_limit(double)`: the number of cells that may be fitted in all rounds of refinement together. No round
- *     begins that would exceed it. By default 1.5e6, which takes about a minute on two cores. Unlike a limit of time, it
+ *   - `effort_limit(double)`: the number of cells that may be fitted in all rounds of refinement together. After
+ *     the first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores. Unlike a limit of time, it
  *     gives the same shell on every machine.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`

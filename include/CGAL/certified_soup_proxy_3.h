@@ -6,6 +6,7 @@
 #ifndef CGAL_CERTIFIED_SOUP_PROXY_3_H
 #define CGAL_CERTIFIED_SOUP_PROXY_3_H
 
+#include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>

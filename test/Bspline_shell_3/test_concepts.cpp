@@ -3,6 +3,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
+#include <CGAL/Bspline_shell_3/Construction/shell_component.h>
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/fit_field.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
@@ -28,6 +32,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_concepts {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -393,3 +398,4 @@ TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and cal
   map.to_target().project(points, visitor);
   CHECK(visitor.calls > calls);
 }
+} // namespace test_concepts

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Neo_hookean_solid {
 namespace {
 
 typedef Neo_hookean_solid<> Solid;
@@ -325,3 +326,4 @@ TEST_CASE("Displacements on facets are those of the shape functions")
     CHECK((solid.displacement(u, corners, w) - function(p)).norm() < 20 * epsilon);      // sums of a dozen terms of size one
   }
 }
+} // namespace test_Neo_hookean_solid

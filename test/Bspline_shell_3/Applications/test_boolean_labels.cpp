@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_boolean_labels {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -222,3 +223,4 @@ TEST_CASE("Simplified along the curve, facets keep their labels, and the curve s
     CHECK(farthest > 0);
   }
 }
+} // namespace test_boolean_labels

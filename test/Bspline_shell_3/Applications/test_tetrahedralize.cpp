@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+namespace test_tetrahedralize {
 TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by facet, and nothing else")
 {
   // a double pyramid over a triangle, cut into two tetrahedra
@@ -59,3 +60,4 @@ TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by fa
     CHECK(checked(tetrahedra, mesh));
   }
 }
+} // namespace test_tetrahedralize

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+namespace test_Cell_complex_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -503,3 +504,4 @@ TEST_CASE("cells: boxes that are huge, far away or no boxes are answered at once
   CHECK(visited(cells, CGAL::Bbox_3()) == 0);
   CHECK(visited(Cells(), { 0, 0, 0, 1, 1, 1 }) == 0);
 }
+} // namespace test_Cell_complex_3

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Cell_hierarchy_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -462,3 +463,4 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
   CHECK_FALSE(Hierarchy::from_leaves(lattice, Leaves(20, { BS::Lattice_key::encode(0, 0, 0) })));
   CHECK(Hierarchy::from_leaves(lattice, {})->number_of_cells() == 0);
 }
+} // namespace test_Cell_hierarchy_3

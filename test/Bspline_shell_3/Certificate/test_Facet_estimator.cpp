@@ -13,6 +13,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Facet_estimator {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -146,3 +147,4 @@ TEST_CASE("Estimates: an oracle that proves what is doubtful says of fans what o
   CHECK(number[0] > 50);
   CHECK(number[1] > 50);
 }
+} // namespace test_Facet_estimator

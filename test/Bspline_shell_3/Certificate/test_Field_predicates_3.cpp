@@ -13,6 +13,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Field_predicates_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -838,3 +839,4 @@ TEST_CASE("Predicates: answers and slopes are those of a field that is scaled by
   CHECK(proved > 10);
   CHECK(refuted > 10);
 }
+} // namespace test_Field_predicates_3

@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Recent_samples {
 namespace BS = CGAL::Bspline_shells;
 
 TEST_CASE("Recent samples: each vertex has its own, also if many are asked for in any order")
@@ -34,3 +35,4 @@ TEST_CASE("Recent samples: each vertex has its own, also if many are asked for i
       REQUIRE(found.gradient == expected.gradient);
     }
 }
+} // namespace test_Recent_samples

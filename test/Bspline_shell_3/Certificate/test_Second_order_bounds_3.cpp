@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Second_order_bounds_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -1199,3 +1200,4 @@ TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its c
     CHECK(examine(between(field, -20, 100), turned).is_contained);
   }
 }
+} // namespace test_Second_order_bounds_3

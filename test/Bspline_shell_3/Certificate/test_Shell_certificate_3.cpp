@@ -19,6 +19,7 @@
 #include <set>
 #include <vector>
 
+namespace test_Shell_certificate_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -1144,3 +1145,4 @@ TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two
     CHECK(certificate.displacement_bounds<CGAL::Sequential_tag>() == displacements);
   }
 }
+} // namespace test_Shell_certificate_3

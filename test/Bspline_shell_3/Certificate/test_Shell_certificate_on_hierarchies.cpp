@@ -17,6 +17,7 @@
 #include <map>
 #include <vector>
 
+namespace test_Shell_certificate_on_hierarchies {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -643,3 +644,4 @@ TEST_CASE("Certificate: a field that has changed since the last mesh was examine
   CHECK_FALSE(certificate.verify<CGAL::Sequential_tag>(mesh));
   CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 }
+} // namespace test_Shell_certificate_on_hierarchies

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Shell_containment_3 {
 namespace {
 
 namespace P = CGAL::Bspline_shells::parameters;
@@ -191,3 +192,4 @@ TEST_CASE("Containment: no shell contains nothing")
   CHECK_FALSE(contains(Point_3(0, 0, 0), Point_3(1, 0, 0)));
   CHECK(contains.match(sphere(1)).verdict() == CGAL::Bspline_shells::Verdict::UNDECIDED);
 }
+} // namespace test_Shell_containment_3

@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Shell_cover_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -915,3 +916,4 @@ TEST_CASE("Covers: a field is said to be steeper than a threshold only if all fu
   CHECK_FALSE(BS::internal::is_monotone(f, 1.22, direction));
   CHECK_FALSE(BS::internal::is_monotone(f, 1.7, direction));
 }
+} // namespace test_Shell_cover_3

@@ -14,6 +14,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Shell_facet_oracle_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -283,3 +284,4 @@ TEST_CASE("Facet oracle: the same answers for a field that is scaled by a power 
     CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(0.5));
   }
 }
+} // namespace test_Shell_facet_oracle_3

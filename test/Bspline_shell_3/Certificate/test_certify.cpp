@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace test_certify {
 namespace {
 
 typedef BS::Shell_certificate_3<Varying_shell::Field, Varying_shell::Threshold> Certificate;
@@ -129,10 +130,8 @@ TEST_CASE("certify: a mesh that lacks a component of the shell is not certified,
       CHECK_FALSE(certificate.verify(one));
       CHECK(has(certificate.report(), BS::Certificate_witness::EMPTY_COMPONENT));
       CHECK(certificate.verdict(BS::Claim::ONE_SHEET) == (is_certified ? Verdict::REFUTED : Verdict::UNDECIDED));
-      CHECK_FALSE(BS::certify(shell, one));
+      CHECK(has(BS::certify(shell, one).report(), BS::Certificate_witness::EMPTY_COMPONENT));
       CHECK(shell.is_certified() == is_certified);
-      // of a shell that is not certified, the report has the places
-      CHECK(has(shell.report().certificate, BS::Certificate_witness::EMPTY_COMPONENT) != is_certified);
     }
     CHECK(Certificate(shell).verify(two_spheres()));
   }
@@ -244,9 +243,10 @@ TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that c
   CHECK_FALSE(shell.is_certified());
   Mesh turned = mesh;
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
-  CHECK_FALSE(BS::certify(shell, turned));
-  CHECK(shell.report().certificate.verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
+  CHECK(BS::certify(shell, turned).verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
+  CHECK_FALSE(shell.is_certified());
   REQUIRE(BS::certify(shell, mesh));
+  CHECK(shell.message() == "There is a certified shell.");
   CHECK(shell.is_certified());
   CHECK_FALSE(BS::certify(shell, turned));
   CHECK(shell.is_certified());
@@ -254,6 +254,28 @@ TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that c
   Shell none;
   CHECK(BS::certify(none, mesh).status() == BS::Shell_status::NOT_BUILT);
   CHECK_FALSE(none.is_certified());
+}
+
+TEST_CASE("certify: a mesh that does not certify the shell leaves it as it is, so that others still can")
+{
+  Varying_shell shell = read_two_shells();
+  const std::vector<char> cells = shell.shell_cells();
+  CHECK(BS::certify(shell, near_sphere()).verdict(BS::Claim::GRADIENT) == Verdict::PROVED);
+  CHECK_FALSE(shell.is_certified());
+  CHECK(shell.shell_cells() == cells);
+  CHECK(shell.report().certificate.verdict(BS::Claim::GRADIENT) == Verdict::UNDECIDED);
+  CHECK(BS::certify(shell, two_spheres()));
+}
+
+TEST_CASE("certify: the certificate that is returned knows the components of the shell")
+{
+  Varying_shell shell = with_paths([](Lines& paths) { paths.clear(); });
+  auto certificate = BS::certify(shell, near_sphere());
+  REQUIRE(certificate);
+  CHECK(certificate.verify(near_sphere(1.01)));
+  CHECK_FALSE(certificate.verify(far_sphere()));
+  CHECK_FALSE(certificate.certify(shell));
+  CHECK(shell.is_certified());
 }
 
 TEST_CASE("certify: paths of a shell that is not certified do not count, though its report has them")
@@ -290,3 +312,4 @@ TEST_CASE("certify: certificates between other thresholds, or of other fields, a
   CHECK_FALSE(back.inner_threshold() == two_shells().outer_threshold());
   CHECK_FALSE(back.inner_threshold() == Varying_shell::Threshold());
 }
+} // namespace test_certify

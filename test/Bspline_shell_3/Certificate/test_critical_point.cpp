@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+namespace test_critical_point {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -69,3 +70,4 @@ TEST_CASE("critical points: none is proved where every function within the radiu
   f.radius = 0.1;
   CHECK_FALSE(BS::prove_critical_point(f));
 }
+} // namespace test_critical_point

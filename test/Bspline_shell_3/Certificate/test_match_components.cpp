@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+namespace test_match_components {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -336,3 +337,4 @@ TEST_CASE("Components: nothing is transferred through a map that is refused")
   refused(BS::transfer_vertex_attribute(map, from, values));
   refused(BS::average_vertex_attribute(map, from, values));
 }
+} // namespace test_match_components

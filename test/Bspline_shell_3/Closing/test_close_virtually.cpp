@@ -15,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+namespace test_close_virtually {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -252,3 +253,4 @@ TEST_CASE("Closing: the number of threads does not matter")
   CHECK(a.closing->points() == b.closing->points());
   CHECK(a.closing->triangles() == b.closing->triangles());
 }
+} // namespace test_close_virtually

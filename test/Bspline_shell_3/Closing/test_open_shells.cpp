@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_open_shells {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -258,14 +259,14 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   CHECK(border(damaged) == border(before));
 }
 
-TEST_CASE("Open meshes: an exception leaves a mesh open")
+TEST_CASE("Open meshes: an exception leaves a mesh as it was")
 {
   Mesh mesh = hill();
   REQUIRE(mesh.number_of_edges() > 700);
   CHECK_THROWS_AS(BS::simplify_in_shell(mesh, hill_shell(), parameters::stop(Throwing_predicate())), std::runtime_error);
   mesh.collect_garbage();
   CHECK(mesh.is_valid());
-  CHECK(mesh.number_of_faces() < hill().number_of_faces());
+  CHECK(mesh.number_of_faces() == hill().number_of_faces());
   CHECK(border(mesh) == border(hill()));
 }
 
@@ -421,3 +422,4 @@ TEST_CASE("Open meshes: one and several threads build the same shell")
   CHECK(one.closing()->triangles() == several.closing()->triangles());
   CHECK(BS::shell_checksum(one) == BS::shell_checksum(several));
 }
+} // namespace test_open_shells

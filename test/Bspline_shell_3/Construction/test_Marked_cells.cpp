@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+namespace test_Marked_cells {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -87,3 +88,4 @@ TEST_CASE("Marked cells: those that are as small as may be are left out")
   marked.mark(0);
   CHECK(marked.sorted() == std::vector<Index>{ 0 });
 }
+} // namespace test_Marked_cells

@@ -14,6 +14,7 @@
 #include <set>
 #include <vector>
 
+namespace test_Mesh_ranges {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -246,3 +247,4 @@ TEST_CASE("Ranges on the mesh: those of facets enclose the field; any number of 
     different += parallel.thick_cells()[n].cell != ranges.thick_cells()[n].cell || parallel.thick_cells()[n].point != ranges.thick_cells()[n].point;
   CHECK(different == 0);
 }
+} // namespace test_Mesh_ranges

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_Narrowed_thresholds {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -431,3 +432,4 @@ TEST_CASE("Narrowed thresholds: the same with one and several threads")
   CHECK(inner(one) == inner(several));
   CHECK(outer(one) == outer(several));
 }
+} // namespace test_Narrowed_thresholds

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <vector>
 
+namespace test_OpenMesh {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -143,3 +144,4 @@ TEST_CASE("OpenMesh: closed and opened again, or left as it is")
   check({ { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } },
         { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 0, 2, 4 }, { 2, 0, 5 } }, false);
 }
+} // namespace test_OpenMesh

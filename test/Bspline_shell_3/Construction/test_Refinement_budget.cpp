@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_Refinement_budget {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -92,3 +93,4 @@ TEST_CASE("Budget: the time of a step is that since the step before")
   CHECK(seconds[Budget::CELLS] > 0);
   CHECK(seconds[Budget::SOLVER] == 0);
 }
+} // namespace test_Refinement_budget

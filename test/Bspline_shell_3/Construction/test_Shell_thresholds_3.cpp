@@ -14,6 +14,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Shell_thresholds_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -374,3 +375,4 @@ TEST_CASE("Thresholds: the number of threads does not matter")
   for(Index c = 0; c < p.field.number_of_cells(); ++c)
     CHECK(std::equal(one.cell(c).coefficients(), one.cell(c).coefficients() + 64, two.cell(c).coefficients()));
 }
+} // namespace test_Shell_thresholds_3

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <vector>
 
+namespace test_Threshold_obstacle {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -103,3 +104,4 @@ TEST_CASE("Culprits: the same with one and several threads")
   REQUIRE(obstacles.size() > 50);
   CHECK(BS::culprits_of<Tag>(field, ranges, obstacles, 0.9) == BS::culprits_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
 }
+} // namespace test_Threshold_obstacle

@@ -1,6 +1,10 @@
 // bspline_shell_3.h, Bspline_shell_3.h, Named_parameters.h, Progress.h: from a mesh to its shell.
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
+#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -17,6 +21,7 @@
 
 #include <unistd.h>
 
+namespace test_bspline_shell_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -610,3 +615,4 @@ TEST_CASE("The library prints nothing")
     CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
   }).empty());
 }
+} // namespace test_bspline_shell_3

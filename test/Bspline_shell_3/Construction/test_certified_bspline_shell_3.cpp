@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_certified_bspline_shell_3 {
 namespace BS = CGAL::Bspline_shells;
 namespace parameters = CGAL::Bspline_shells::parameters;
 typedef CGAL::Certified_bspline_shell_3 Shell;
@@ -400,3 +401,4 @@ TEST_CASE("certified shells: what is returned contains the mesh, wherever a limi
   }
   CHECK(shells == 4);
 }
+} // namespace test_certified_bspline_shell_3

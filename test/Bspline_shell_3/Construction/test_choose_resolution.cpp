@@ -3,6 +3,7 @@
 #include <CGAL/certified_bspline_shell_3.h>
 #include "test_meshes.h"
 
+namespace test_choose_resolution {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -73,3 +74,4 @@ TEST_CASE("Resolution: a shell has the one that is chosen, or the one that is as
   CHECK(one.bent == two.bent);
   CHECK(one.folded == two.folded);
 }
+} // namespace test_choose_resolution

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+namespace test_failing_facets {
 namespace BS = CGAL::Bspline_shells;
 
 namespace {
@@ -73,3 +74,4 @@ TEST_CASE("Failing facets: only those that are asked for, in the same order with
   CHECK(facets(BS::failing_facets<CGAL::Sequential_tag>(problem.field, problem.input, chosen)) == expected);
   CHECK(facets(BS::failing_facets<CGAL::Parallel_if_available_tag>(problem.field, problem.input, chosen)) == expected);
 }
+} // namespace test_failing_facets

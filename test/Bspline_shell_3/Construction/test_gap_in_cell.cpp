@@ -3,6 +3,7 @@
 #include "random_hierarchies.h"
 #include "test_meshes.h"
 
+namespace test_gap_in_cell {
 namespace BS = CGAL::Bspline_shells;
 
 TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both; no more than is looked for, and nothing of other cells")
@@ -36,3 +37,4 @@ TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or b
   // no mesh
   CHECK(narrowest(1.2, 1.2, 1) == 1);
 }
+} // namespace test_gap_in_cell

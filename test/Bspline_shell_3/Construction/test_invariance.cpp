@@ -2,6 +2,7 @@
 // it does not depend on threads or on the run.
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <functional>
 
+namespace test_invariance {
 namespace {
 
 namespace P = CGAL::Bspline_shells::parameters;
@@ -262,3 +264,4 @@ TEST_CASE("The shell is the same in every run and with any number of threads, to
   check_identical(build(CGAL::Sequential_tag()));
   for(int run = 0; run < 3; ++run) check_identical(build(CGAL::Parallel_if_available_tag()));
 }
+} // namespace test_invariance

@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_level_bounds {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -429,3 +430,4 @@ TEST_CASE("rounding of thresholds: multiples stay where they are")
   const Range s = BS::round_outwards(range, 1);
   CHECK((s.min == -1 && s.max == 2));
 }
+} // namespace test_level_bounds

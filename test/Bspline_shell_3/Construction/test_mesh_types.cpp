@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+namespace test_mesh_types {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -164,3 +165,4 @@ TEST_CASE("A map may belong to the mesh and hold points of another kernel")
   }
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(map).resolution(10)));
 }
+} // namespace test_mesh_types

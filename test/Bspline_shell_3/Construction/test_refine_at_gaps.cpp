@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_refine_at_gaps {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -70,3 +71,4 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than four
       CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit), fine));
     }
 }
+} // namespace test_refine_at_gaps

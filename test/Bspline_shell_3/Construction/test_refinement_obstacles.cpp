@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+namespace test_refinement_obstacles {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -102,3 +103,4 @@ TEST_CASE("Obstacles: sentences say gap or wall, and where nothing is narrow, th
   o.gap = 1;
   CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
 }
+} // namespace test_refinement_obstacles

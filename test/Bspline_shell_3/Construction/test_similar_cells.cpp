@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
+namespace test_similar_cells {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -71,3 +72,4 @@ TEST_CASE("Similar cells: those that are reached from a given one through cells 
   const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 }, { 4, 4, 2 }));
   CHECK(BS::similar_cells(cells, Ranges(cells.number_of_cells()), {}).empty());
 }
+} // namespace test_similar_cells

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+namespace test_slope_conditions {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -164,3 +165,4 @@ TEST_CASE("Slope conditions: beside a side of a box its normal is the common dir
   REQUIRE(near_side);
   CHECK(near_side->direction[2] == Approx(1));
 }
+} // namespace test_slope_conditions

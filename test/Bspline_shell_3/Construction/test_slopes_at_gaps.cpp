@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+namespace test_slopes_at_gaps {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -59,3 +60,4 @@ TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, whic
             == BS::slopes_at_gaps<CGAL::Parallel_if_available_tag>(cells, all, gap, clipped));
     }
 }
+} // namespace test_slopes_at_gaps

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+namespace test_thickness_on_mesh {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -56,3 +57,4 @@ TEST_CASE("Thickness on a mesh: all of it as asked for, or narrower in the cells
   CHECK(capped.narrowed_area > 0.05);
   CHECK(capped.narrowed_area < 0.95);
 }
+} // namespace test_thickness_on_mesh

@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_thin_parts {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -254,3 +255,4 @@ TEST_CASE("Thin parts: the number of threads does not matter where slopes are en
     CHECK(r.marked_cells == s.marked_cells);
   }
 }
+} // namespace test_thin_parts

@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_time_limits {
 namespace BS = CGAL::Bspline_shells;
 namespace parameters = CGAL::Bspline_shells::parameters;
 typedef CGAL::Certified_bspline_shell_3 Shell;
@@ -225,3 +226,4 @@ TEST_CASE("Limits of time: an edit that is ended at any poll leaves the mesh as 
     });
   }
 }
+} // namespace test_time_limits

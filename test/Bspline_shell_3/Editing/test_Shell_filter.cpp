@@ -20,6 +20,7 @@
 #include <cmath>
 #include <vector>
 
+namespace test_Shell_filter {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -280,3 +281,4 @@ TEST_CASE("Filter: an envelope, or any other predicate on triangles, takes the p
   const BS::Triangle_predicate_oracle rejecting(nothing);
   CHECK(collapse(mesh, 6, BS::Shell_filter(rejecting)) == 0);
 }
+} // namespace test_Shell_filter

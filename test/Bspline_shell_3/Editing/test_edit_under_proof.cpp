@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_edit_under_proof {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -152,3 +153,4 @@ TEST_CASE("Where the shell truncates the mesh, facets and vertices are those of 
     }
   }
 }
+} // namespace test_edit_under_proof

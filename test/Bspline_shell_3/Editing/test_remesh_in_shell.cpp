@@ -33,6 +33,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_remesh_in_shell {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -951,3 +952,4 @@ TEST_CASE("Remeshing: without success a map of constrained edges says what it sa
     CHECK(chosen == are_chosen());
   }
 }
+} // namespace test_remesh_in_shell

@@ -22,9 +22,11 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+namespace test_simplify_in_shell {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -383,6 +385,18 @@ TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a 
   CHECK(end(CGAL::parameters::default_values(), Shell()) == Edit_end::NOT_EDITED);
 }
 
+TEST_CASE("Simplification: an exception of the caller's leaves the mesh as it was")
+{
+  const Mesh start = sphere(2);
+  Mesh mesh = start;
+  const auto throw_at_last = [](const auto&, const auto&, std::size_t, std::size_t edges) {
+    if(edges < 400) throw std::runtime_error("no more");
+    return false;
+  };
+  CHECK_THROWS_AS(simplify(mesh, sphere_shell(), P::stop(throw_at_last)), std::runtime_error);
+  CHECK(is_equal(mesh, start));
+}
+
 TEST_CASE("Simplification: visitor and filter of the caller are called in the documented order")
 {
   Mesh mesh = sphere(2);
@@ -684,3 +698,4 @@ TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop 
   CHECK(num_vertices(mesh) == vertices - result.collapsed);
   CHECK(result.images.size() == vertices);
 }
+} // namespace test_simplify_in_shell

@@ -16,6 +16,7 @@
 #include <map>
 #include <vector>
 
+namespace test_Hierarchical_bspline_field_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -652,3 +653,4 @@ TEST_CASE("hierarchical fields: a parallel change of coefficients gives the same
   CHECK(Field().number_of_cells() == 0);
   CHECK(Field().number_of_coefficients() == 0);
 }
+} // namespace test_Hierarchical_bspline_field_3

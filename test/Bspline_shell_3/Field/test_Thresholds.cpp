@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 
+namespace test_Thresholds {
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
@@ -54,3 +55,4 @@ TEST_CASE("Spline thresholds: a cell is constant where all of its coefficients a
   CHECK(varying > 50);
   CHECK(rounded > 0);
 }
+} // namespace test_Thresholds

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+namespace test_Uniform_bspline_field_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -348,3 +349,4 @@ TEST_CASE("fields: a parallel change of coefficients gives the same cells, bit f
   }
   CHECK(different == 0);
 }
+} // namespace test_Uniform_bspline_field_3

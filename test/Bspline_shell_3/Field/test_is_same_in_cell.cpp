@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_is_same_in_cell {
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
@@ -40,3 +41,4 @@ TEST_CASE("Same in a cell: all cells but those on which a coefficient acts that 
   CHECK_FALSE(BS::is_same_in_cell(f, 0, f, 1));
   CHECK(BS::is_same_in_cell(f, 1, f, 1));
 }
+} // namespace test_is_same_in_cell

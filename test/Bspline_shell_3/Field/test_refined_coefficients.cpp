@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+namespace test_refined_coefficients {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -75,3 +76,4 @@ TEST_CASE("Refined coefficients: on the same cells, they are what they were")
   const Eigen::VectorXd x = random_coefficients(random, field);
   CHECK((BS::refined_coefficients(field, x, field) == x));
 }
+} // namespace test_refined_coefficients

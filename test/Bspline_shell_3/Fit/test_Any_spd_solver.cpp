@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+namespace test_Any_spd_solver {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -102,3 +103,4 @@ TEST_CASE("SPD solvers: those that measure their residuals are not checked")
   CHECK(status_of(solver) == Solver_status::WRONG_SOLUTION);
   CHECK(status_of(solver, false) == Solver_status::SUCCESS);
 }
+} // namespace test_Any_spd_solver

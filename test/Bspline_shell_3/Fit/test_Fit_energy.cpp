@@ -11,6 +11,7 @@
 #include <functional>
 #include <vector>
 
+namespace test_Fit_energy {
 namespace {
 
 constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL, Term::COEFFICIENTS };
@@ -460,3 +461,4 @@ TEST_CASE("In cell units, the energy does not know how large the mesh is")
     CHECK(e.value(term, x) == Approx(o.value(term, x)).epsilon(1e-5));     // the lattice is rounded to 20 bits
   }
 }
+} // namespace test_Fit_energy

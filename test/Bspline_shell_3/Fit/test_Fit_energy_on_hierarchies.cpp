@@ -12,6 +12,7 @@
 #include <cmath>
 #include <vector>
 
+namespace test_Fit_energy_on_hierarchies {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -405,3 +406,4 @@ TEST_CASE("On leaves of different size, the equations of a part are those of all
     CHECK((parallel_b == b));
   }
 }
+} // namespace test_Fit_energy_on_hierarchies

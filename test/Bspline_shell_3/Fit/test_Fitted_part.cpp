@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_Fitted_part {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -56,3 +57,4 @@ TEST_CASE("Fitted part: the coefficients that act on the cells, and all cells an
   CHECK(part.number_of_cells < field.number_of_cells());
   CHECK(part.number_of_cells > chosen.size());
 }
+} // namespace test_Fitted_part

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_Symmetric_matrix {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -47,3 +48,4 @@ TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding
       CHECK((by_one - lower.selfadjointView<Eigen::Lower>() * y).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
     }
 }
+} // namespace test_Symmetric_matrix

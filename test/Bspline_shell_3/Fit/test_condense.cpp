@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <vector>
 
+namespace test_condense {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -221,3 +222,4 @@ TEST_CASE("Condensed equations of chosen points: the same entries, and none of o
     CHECK(entries > 64);
   }
 }
+} // namespace test_condense

@@ -17,6 +17,7 @@
 #include <set>
 #include <vector>
 
+namespace test_enforce_slopes {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -549,3 +550,4 @@ TEST_CASE("Slopes: coefficients without an equation keep their values")
     else changed += problem.x[u] != before[u];
   CHECK(changed > 10);
 }
+} // namespace test_enforce_slopes

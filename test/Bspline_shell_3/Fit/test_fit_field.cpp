@@ -11,6 +11,7 @@
 #include <functional>
 #include <vector>
 
+namespace test_fit_field {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -313,3 +314,4 @@ TEST_CASE("Cholmod_solver refuses a matrix that is not positive definite")
   CHECK(solver.residual() < 1e-15);
 }
 #endif
+} // namespace test_fit_field

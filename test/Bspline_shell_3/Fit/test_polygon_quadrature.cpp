@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_polygon_quadrature {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -152,3 +153,4 @@ TEST_CASE("Quadrature on polygons: it does not matter where corners begin, and a
   }
   CHECK(most < 1e-14);
 }
+} // namespace test_polygon_quadrature

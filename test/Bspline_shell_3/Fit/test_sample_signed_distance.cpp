@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_sample_signed_distance {
 namespace BS = CGAL::Bspline_shells;
 
 namespace {
@@ -60,3 +61,4 @@ TEST_CASE("samples of the distance: of cells that were there before they are kep
   CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, before, samples).empty());
   CHECK(asked == 0);
 }
+} // namespace test_sample_signed_distance

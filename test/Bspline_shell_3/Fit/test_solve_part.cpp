@@ -11,6 +11,7 @@
 
 #include <vector>
 
+namespace test_solve_part {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -84,3 +85,4 @@ TEST_CASE("Part of the unknowns: a solver that fails changes nothing")
   CHECK(BS::solve_part(solver, system.lower(), system.b, system.chosen, system.blocks, x) == BS::Solver_status::NOT_CONVERGED);
   CHECK((x == system.x));
 }
+} // namespace test_solve_part

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+namespace test_checksum {
 TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a stream")
 {
   BS::Checksum checksum;
@@ -36,3 +37,4 @@ TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a str
   CHECK_FALSE(stopped);
   CHECK(full.checksum() == slow_checksum("1234"));
 }
+} // namespace test_checksum

@@ -18,6 +18,7 @@
 #include <iterator>
 #include <sstream>
 
+namespace test_read_polygon_mesh {
 using namespace CGAL::Bspline_shells;
 
 namespace {
@@ -494,6 +495,10 @@ TEST_CASE("reading: binary PLY data are read with all their properties, and not 
     CHECK(status("float x", "int") == Shell_status::UNSUPPORTED_FILE);
     CHECK(status("float x", "int64") == Shell_status::UNSUPPORTED_FILE);
     CHECK(status("uchar flag", "int64") == Shell_status::UNSUPPORTED_FILE);
+    std::string shorts = whole;
+    const std::string list = "list int int vertex";
+    shorts.replace(shorts.find(list), list.size(), "list int ushort vertex");
+    CHECK(read("read_binary.ply", shorts, offenders) == Shell_status::UNSUPPORTED_FILE);
     CHECK(status("float x", "list uchar float") == Shell_status::MALFORMED_FILE);
   }
 }
@@ -616,3 +621,4 @@ TEST_CASE("writing: a file appears complete or not at all")
   CHECK(contents(file.name) == "new");
   CHECK_FALSE(write_file("no_such_folder/file", [](std::ostream& out) { out << "new"; return true; }));
 }
+} // namespace test_read_polygon_mesh

@@ -18,6 +18,7 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_read_shell {
 TEST_CASE("files: a shell survives writing and reading, bit by bit")
 {
   const auto check = [](const auto& shell) {
@@ -479,3 +480,4 @@ TEST_CASE("files: reading throws nothing, even from a stream that is set to")
     CHECK((status == Status::SUCCESS) == (size == bytes.size()));
   }
 }
+} // namespace test_read_shell

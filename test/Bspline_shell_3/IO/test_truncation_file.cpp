@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+namespace test_truncation_file {
 namespace {
 
 namespace BSI = CGAL::Bspline_shells::internal;
@@ -67,3 +68,4 @@ TEST_CASE("Truncations that are not valid are not when they are read")
     CHECK_FALSE(written_and_read(nullptr, is_binary));
   }
 }
+} // namespace test_truncation_file

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace test_write_VTU {
 namespace {
 
 typedef boost::property_tree::ptree Tree;
@@ -260,3 +261,4 @@ TEST_CASE("VTU: files are there and complete, or as before")
       CHECK(BS::write_VTU(full, shell, format) == Status::CANNOT_WRITE);
     }
 }
+} // namespace test_write_VTU

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+namespace test_write_certificate {
 namespace {
 
 // all claims being proved
@@ -87,3 +88,4 @@ TEST_CASE("certificates: on cells of different sizes, between thresholds that va
   REQUIRE(certificate.verify(mesh));
   check_text(shell, certificate);
 }
+} // namespace test_write_certificate

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace test_write_shell {
 namespace {
 
 // the uniform cubic B-spline
@@ -190,14 +191,14 @@ TEST_CASE("files: the bytes are where the format says")
 TEST_CASE("files: paths are where the format says, as text and as bytes")
 {
   Shell shell = small_shell();
-  shell.set_path_candidates({ { 3, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
+  shell.set_path_candidates({ { 0, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
   const Lines lines = lines_of(written(shell, Format::ASCII));
-  CHECK(Lines(lines.begin() + 94, lines.end()) == Lines{ "paths 1", "3 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
+  CHECK(Lines(lines.begin() + 94, lines.end()) == Lines{ "paths 1", "0 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
   const std::string bytes = written(shell, Format::BINARY);
   const std::size_t paths = 140 + 80 * 8 + 3 * 16 + 3 * 8;
   REQUIRE(bytes.size() == paths + 8 + 56 + 6 * 4 + 8);
   CHECK(at<std::uint64_t>(bytes, paths) == 1);
-  CHECK(at<std::uint64_t>(bytes, paths + 8) == 3);
+  CHECK(at<std::uint64_t>(bytes, paths + 8) == 0);
   CHECK(at<double>(bytes, paths + 16) == 0.5);
   CHECK(at<double>(bytes, paths + 56) == 1e-3);
   // and they are read as they are written
@@ -209,6 +210,9 @@ TEST_CASE("files: paths are where the format says, as text and as bytes")
   }
   shell.set_path_candidates({ { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
   std::ostringstream out;
+  CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
+  // a component without a path
+  shell.set_path_candidates({ { 1, 0, { 0, 0, 0 }, { 1, 0, 0 } } });
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
 }
 
@@ -334,3 +338,4 @@ TEST_CASE("files: they are there and complete, or as before")
       CHECK(BS::write_shell(out, shell, format) == Status::CANNOT_WRITE);
     }
 }
+} // namespace test_write_shell

@@ -18,6 +18,7 @@
 #include <memory>
 #include <unordered_map>
 
+namespace test_Input_mesh_3 {
 namespace {
 
 using CGAL::Bspline_shells::Input_mesh_3;
@@ -634,7 +635,7 @@ TEST_CASE("Cores have the facets that they are parts of, and discs have none")
 TEST_CASE("A tip that another facet pierces is refused, even if self-intersections are tolerated")
 {
   // the tip is beyond the disc: the truncated mesh does not intersect itself
-  Mesh mesh = pyramid(4, 1);
+  Mesh mesh = ::pyramid(4, 1);
   const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0) }, false);
   mesh = both(mesh, box(Point_3(-0.5, -0.5, 0.9), Point_3(0.5, 0.5, 1.5)));
   Input_mesh_3::Tolerated_defects tolerated;
@@ -642,7 +643,7 @@ TEST_CASE("A tip that another facet pierces is refused, even if self-intersectio
   Input_mesh_3 input;
   CHECK(check(input, mesh, tolerated) == Status::SUCCESS);
   CHECK(check_truncated(input, mesh, parts, tolerated) == Status::SELF_INTERSECTION);
-  CHECK(check_truncated(input, pyramid(4, 1), parts, tolerated) == Status::SUCCESS);
+  CHECK(check_truncated(input, ::pyramid(4, 1), parts, tolerated) == Status::SUCCESS);
 }
 
 TEST_CASE("A truncation that does not make a surface of the mesh is refused, with the vertices that it cuts off")
@@ -749,3 +750,4 @@ TEST_CASE("A refusal leaves nothing behind for the next mesh")
   CHECK(input.offending_simplices().vertices.empty());
   CHECK(input.mesh().number_of_faces() == 80);
 }
+} // namespace test_Input_mesh_3

@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Local_gap_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -190,3 +191,4 @@ TEST_CASE("local gaps: a part of a facet has at least the gap of the facet")
     }
   }
 }
+} // namespace test_Local_gap_3

@@ -16,6 +16,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Mesh_signed_distance_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -459,3 +460,4 @@ TEST_CASE("samples of the distance: from a user's oracle")
   CHECK(wrong == 0);
   CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(ball, cells) == samples);
 }
+} // namespace test_Mesh_signed_distance_3

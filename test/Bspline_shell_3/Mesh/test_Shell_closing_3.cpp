@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_Shell_closing_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -223,3 +224,4 @@ TEST_CASE("Closing: a mesh of another type with an edge of the closing is left a
   CHECK(mesh.size_of_border_edges() == 4);
   CHECK(mesh.is_valid());
 }
+} // namespace test_Shell_closing_3

@@ -18,6 +18,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Shell_truncation_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -625,3 +626,4 @@ TEST_CASE("A truncation that is not valid leaves every mesh as it is")
   CHECK(truncated->patches == 0);
   CHECK(is_equal(mesh, pyramid(4, 1)));
 }
+} // namespace test_Shell_truncation_3

@@ -16,6 +16,7 @@
 #include <set>
 #include <vector>
 
+namespace test_clip_mesh_to_cells {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -583,3 +584,4 @@ TEST_CASE("clipped mesh: the number of pieces is foretold to within a factor of 
     CHECK(estimate <= 2 * pieces);
   }
 }
+} // namespace test_clip_mesh_to_cells

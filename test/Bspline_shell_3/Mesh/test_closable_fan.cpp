@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_closable_fan {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -103,3 +104,4 @@ TEST_CASE("Fans: a mesh with a spiral at its border is not closable, and the fac
   CHECK(closed.offending_facets.size() == 24);
   CHECK_FALSE(closed.closing);
 }
+} // namespace test_closable_fan

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_copy_in_morton_order {
 namespace {
 
 namespace BSI = CGAL::Bspline_shells::internal;
@@ -219,3 +220,4 @@ TEST_CASE("A mesh whose copy has more elements than 32 bits can number is recogn
   check(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), 18);
   check(sheet({ 0, 1, 2 }, { 0, 1 }, [](double, double) { return 0.; }), 9);
 }
+} // namespace test_copy_in_morton_order

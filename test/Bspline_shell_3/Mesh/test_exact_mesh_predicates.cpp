@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+namespace test_exact_mesh_predicates {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -283,3 +284,4 @@ TEST_CASE("Fan winding: an axis in the plane of a facet is faced by none, one ju
     CHECK(BS::link_winding_number(apex, apex - back - Vector_3(0, 0, 1e-12), link) == 0);
   }
 }
+} // namespace test_exact_mesh_predicates

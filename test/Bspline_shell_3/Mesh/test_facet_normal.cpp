@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+namespace test_facet_normal {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -94,3 +95,4 @@ TEST_CASE("Facet normals: the other side for the other order of corners, also wh
     check(p, q, r);
   }
 }
+} // namespace test_facet_normal

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_intersecting_facets {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -183,3 +184,4 @@ TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with an
     CHECK(found<CGAL::Sequential_tag>(extreme, unlimited, 150) == of_all_pairs(extreme));
   }
 }
+} // namespace test_intersecting_facets

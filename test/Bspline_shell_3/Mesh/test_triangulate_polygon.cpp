@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_triangulate_polygon {
 namespace BS = CGAL::Bspline_shells;
 
 namespace {
@@ -144,3 +145,4 @@ TEST_CASE("Polygons: those that cannot be triangulated come back as triangles al
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { -1, -1, 0 } } };
   for(const auto& polygon : polygons) CHECK(BS::triangulate_polygon(polygon).size() == polygon.size() - 2);
 }
+} // namespace test_triangulate_polygon

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+namespace test_Curve_error {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -110,3 +111,4 @@ TEST_CASE("Curve error: curves are traced again until the tolerance is kept, and
   CHECK(BS::internal::keep_tolerance(1e-9, result, [](double, Result&) { return Flow_status::LEAVES_SHELL; })
         == Flow_status::LEAVES_SHELL);
 }
+} // namespace test_Curve_error

@@ -15,6 +15,7 @@
 #include <limits>
 #include <string>
 
+namespace test_Gradient_flow_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -511,3 +512,4 @@ TEST_CASE("Gradient flow: points of any kind are starts, and the result does not
   CHECK(flow.trace(Exact::Point_3(0.75, 0.5, 0.25), 0.1).point == expected.point);
   CHECK(flow.trace(Vector(0.75, 0.5, 0.25), 0.1).point == expected.point);
 }
+} // namespace test_Gradient_flow_3

@@ -13,6 +13,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Projection_facets_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -104,3 +105,4 @@ TEST_CASE("Projection facets: boxes meet the facets whose boxes they meet, lines
     CHECK(passed == 300);
   }
 }
+} // namespace test_Projection_facets_3

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_Projection_target_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -126,3 +127,4 @@ TEST_CASE("Tips of meshes with lazy coordinates are found by the rounded coordin
     CHECK((target.traced_vertices()[std::size_t(v)] == p) == !is_cut);
   }
 }
+} // namespace test_Projection_target_3

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+namespace test_Shell_map_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -209,3 +210,4 @@ TEST_CASE("Shell map: the differential between homothetic spheres is the homothe
     }
   }
 }
+} // namespace test_Shell_map_3

@@ -18,6 +18,7 @@
 #include <memory>
 #include <set>
 
+namespace test_Shell_projection_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -663,3 +664,4 @@ TEST_CASE("Projection: the differential is that of finite differences within a f
   }
   CHECK(checked > 300);
 }
+} // namespace test_Shell_projection_3

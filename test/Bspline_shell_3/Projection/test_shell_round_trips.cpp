@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_shell_round_trips {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -181,3 +182,4 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
   }
   CHECK(met >= 60);          // more where edges are met
 }
+} // namespace test_shell_round_trips

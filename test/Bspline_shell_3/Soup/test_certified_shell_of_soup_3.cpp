@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+namespace test_certified_shell_of_soup_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -206,3 +207,4 @@ TEST_CASE("Front door: parameters that make no sense, and visitors who stop, end
   CHECK(canceled.mesh_status == BS::Shell_status::CANCELED);
   CHECK_FALSE(canceled);
 }
+} // namespace test_certified_shell_of_soup_3

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_repair_soup {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -146,3 +147,4 @@ TEST_CASE("Repair: components are turned inside out until they bound a volume")
   Mesh open = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   CHECK_FALSE(BS::orient_components(open));
 }
+} // namespace test_repair_soup

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_soup_proxy_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -412,3 +413,4 @@ TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, 
   CHECK_FALSE(none);
   CHECK_FALSE(none.is_certified());
 }
+} // namespace test_soup_proxy_3

@@ -16,6 +16,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Bernstein_bounds {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -365,3 +366,4 @@ TEST_CASE("Bounds: a field on a cell has the cell's radius; thresholds are subtr
   CHECK(two.max - two.min < 1e-12);
   CHECK(g.radius < 100 * eps);
 }
+} // namespace test_Bernstein_bounds

@@ -14,6 +14,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_Bernstein_forms {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -234,3 +235,4 @@ TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest c
     for(int m = 0; m < 55; ++m) check(t[m], td[m], ti[m]);
   }
 }
+} // namespace test_Bernstein_forms

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+namespace test_Cubic_bspline {
 namespace {
 
 typedef CGAL::Exact_rational Rational;
@@ -170,3 +171,4 @@ TEST_CASE("B-splines: doubles are rounded rationals, intervals contain them")
     }
   }
 }
+} // namespace test_Cubic_bspline

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+namespace test_coefficient_lines {
 TEST_CASE("Along each axis, every coefficient is on one line, and its neighbors on it differ in that coordinate alone")
 {
   std::array<std::array<int, 64>, 3> times = {};
@@ -27,3 +28,4 @@ TEST_CASE("Along each axis, every coefficient is on one line, and its neighbors 
   CHECK(std::is_sorted(axes.begin(), axes.end()));        // one axis after the other
   CHECK(axes.size() == 48);
 }
+} // namespace test_coefficient_lines

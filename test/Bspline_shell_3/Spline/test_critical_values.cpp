@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_critical_values {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -236,3 +237,4 @@ TEST_CASE("Values at critical points: the center of a function that is scaled by
     }
   }
 }
+} // namespace test_critical_values

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 
+namespace test_is_positive_on_triangle {
 namespace {
 
 typedef std::array<double, 3> Numbers;
@@ -110,3 +111,4 @@ TEST_CASE("What is no number, and no positive value at a corner, is not positive
   CHECK(is_positive_on_triangle({ 1e300, 1e300, 1e300 }, { 5e300, 5e300, 5e300 }));
   CHECK_FALSE(is_positive_on_triangle({ 1e300, 1e300, 1e300 }, { 7e300, 7e300, 7e300 }));
 }
+} // namespace test_is_positive_on_triangle

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+namespace test_Invalid_parameter {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -72,3 +73,4 @@ TEST_CASE("Invalid parameters: the first one is kept, and is the message of the 
   CHECK(message(BS::Shell_status::INVALID_PARAMETER, parameter) == message(parameter));
   CHECK(message(BS::Shell_status::EMPTY_MESH, parameter) == message(BS::Shell_status::EMPTY_MESH));
 }
+} // namespace test_Invalid_parameter

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
+namespace test_Run {
 namespace BS = CGAL::Bspline_shells;
 using BS::internal::Run;
 typedef Run::End End;
@@ -150,3 +151,4 @@ TEST_CASE("Runs: a visitor without go_on() is never asked")
   REQUIRE(BS::internal::Go_on<BS::Default_shell_visitor>::of(visitor));
   CHECK(BS::internal::Go_on<BS::Default_shell_visitor>::of(visitor)());
 }
+} // namespace test_Run

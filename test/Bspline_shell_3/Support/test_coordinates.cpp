@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+namespace test_coordinates {
 using CGAL::Bspline_shells::internal::rounded;
 using CGAL::Bspline_shells::internal::rounded_coordinates;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
@@ -56,3 +57,4 @@ TEST_CASE("Points have three rounded coordinates")
   const Lazy_kernel::Point_3 p((Lazy(0.1) + large) - large, Lazy(0.2), Lazy(1) / Lazy(3));
   CHECK(rounded_coordinates(p) == std::array<double, 3>{ 0.1, 0.2, CGAL::to_double(CGAL::Exact_rational(1) / 3) });
 }
+} // namespace test_coordinates

@@ -19,6 +19,7 @@
 #include <memory>
 #include <type_traits>
 
+namespace test_dangling_references {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -77,3 +78,4 @@ TEST_CASE("Temporaries are refused where references are kept")
 {
   SUCCEED("The assertions above hold when this file is compiled.");
 }
+} // namespace test_dangling_references

@@ -13,6 +13,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_for_each_point {
 namespace BSI = CGAL::Bspline_shells::internal;
 typedef std::array<double, 3> Point;
 
@@ -74,3 +75,4 @@ TEST_CASE("Points in order: a visitor stops it")
   CHECK(met >= 30000);
   CHECK(met < points.size());
 }
+} // namespace test_for_each_point

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_morton_order {
 namespace BSI = CGAL::Bspline_shells::internal;
 typedef std::array<double, 3> Point;
 
@@ -69,3 +70,4 @@ TEST_CASE("Morton order: threads do not matter")
   for(int n = 0; n < 50000; ++n) points.push_back(Point(points[std::size_t(n)]));
   CHECK(order<CGAL::Sequential_tag>(points) == order<CGAL::Parallel_if_available_tag>(points));
 }
+} // namespace test_morton_order

@@ -29,6 +29,7 @@
 #include <string>
 #include <vector>
 
+namespace test_extract_level_set {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -544,3 +545,4 @@ TEST_CASE("Level set: every status has a message")
                              Level_set_status::LEVEL_SET_LEAVES_CELLS })
     CHECK_FALSE(std::string(CGAL::Bspline_shells::message(s)).empty());
 }
+} // namespace test_extract_level_set

@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_extract_shell_surface {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -247,3 +248,4 @@ TEST_CASE("Surfaces of a shell: several threads make the same mesh, which is add
   CHECK(check_closed_manifold(one) == 4);
 }
 #endif
+} // namespace test_extract_shell_surface

@@ -18,6 +18,7 @@
 #include <string>
 #include <utility>
 
+namespace test_transfer_attributes {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -573,3 +574,4 @@ TEST_CASE("Transfer: one thread and several give the same, bit by bit")
   BS::average_vertex_attribute<CGAL::Parallel_tag>(map, d, two);
   CHECK(compare() == 0);
 }
+} // namespace test_transfer_attributes

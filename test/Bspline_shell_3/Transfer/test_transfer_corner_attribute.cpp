@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 
+namespace test_transfer_corner_attribute {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -170,3 +171,4 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   for(auto f : quads.faces())
     for(auto h : quads.halfedges_around_face(quads.halfedge(f))) CHECK(on_quads[h] == Point_2(-2, -2));
 }
+} // namespace test_transfer_corner_attribute

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_transfer_tangent_vectors {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -309,3 +310,4 @@ TEST_CASE("Tangent vectors: what does not arrive is named, and the number of thr
         == outside.number_of_vertices());
   for(Vertex p : outside.vertices()) CHECK(at_outside[p] == missing);
 }
+} // namespace test_transfer_tangent_vectors

@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+namespace test_Disc_search {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -88,3 +89,4 @@ TEST_CASE("Parts of the sphere replace tips, too")
   }
   CHECK(found > 30);
 }
+} // namespace test_Disc_search

@@ -17,6 +17,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_truncate_mesh {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -217,3 +218,4 @@ TEST_CASE("Truncation does not depend on scale, rotation and threads")
   CHECK(parallel->cut_facets() == sequential->cut_facets());
 #endif
 }
+} // namespace test_truncate_mesh

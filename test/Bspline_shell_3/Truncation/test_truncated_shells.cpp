@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+namespace test_truncated_shells {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -379,3 +380,4 @@ TEST_CASE("An open mesh with a singular vertex is closed and truncated")
   CHECK(read.closing());
   CHECK(Certificate(read).verify(mesh));
 }
+} // namespace test_truncated_shells

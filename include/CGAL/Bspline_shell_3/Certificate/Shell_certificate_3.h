@@ -27,7 +27,6 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
-#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/FPU.h>
@@ -107,11 +106,7 @@ public:
     m_bounds = bounds ? std::move(bounds) : shell.cell_bounds();
     m_closing = shell.closing();
     m_truncation = shell.truncation();
-    const Certificate_report& report = shell.report().certificate;
-    m_proved = { shell.proved_cover(), report.covers, report.least_gradient, report.greatest_gradient };
-    m_is_shell_certified = shell.is_certified();
-    m_shell_paths = m_is_shell_certified ? shell.component_paths() : shell.path_candidates();
-    m_are_paths_proved = m_is_shell_certified;
+    reuse_certificate_of(shell);
   }
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&,
                                std::shared_ptr<const Bounds> = nullptr) = delete;
@@ -144,6 +139,20 @@ public:
   /// \param input the mesh; not null
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   bool verify(std::shared_ptr<const Input_mesh_3> input);
+
+  /// Certifies the shell, as `Bspline_shells::certify()` describes it, with the mesh that was verified last. Returns
+  /// `false`, and leaves the shell as it is, if the mesh is not certified.
+  /// \pre `shell` is the one that this object was constructed with
+  bool certify(Bspline_shell_3<Field, Threshold>& shell)
+  {
+    CGAL_precondition(m_is_of_shell && &shell.field() == m_field);
+    if(!is_certified()) return false;
+    shell.set_certificate(m_report);
+    shell.set_cell_bounds(m_bounds);
+    shell.set_proved_cover(m_cover->boxes());
+    reuse_certificate_of(shell);
+    return true;
+  }
 
   /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
   /// components of the shell. Undecided if one of them is not certified, if their field objects or thresholds differ,
@@ -224,6 +233,14 @@ private:
   typedef typename Field::Point_3 Point_3;
   typedef Triangle_mesh::Face_index Face_index;
   typedef Triangle_mesh::Vertex_index Vertex_index;
+
+  void reuse_certificate_of(const Bspline_shell_3<Field, Threshold>& shell)
+  {
+    const Certificate_report& report = shell.report().certificate;
+    m_proved = { shell.proved_cover(), report.covers, report.least_gradient, report.greatest_gradient };
+    m_is_shell_certified = m_are_paths_proved = shell.is_certified();
+    m_shell_paths = m_is_shell_certified ? shell.component_paths() : shell.path_candidates();
+  }
 
   // what was said of the last mesh; throws nothing
   void unsay()

@@ -319,6 +319,7 @@ Placement_verdict
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                                              const std::array<Sample, 3>& corners) const
 {
+  internal::Run::poll();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
   for(const Sample& s : corners)

@@ -27,8 +27,7 @@ namespace Bspline_shells {
  * have exactly one component in each component that the shell had when it was written. Everything is proved from the
  * field and the thresholds: the file's paths tell which components to ask for, and are proved first.
  *
- * If a claim is not proved, a certified shell is left as it is. Other shells get the report, whose witnesses name the
- * places, and stay not certified.
+ * If a claim is not proved, the shell is left as it is; the witnesses of the certificate name the places.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`
@@ -47,11 +46,8 @@ Shell_certificate_3<Field, Threshold> certify(Bspline_shell_3<Field, Threshold>&
                                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   Shell_certificate_3<Field, Threshold> certificate(shell);
-  const bool is_certified = certificate.template verify<ConcurrencyTag>(mesh, np);
-  if(certificate.status() != Shell_status::SUCCESS || (shell.is_certified() && !is_certified)) return certificate;
-  shell.set_certificate(certificate.report());
-  shell.set_cell_bounds(certificate.bounds());
-  if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
+  certificate.template verify<ConcurrencyTag>(mesh, np);
+  certificate.certify(shell);
   return certificate;
 }
 

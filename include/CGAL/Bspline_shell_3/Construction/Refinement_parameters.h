@@ -6,13 +6,17 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
 
-#include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
+#include <CGAL/Bspline_shell_3/Fit/Energy_weights.h>
 
 #include <cstddef>
 #include <limits>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Construction
+/// the largest number of root cells per longest side of a mesh's box that `choose_resolution()` chooses
+constexpr double finest_resolution = 30;
 
 /*!
  * \ingroup PkgBsplineShell3Construction

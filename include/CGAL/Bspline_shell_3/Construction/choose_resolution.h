@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
@@ -67,10 +68,6 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
   shares.folded /= double(all);
   return shares;
 }
-
-/// \ingroup PkgBsplineShell3Construction
-/// root cells per longest side of a mesh's box, where no other number is asked for: the most
-constexpr double finest_resolution = 30;
 
 /*!
  * \ingroup PkgBsplineShell3Construction

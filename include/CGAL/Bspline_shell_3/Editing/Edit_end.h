@@ -34,7 +34,7 @@ inline const char* message(Edit_end end)
     case Edit_end::STOP_PREDICATE:
       return "The stop predicate ended the edit.";
     case Edit_end::SHELL:
-      return "The shell allows no more: ask for a thicker shell to go on.";
+      return "The shell rejects what would lead further: ask for a thicker shell.";
     case Edit_end::FILTER:
       return "The filter allows no more.";
     case Edit_end::MESH:

@@ -24,6 +24,7 @@ enum class Edit_status
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
+  NOT_CLOSABLE,          ///< the mesh has the border of the shell, but also an edge of the shell's closing
   NOT_IN_SHELL,          ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
   NOT_CERTIFIED          ///< no facet was rejected to begin with, but the certificate of the result fails: the report says where
 };
@@ -53,8 +54,10 @@ inline const char* message(Edit_status status)
       return "The mesh has no facets, or some that are no triangles: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Edit_status::OPEN_MESH:
       return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
+    case Edit_status::NOT_CLOSABLE:
+      return "The mesh has the border of the shell, but has an edge that the closing of the shell has, too: edit a mesh without it.";
     case Edit_status::NOT_IN_SHELL:
-      return "The listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit "
+      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit "
              "a mesh for which the shell is certified, or leave these facets as they are (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
       return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -83,6 +84,8 @@ read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplic
   try {
     const Shell_status status = internal::read_polygons(file, found, offenders.line);
     if(status != Shell_status::SUCCESS) return status;
+  } catch(const std::bad_alloc&) {
+    throw;
   } catch(const std::exception&) {       // some of CGAL's readers throw on broken files
     return Shell_status::MALFORMED_FILE;
   }

@@ -45,7 +45,8 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
  * \brief writes what proves the claims of a certificate, for an independent program to check: the boxes of the cover with their
  * directions or centers, and the paths that are counted. See \ref BsplineShell3FileFormats.
  *
- * It speaks of the shell's text file (`write_shell()`) and of the certificate's examined mesh, which the caller writes
+ * It names the shell's text file by its checksum. `certify()` may replace the paths in it: write the shell
+ * (`write_shell()`) after that. It also names the certificate's examined mesh, which the caller writes
  * (with 17 digits).
  *
  * \tparam Field, Threshold as for `write_shell()`

@@ -154,8 +154,9 @@ inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std
 template <typename Function>
 inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
 {
+  std::size_t number = 0;
   for(auto first = uses.begin(), last = first; first != uses.end(); first = last) {
-    Run::poll();
+    if(++number % 1024 == 0) Run::poll();
     while(last != uses.end() && last->has_same_edge(*first)) ++last;
     f(first, last);
   }

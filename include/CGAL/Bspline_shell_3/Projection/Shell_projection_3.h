@@ -46,7 +46,7 @@ struct Projected_point
   Point_3 point;                       ///< in user coordinates
   double value = 0;                    ///< of the field at the image: the parameter along the curve
   /// \name Estimated errors
-  /// In user units, to first order; 0 where no curve was traced.
+  /// In user units, to first order; 0 where no curve was traced, NaN where they are not known.
   /// @{
   double error = 0;                    ///< distance from the exact image; at most the tolerance
   /// Distance of the point from the exact curve through the image: how far from it the way back ends, across the curve.

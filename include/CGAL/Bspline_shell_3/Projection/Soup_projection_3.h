@@ -18,6 +18,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -50,7 +51,9 @@ public:
   typedef typename Target::Coordinates Coordinates;
   struct Hint {};         ///< of no use here
 
-  /// as that of `Shell_projection_3`
+  /// as that of `Shell_projection_3`, but for the tolerance
+  /// \param tolerance of the steps along a curve. What their errors amount to where curves diverge is not estimated:
+  ///        `Projected_point::error` and `Projected_point::error_of_way_back` are NaN.
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target))
     , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
@@ -86,6 +89,7 @@ public:
     image.location = { m_target->face_of(hit.facet), hit.barycentric };
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
+    image.error = image.error_of_way_back = std::numeric_limits<double>::quiet_NaN();
     return image;
   }
 

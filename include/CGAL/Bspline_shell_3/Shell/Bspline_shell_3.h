@@ -111,12 +111,14 @@ public:
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
-    const bool is_refined = m_report.refinement != Bspline_shells::Refinement_status::NOT_REFINED;
-    if(is_certified()) return is_refined ? Bspline_shells::message(m_report.refinement) : "There is a certified shell.";
-    if(!is_refined) return Bspline_shells::message(status());
-    return m_report.refinement == Bspline_shells::Refinement_status::LIMIT_REACHED
-         ? "There is a shell that contains the mesh, but it is not certified: a limit of time, memory or rounds was reached. The report has "
-           "the places."
+    typedef Bspline_shells::Refinement_status Refinement_status;
+    const Refinement_status refinement = m_report.refinement;
+    if(is_certified())
+      return refinement == Refinement_status::CERTIFIED ? Bspline_shells::message(refinement) : "There is a certified shell.";
+    if(refinement == Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
+    return refinement == Refinement_status::LIMIT_REACHED
+         ? "There is a shell that contains the mesh, but it is not certified: a limit of memory, effort or rounds was reached. The report "
+           "has the places."
          : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The report has the places.";
   }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
@@ -150,14 +152,15 @@ public:
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
   void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
 
-  /// Takes over the report of a certificate of a mesh in this shell. If it is certified, so is the shell, and its
-  /// components are those of the mesh: `Bspline_shells::certify()` does this.
-  /// \pre the claims of the report are proved
+  /// Certifies the shell with the report of a certificate of a mesh in it. Its components are those of the mesh.
+  /// `Bspline_shells::certify()` does this.
+  /// \pre all claims of the report are proved, for this field and these thresholds
   void set_certificate(Bspline_shells::Certificate_report report)
   {
+    CGAL_precondition(report.are_all_proved());
     m_report.certificate = std::move(report);
     m_cover.reset();
-    if(is_certified()) m_path_candidates.clear();
+    m_path_candidates.clear();
   }
 
   /// the boxes of the cover by which it was proved, when the shell was certified, that it has no critical point:

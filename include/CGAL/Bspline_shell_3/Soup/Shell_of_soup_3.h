@@ -116,7 +116,7 @@ struct Shell_of_soup_3
   std::string message() const
   {
     if(proxy) return proxy->message();
-    if(internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status, invalid_parameter);
+    if(!shell() && internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status, invalid_parameter);
     return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
   }
 };

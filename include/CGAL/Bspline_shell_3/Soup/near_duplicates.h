@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SOUP_NEAR_DUPLICATES_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -44,33 +45,35 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
   const double distance = near_duplicate_distance * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   if(!(distance > 0)) return 0;
 
-  // Cells have twice the distance as their width, so that at most eight are near a point.
-  const auto cell_at = [&](std::size_t v, const std::array<double, 3>& shift) {
-    Cell cell;
-    for(int a = 0; a < 3; ++a)
-      cell[a] = static_cast<std::int64_t>(
-        std::floor((points[v][a] - box.min_coord(a) + shift[a] * distance) / (2 * distance)));
-    return cell;
-  };
+  // Cells are as wide as the distance: points in one cell are near each other, and others are near in adjacent cells only.
   std::vector<std::pair<Cell, std::size_t> > entries(points.size());
-  for(std::size_t v = 0; v < points.size(); ++v) entries[v] = { cell_at(v, { 0, 0, 0 }), v };
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    Cell& cell = entries[v].first;
+    for(int a = 0; a < 3; ++a) cell[a] = static_cast<std::int64_t>(std::floor((points[v][a] - box.min_coord(a)) / distance));
+    entries[v].second = v;
+  }
   std::sort(entries.begin(), entries.end());
 
-  const auto has_neighbor = [&](std::size_t v) {
-    const Cell first = cell_at(v, { -1, -1, -1 }), last = cell_at(v, { 1, 1, 1 });
-    for(Cell c = first; c[0] <= last[0]; ++c[0])
-      for(c[1] = first[1]; c[1] <= last[1]; ++c[1])
-        for(c[2] = first[2]; c[2] <= last[2]; ++c[2])
-          for(auto e = std::lower_bound(entries.begin(), entries.end(), std::make_pair(c, std::size_t(0)));
-              e != entries.end() && e->first == c; ++e) {
-            bool is_near = e->second != v;
-            for(int a = 0; a < 3; ++a) is_near = is_near && std::abs(points[v][a] - points[e->second][a]) < distance;
-            if(is_near) return true;
-          }
+  const auto has_neighbor = [&](const std::pair<Cell, std::size_t>& lone) {
+    const auto& p = points[lone.second];
+    for(int n = 0; n < 27; ++n) {
+      const Cell c = { lone.first[0] + n % 3 - 1, lone.first[1] + n / 3 % 3 - 1, lone.first[2] + n / 9 - 1 };
+      for(auto e = std::lower_bound(entries.begin(), entries.end(), std::make_pair(c, std::size_t(0)));
+          e != entries.end() && e->first == c; ++e) {
+        bool is_near = e->second != lone.second;
+        for(int a = 0; a < 3; ++a) is_near = is_near && std::abs(p[a] - points[e->second][a]) < distance;
+        if(is_near) return true;
+      }
+    }
     return false;
   };
+  // A cell with many points is searched for the lone points of its 26 neighbors only: the cost stays linear.
   std::size_t number = 0;
-  for(std::size_t v = 0; v < points.size(); ++v) number += has_neighbor(v);
+  for(std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    if(begin % 1024 == 0) internal::Run::poll();
+    while(end < entries.size() && entries[end].first == entries[begin].first) ++end;
+    number += end - begin > 1 ? end - begin : std::size_t(has_neighbor(entries[begin]));
+  }
   return number;
 }
 

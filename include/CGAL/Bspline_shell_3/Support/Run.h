@@ -41,7 +41,7 @@ public:
   {
     constexpr double forever = 1e9;       // seconds; more may overflow
     if(max_seconds < forever)
-      m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(max_seconds));
+      m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((std::max)(0., max_seconds)));
     if(const Run* outer = current()) {
       m_deadline = (std::min)(m_deadline, outer->m_deadline);
       if(!m_go_on && outer->m_thread == m_thread) m_go_on = outer->m_go_on;

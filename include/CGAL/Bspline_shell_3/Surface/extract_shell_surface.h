@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_SHELL_SURFACE_H
 #define CGAL_BSPLINE_SHELL_3_SURFACE_EXTRACT_SHELL_SURFACE_H
 
+#include <CGAL/Bspline_shell_3/Mesh/facet_crossing.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -15,15 +16,21 @@
 #include <CGAL/Bspline_shell_3/Surface/internal/Shell_cells.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Soup_components.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/tags.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -45,28 +52,63 @@ std::array<double, 3> crossing_of_path(const Field& field, const Threshold& thre
   return middle;
 }
 
-inline std::size_t nearest_point(const std::array<double, 3>& p, const std::vector<std::array<double, 3> >& points)
-{
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for(std::size_t n = 0; n < points.size(); ++n) {
-    double squared = 0;
-    for(int a = 0; a < 3; ++a) squared += (points[n][a] - p[a]) * (points[n][a] - p[a]);
-    if(squared < least) { least = squared; nearest = n; }
-  }
-  return nearest;
-}
-
-// Keeps the components nearest to where paths pass the threshold. False if several paths lead to the same one.
+// Keeps the components of a soup that paths pass, from the back to the front: where the path passes the threshold, or
+// nearest to that. Returns `false` if a path passes none, or two paths pass the same one.
 template <typename Field, typename Threshold>
 bool keep_components_on_paths(const Field& field, const Threshold& threshold, const std::vector<Crossing_path>& paths,
                               std::vector<Soup_components::Point>& points,
                               std::vector<Soup_components::Triangle>& triangles)
 {
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  struct Box : Box_intersection_d::Box_d<double, 3>
+  {
+    Box(const Bbox_3& b, std::size_t n) : Box_intersection_d::Box_d<double, 3>(b), number(n) {}
+    std::size_t number;
+  };
+  struct Passed
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    std::size_t triangle = 0;
+  };
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
+  const auto corners = [&](std::size_t n) {
+    return std::array<Point_3, 3>{ point(points[triangles[n][0]]), point(points[triangles[n][1]]), point(points[triangles[n][2]]) };
+  };
+  // Triangles are not exactly on the level, and may be beyond the ends of a path: so paths are made three times as long.
+  std::vector<std::array<Point_3, 2> > lines;
+  std::vector<Point_3> crossings;
+  std::vector<Box> segments, boxes;
+  Bbox_3 all;
+  for(const Crossing_path& path : paths) {
+    const Point_3 p = point(path.source), q = point(path.target);
+    lines.push_back({ p - (q - p), q + (q - p) });
+    crossings.push_back(point(crossing_of_path(field, threshold, path)));
+    segments.emplace_back(lines.back()[0].bbox() + lines.back()[1].bbox(), segments.size());
+    all += segments.back().bbox();
+  }
+  for(std::size_t n = 0; n < triangles.size(); ++n) {
+    const std::array<Point_3, 3> t = corners(n);
+    const Bbox_3 box = t[0].bbox() + t[1].bbox() + t[2].bbox();
+    if(do_overlap(box, all)) boxes.emplace_back(box, n);
+  }
+  std::vector<Passed> passed(paths.size());
+  CGAL::box_intersection_d(segments.begin(), segments.end(), boxes.begin(), boxes.end(), [&](const Box& s, const Box& b) {
+    const std::array<Point_3, 3> t = corners(b.number);
+    const std::array<Point_3, 2>& line = lines[s.number];
+    const std::optional<int> crossing = facet_crossing(line[0], line[1], t[0], t[1], t[2]);
+    if(crossing && *crossing != 1) return;
+    const auto normal = CGAL::normal(t[0], t[1], t[2]);
+    const double distance = std::abs(normal * (t[0] - crossings[s.number]) / (normal * (line[1] - line[0])));
+    Passed& best = passed[s.number];
+    if(distance < best.distance || (distance == best.distance && b.number < best.triangle)) best = { distance, b.number };
+  });
+
   Soup_components components(points.size(), triangles);
   std::vector<char> is_kept(points.size(), 0);
-  for(const Crossing_path& path : paths) {
-    char& is_known = is_kept[components.component(nearest_point(crossing_of_path(field, threshold, path), points))];
+  for(const Passed& p : passed) {
+    if(!(p.distance < std::numeric_limits<double>::infinity())) return false;
+    char& is_known = is_kept[components.component(triangles[p.triangle][0])];
     if(is_known) return false;
     is_known = 1;
   }
@@ -101,12 +143,13 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  * \param out the mesh, to which the surface is added; unchanged if there is none to add
  * \param np optional named parameters:
  *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2. It is doubled, up to 16, until the
- *     surfaces of all components are apart
+ *     surfaces of all components are apart. Handles that are thinner than subcells may be missing, or be too many:
+ *     where their number matters, ask for more subcells.
  *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
  *
  * \return whether there is a mesh, or why not
  * \pre there is a shell; `subdivision_ratio` is at least 1 and at most 256
- * \cgalHeading{Cost} that of `extract_level_set()`, and for each component of the shell one look at every vertex
+ * \cgalHeading{Cost} that of `extract_level_set()`, and that of `CGAL::box_intersection_d()` for components and triangles
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Field, typename Threshold, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -135,7 +178,11 @@ Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& 
   const auto is_selected = [&](typename Cells::Index c) { return cells.is_selected(c); };
   std::vector<typename Soup::Point> points;
   std::vector<typename Soup::Triangle> triangles;
+  // subcells of cells with the surface, at most: beyond that, memory and time would be more than those of the shell
+  constexpr double most_subcells = 1 << 28;
   constexpr int finest = 16;
+  double selected = 0;
+  for(std::size_t c = 0; c < cells.number_of_cells(); ++c) selected += is_selected(typename Cells::Index(c));
   for(int n = ratio; ; n *= 2) {
     const Level_set_status status
       = Soup::template extract<ConcurrencyTag>(cells, n, is_selected, false, points, triangles);
@@ -144,7 +191,7 @@ Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& 
     if(is_found && (!shell.is_certified() ||
                     internal::keep_components_on_paths(shell.field(), threshold, shell.report().certificate.paths,
                                                        points, triangles))) break;
-    if(2 * n > finest) return is_found ? Level_set_status::LEVEL_SET_UNRESOLVED : status;
+    if(2 * n > finest || selected * std::pow(2 * n, 3) > most_subcells) return is_found ? Level_set_status::LEVEL_SET_UNRESOLVED : status;
   }
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                         CGAL::parameters::vertex_point_map(vpm));

@@ -34,9 +34,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -366,21 +366,24 @@ public:
   template <typename VertexPointMap>
   bool close(const Shell_closing_3& closing, VertexPointMap vpm)
   {
-    m_attached = closing.attach(m_mesh, vpm);
-    return bool(m_attached);
+    auto attached = closing.attach(m_mesh, vpm);
+    if(!attached) return false;
+    m_attached = std::move(*attached);
+    return true;
   }
-  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const { return m_attached->faces; }
+  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const { return m_attached.faces; }
   void open()
   {
-    if(m_attached) Shell_closing_3::detach(m_mesh, *m_attached);
-    m_attached.reset();
+    Shell_closing_3::detach(m_mesh, m_attached);
+    forget();
   }
   // the mesh is another one
-  void forget() { m_attached.reset(); }
+  void forget() { m_attached = Attached(); }
 
 private:
+  typedef Shell_closing_3::Attached<TriangleMesh> Attached;
   TriangleMesh& m_mesh;
-  std::optional<Shell_closing_3::Attached<TriangleMesh> > m_attached;
+  Attached m_attached;        // nothing if the mesh is as it was
 };
 
 // Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they are.
@@ -455,7 +458,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     if(is_truncated) result.frozen_facets_before = truncated.facets_before(mesh, result.frozen_facets_before);
 
     if(!CGAL::is_closed(mesh)) {
-      if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::OPEN_MESH);      // an edge of the mesh is one of the closing, too
+      if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::NOT_CLOSABLE);
       for(auto f : closed.faces()) frozen.close(f);
     }
     const Edit_status edited = edit(oracle, frozen, all);
@@ -487,6 +490,9 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
+  } catch(...) {      // of the caller's functions, or no memory
+    undone(Edit_status::NOT_CERTIFIED);
+    throw;
   }
 }
 

@@ -23,7 +23,8 @@ inline void join_continued_lines(std::string& text)
 {
   for(std::size_t begin = 0, end; (end = text.find('\n', begin)) != text.npos; begin = end + 1) {
     const std::size_t last = end - (end > begin && text[end - 1] == '\r');
-    if(last == begin || text[last - 1] != '\\' || text.find('#', begin) < last) continue;
+    if(last == begin || text[last - 1] != '\\') continue;
+    if(std::string_view(text).substr(begin, last - begin).find('#') != std::string_view::npos) continue;
     text[last - 1] = ' ';
     text[end] = '\v';
   }

@@ -104,13 +104,13 @@ bool is_shell(const Shell& shell)
     if(std::size_t(x->size()) != field.number_of_coefficients() || !std::all_of(x->data(), x->data() + x->size(), is_coefficient))
       return false;
   if(shell.closing() && !shell.closing()->is_valid()) return false;
-  if(shell.closing())
-    for(const Shell_closing_3::Point& p : shell.closing()->points())
-      if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
   if(shell.truncation() && !shell.truncation()->is_valid()) return false;
-  for(const Crossing_path& path : paths_of_file(shell))
+  const std::vector<Crossing_path> paths = paths_of_file(shell);
+  for(const Crossing_path& path : paths) {
+    if(path.component >= paths.size()) return false;      // each component has a path
     for(const auto& p : { path.source, path.target })
       if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
+  }
   const double unit = shell.report().unit;
   return is_range(levels(shell)) && std::isfinite(unit) && unit >= 0
       && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);

@@ -124,6 +124,7 @@ private:
       const double ds = -m_facets->height(hit.facet, x) / dot(m_facets->normal(hit.facet), curve.derivative());
       goal += ds;
       const double sine = this->sine(curve, hit.facet);
+      if(!(sine > 0)) return false;
       if(!(std::abs(ds) * curve.speed() <= curve.crossing_precision(sine))) continue;
       for(int a = 0; a < 3; ++a) x[a] += ds * curve.derivative()[a];
       const auto position = m_facets->position(hit.facet, x);
