@@ -45,11 +45,12 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
   const double distance = near_duplicate_distance * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   if(!(distance > 0)) return 0;
 
-  // Cells are as wide as the distance: points in one cell are near each other, and others are near in adjacent cells only.
+  // Cells are as wide as the distance: points in one cell are near each other. Other near points are in adjacent cells.
   std::vector<std::pair<Cell, std::size_t> > entries(points.size());
   for(std::size_t v = 0; v < points.size(); ++v) {
     Cell& cell = entries[v].first;
-    for(int a = 0; a < 3; ++a) cell[a] = static_cast<std::int64_t>(std::floor((points[v][a] - box.min_coord(a)) / distance));
+    for(int a = 0; a < 3; ++a)
+      cell[a] = static_cast<std::int64_t>(std::floor((points[v][a] - box.min_coord(a)) / distance));
     entries[v].second = v;
   }
   std::sort(entries.begin(), entries.end());
@@ -68,9 +69,9 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
     return false;
   };
   // A cell with many points is searched for the lone points of its 26 neighbors only: the cost stays linear.
-  std::size_t number = 0;
+  std::size_t number = 0, number_of_cells = 0;
   for(std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-    if(begin % 1024 == 0) internal::Run::poll();
+    if(++number_of_cells % 1024 == 0) internal::Run::poll();
     while(end < entries.size() && entries[end].first == entries[begin].first) ++end;
     number += end - begin > 1 ? end - begin : std::size_t(has_neighbor(entries[begin]));
   }
