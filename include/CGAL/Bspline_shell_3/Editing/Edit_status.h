@@ -55,9 +55,10 @@ inline const char* message(Edit_status status)
     case Edit_status::OPEN_MESH:
       return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Edit_status::NOT_CLOSABLE:
-      return "The mesh has the border of the shell, but has an edge that the closing of the shell has, too: edit a mesh without it.";
+      return "The mesh has the border of the shell, but also an edge of the shell's closing: edit a mesh without this edge.";
     case Edit_status::NOT_IN_SHELL:
-      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the wrong way, or the facets at the listed vertices fold through themselves: edit "
+      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the wrong way, "
+             "or the facets at the listed vertices fold through themselves: edit "
              "a mesh for which the shell is certified, or leave these facets as they are (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
       return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "

@@ -73,9 +73,10 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
   const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
   const auto corners = [&](std::size_t n) {
-    return std::array<Point_3, 3>{ point(points[triangles[n][0]]), point(points[triangles[n][1]]), point(points[triangles[n][2]]) };
+    const Soup_components::Triangle& t = triangles[n];
+    return std::array<Point_3, 3>{ point(points[t[0]]), point(points[t[1]]), point(points[t[2]]) };
   };
-  // Triangles are not exactly on the level, and may be beyond the ends of a path: so paths are made three times as long.
+  // Triangles are not exactly on the level and may be beyond the ends of a path: paths are made three times as long.
   std::vector<std::array<Point_3, 2> > lines;
   std::vector<Point_3> crossings;
   std::vector<Box> segments, boxes;

@@ -490,7 +490,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
-  } catch(...) {      // of the caller's functions, or no memory
+  } catch(...) {      // thrown by a function of the caller's, or memory is exhausted
     undone(Edit_status::NOT_CERTIFIED);
     throw;
   }

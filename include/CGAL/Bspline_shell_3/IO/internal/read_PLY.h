@@ -181,7 +181,7 @@ inline Shell_status read_PLY(Text_soup& result)
     if(element.is_facet()) {
       const std::size_t p = element.vertex_indices();
       if(p == element.properties.size() || element.properties[p].count_bytes == 0) return Shell_status::MALFORMED_FILE;
-      // those that CGAL's reader takes
+      // CGAL's reader takes no other type of indices.
       if(!is_text && (element.properties[p].is_real || element.properties[p].value_bytes != 4))
         return Shell_status::UNSUPPORTED_FILE;
     }
