@@ -50,9 +50,8 @@ TEST_CASE("Marked cells: with its neighbors are those of the same size, across f
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
-    BS::Marked_cells marked;
     for(int axes = 0; axes <= 3; ++axes) {
-      marked.begin(cells);
+      BS::Marked_cells marked(cells);
       CHECK(marked.empty());
       std::set<Index> expected;
       for(Index c = 0; c < cells.number_of_cells(); c += 7) {
@@ -80,8 +79,7 @@ TEST_CASE("Marked cells: those that are as small as may be are left out")
   while(cells.number_of_levels() <= cells.max_level()) cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
   const Index smallest = cells.first_leaf(cells.max_level());
   REQUIRE(cells.level(smallest) == cells.max_level());
-  BS::Marked_cells marked;
-  marked.begin(cells);
+  BS::Marked_cells marked(cells);
   marked.mark(smallest);
   marked.mark_widely(smallest);
   CHECK(marked.empty());

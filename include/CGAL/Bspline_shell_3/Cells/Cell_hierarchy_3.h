@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CELLS_CELL_HIERARCHY_3_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 

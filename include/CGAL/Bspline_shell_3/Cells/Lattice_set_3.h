@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CELLS_LATTICE_SET_3_H
 #define CGAL_BSPLINE_SHELL_3_CELLS_LATTICE_SET_3_H
 
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
@@ -165,13 +166,6 @@ private:
   int m_k_min = 0;
   Lattice_point m_least = {}, m_most = {{ -1, -1, -1 }};
 };
-
-/// \ingroup PkgBsplineShell3Cells
-inline void sort_unique(std::vector<std::uint64_t>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
 
 /// \ingroup PkgBsplineShell3Cells
 /// the sum of a set and the cube `[first, last]`\f$^3\f$

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>
@@ -133,8 +134,7 @@ public:
   template <typename ConcurrencyTag>
   void prepare(std::vector<std::uint32_t> cells)
   {
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    sort_unique(cells);
     cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
     constexpr std::size_t chunk = 64;
     const bool is_hopeless = m_undecided >= many_undecided_boxes;

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MARKED_CELLS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -38,27 +39,23 @@ class Marked_cells
 public:
   typedef Cell_hierarchy_3::Index Index;
 
-  /// of other cells, which outlive this object, or the next call
-  void begin(const Cell_hierarchy_3& cells)
-  {
-    m_cells = &cells;
-    m_marked.clear();
-  }
+  /// \pre `cells` outlive this object
+  explicit Marked_cells(const Cell_hierarchy_3& cells) : m_cells(cells) {}
 
   bool empty() const { return m_marked.empty(); }
 
   void mark(Index c)
   {
-    if(m_cells->level(c) < m_cells->max_level()) m_marked.push_back(c);
+    if(m_cells.level(c) < m_cells.max_level()) m_marked.push_back(c);
   }
 
   /// and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
   void mark_widely(Index c, int axes = 3)
   {
-    const Lattice_point p = m_cells->lattice_point(c);
-    visit_around(*m_cells, c, [&](Index n) {
-      if(m_cells->level(n) != m_cells->level(c)) return;
-      const Lattice_point q = m_cells->lattice_point(n);
+    const Lattice_point p = m_cells.lattice_point(c);
+    visit_around(m_cells, c, [&](Index n) {
+      if(m_cells.level(n) != m_cells.level(c)) return;
+      const Lattice_point q = m_cells.lattice_point(n);
       if(int(p[0] != q[0]) + int(p[1] != q[1]) + int(p[2] != q[2]) <= axes) mark(n);
     });
   }
@@ -66,13 +63,12 @@ public:
   /// ascending, each once
   const std::vector<Index>& sorted()
   {
-    std::sort(m_marked.begin(), m_marked.end());
-    m_marked.erase(std::unique(m_marked.begin(), m_marked.end()), m_marked.end());
+    sort_unique(m_marked);
     return m_marked;
   }
 
 private:
-  const Cell_hierarchy_3* m_cells = nullptr;
+  const Cell_hierarchy_3& m_cells;
   std::vector<Index> m_marked;
 };
 

@@ -33,8 +33,10 @@ public:
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
   Refinement_round& round() { return m_rounds.back(); }         ///< the present one
+  /// what time has passed since the last step belongs to none
   Refinement_round& begin_round()
   {
+    m_step.reset();
     m_rounds.emplace_back();
     return m_rounds.back();
   }
@@ -44,8 +46,6 @@ public:
 
   /// time runs from now on
   void start() { m_step.start(); }
-  /// what time has passed since the last step belongs to none
-  void begin_step() { m_step.reset(); }
   /// a step of the present round has ended, and the next one begins
   void end_step(Step step)
   {

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PARAMETERS_H
 
+#include <CGAL/Bspline_shell_3/Construction/Refinement_tuning.h>
 #include <CGAL/Bspline_shell_3/Fit/Energy_weights.h>
 
 #include <cstddef>
@@ -26,6 +27,7 @@ constexpr double finest_resolution = 30;
 struct Refinement_parameters
 {
   Energy_weights weights;
+  Refinement_tuning tuning;
   /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
   double slope_fraction = 0.2;
   /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference

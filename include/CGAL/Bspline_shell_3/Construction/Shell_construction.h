@@ -54,14 +54,13 @@ public:
     return m_run(build, [this](internal::Run::End ended) { return Shell(end(internal::status(ended))); });
   }
 
-  /// ends the last step and begins the next
-  /// \return `false` if the visitor wants to stop
-  bool start(Shell_step step)
+  /// ends the last step and begins the next; ends `run()` if the visitor wants to stop
+  void start(Shell_step step)
   {
     internal::Run::poll();
     end_step();
     m_step = step;
-    return m_start_step(step);
+    if(!m_start_step(step)) m_run.cancel();
   }
 
   /// ends the last step
@@ -92,7 +91,7 @@ public:
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     if(arithmetic_self_test() != Arithmetic_status::SOUND) return Shell_status::UNSOUND_ARITHMETIC;
-    if(!start(Shell_step::CHECK)) return Shell_status::CANCELED;
+    start(Shell_step::CHECK);
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = choose_parameter(get_parameter(np, parameter_tags::allow_self_intersections), false);
     tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
@@ -40,8 +41,7 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
 {
   std::vector<std::uint32_t> cells;
   for(const Threshold_obstacle& o : obstacles) cells.push_back(o.cell);
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  sort_unique(cells);
   return cells;
 }
 
@@ -83,12 +83,10 @@ std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Lev
       }
       if(found.size() == before) found.push_back(o.cell);
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
   };
   std::vector<Index> cells = internal::collect_from_chunks<ConcurrencyTag, Index>(obstacles.size(), chunk, find);
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  sort_unique(cells);
   return cells;
 }
 

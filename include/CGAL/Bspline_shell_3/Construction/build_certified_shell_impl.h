@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_IMPL_H
 
+#include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
 #include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
@@ -43,7 +44,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   Shell_report& report = construction.report();
   const auto stop = [&](Status status) { return Shell(construction.end(status)); };
 
-  if(!construction.start(Shell_step::CELLS)) return stop(Status::CANCELED);
+  construction.start(Shell_step::CELLS);
   const std::shared_ptr<const Input_mesh_3>& input = construction.input();
   const double largest_thickness = parameters.largest_thickness(input->unit());
   const double resolution = parameters.resolution ? *parameters.resolution
@@ -52,7 +53,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   if(!lattice) return stop(Status::GRID_TOO_FINE);
   std::atomic<bool> is_thickness_valid(true);       // several threads ask for it
   double invalid_thickness = 0;                     // written by one of them
-  const typename Refinement::Thickness thickness = [&](const Shell::Point_3& p) -> double {
+  const Refinement_problem::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
     if(t > 0 && std::isfinite(t)) return t;
@@ -79,15 +80,21 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);
-  Refinement refinement(input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance), thickness, parameters.refinement);
+  struct Invalid_thickness {};
+  const Refinement_problem::Start start = [&](Shell_step step) {
+    if(!is_thickness_valid) throw Invalid_thickness();
+    construction.start(step);
+  };
+  Refinement_problem problem(ConcurrencyTag(), input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance), thickness, solver, start,
+                             parameters.refinement);
+  Refinement refinement(problem);
   Refinement_status refined = Refinement_status::NOT_REFINED;
   try {
-    refined = refinement(std::move(cells), solver,
-                         [&](Shell_step step) { return is_thickness_valid && construction.start(step); });
+    refined = refinement(std::move(cells));
   } catch(const internal::Run::Ended&) {
     report.rounds = refinement.rounds();
     throw;
-  }
+  } catch(const Invalid_thickness&) {}
   if(!is_thickness_valid) {
     report.invalid_parameter.check("sizing", invalid_thickness, Parameter_bounds::positive());
     return stop(Status::INVALID_PARAMETER);
@@ -95,7 +102,6 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   report.rounds = refinement.rounds();
   report.refinement = refined;
   if(refined == Refinement_status::LIMIT_REACHED) report.limit = refinement.limit();
-  if(refined == Refinement_status::CANCELED) return stop(Status::CANCELED);
   if(refined == Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
   if(refined == Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);
   report.cells = refinement.field()->number_of_cells();

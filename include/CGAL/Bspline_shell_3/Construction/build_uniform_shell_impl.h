@@ -25,6 +25,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -133,7 +134,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
   Shell_report& report = construction.report();
   const auto stop = [&](Status status) { return Bspline_shell_3<>(construction.end(status)); };
 
-  if(!construction.start(Shell_step::CELLS)) return stop(Status::CANCELED);
+  construction.start(Shell_step::CELLS);
   const Input_mesh_3& input = *construction.input();
   const int rings = parameters.rings.value_or(2);
   const double spacing = parameters.spacing ? *parameters.spacing : input.unit() / parameters.resolution;
@@ -175,7 +176,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     if(exceeds_memory(double(report.cells), double(report.unknowns))) return stop(Status::MEMORY_LIMIT_EXCEEDED);
     const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(input, field.cells());
 
-    if(!construction.start(Shell_step::DISTANCE)) return stop(Status::CANCELED);
+    construction.start(Shell_step::DISTANCE);
     // after a widening, only where there was no cell before
     const Cell_complex_3 unsampled = narrower ? internal::cells_beyond(field.cells(), narrower->cells()) : field.cells();
     if(!oracle && !mesh_distance) mesh_distance.emplace(input);
@@ -185,7 +186,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     samples = narrower ? internal::merge_samples(field.cells(), narrower->cells(), samples, unsampled, more_samples)
                        : std::move(more_samples);
 
-    if(!construction.start(Shell_step::FIT)) return stop(Status::CANCELED);
+    construction.start(Shell_step::FIT);
     {
       Fit_energy<Field> energy(field, samples, clipped, report.gamma, parameters.weights);
       Eigen::VectorXd guess = energy.template initial_guess<ConcurrencyTag>();
@@ -194,7 +195,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
       if(report.fit.status != Solver_status::SUCCESS) return stop(Status::SOLVER_FAILED);
     }
 
-    if(!construction.start(Shell_step::BOUNDS)) return stop(Status::CANCELED);
+    construction.start(Shell_step::BOUNDS);
     report.edges = edge_range<ConcurrencyTag>(field, clipped);
     const Facet_ranges triangles = facet_ranges<ConcurrencyTag>(field, clipped);
     report.facets_bound = triangles.mesh;
@@ -205,7 +206,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     const bool may_widen = !parameters.rings && report.widenings < max_widenings;
     if(is_open && !may_widen && !parameters.allow_open_shell) return stop(Status::SHELL_LEAVES_BAND);
     if(is_open && may_widen) {
-      if(!construction.start(Shell_step::CELLS)) return stop(Status::CANCELED);
+      construction.start(Shell_step::CELLS);
       internal::widen(field, component.border_cells, 2 + report.widenings, keys);
       narrower = std::move(field);
       continue;

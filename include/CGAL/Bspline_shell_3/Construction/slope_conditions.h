@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -160,8 +161,7 @@ std::optional<Slope_condition> common_slope(const Field& field, const Clipped_me
         if(do_overlap(b, box)) facets.push_back(piece->facet);
       }
     });
-    std::sort(facets.begin(), facets.end());
-    facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+    sort_unique(facets);
     if(facets.empty()) continue;
     std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
     for(std::uint32_t f : facets) normals.emplace_back(clipped.normal(f)[0], clipped.normal(f)[1], clipped.normal(f)[2]);

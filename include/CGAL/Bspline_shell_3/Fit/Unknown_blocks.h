@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_FIT_UNKNOWN_BLOCKS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Lattice_set_3.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <cstddef>
 #include <cstdint>

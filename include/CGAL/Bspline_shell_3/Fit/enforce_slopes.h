@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/tags.h>
@@ -363,8 +364,7 @@ private:
       });
     };
     const auto make_unique = [&] {
-      std::sort(unknowns.begin(), unknowns.end());
-      unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+      sort_unique(unknowns);
     };
     m_field.visit_cells(core, free_coefficients);
     make_unique();

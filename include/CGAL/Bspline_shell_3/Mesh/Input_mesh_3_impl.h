@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
@@ -379,8 +380,7 @@ Shell_status Input_mesh_3::check_vertices()
 // Only facets of the user's mesh are listed. If there are none, its closing is to blame, or its truncation.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_status status, std::vector<std::size_t>& facets)
 {
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  sort_unique(facets);
   if(!facets.empty() && facets.front() >= m_user_facets)
     status = part_of_facet(facets.front()) == Surface_part::CLOSING ? Shell_status::NOT_CLOSABLE
                                                                     : Shell_status::NOT_TRUNCATABLE;
@@ -391,8 +391,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_statu
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_vertices(Shell_status status, std::vector<std::size_t>& vertices)
 {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   if(!vertices.empty() && vertices.front() >= m_user_vertices) {
     const std::size_t added = m_closing ? m_closing->points().size() - m_closing->number_of_border_points() : 0;
     status = vertices.front() - m_user_vertices < added ? Shell_status::NOT_CLOSABLE : Shell_status::NOT_TRUNCATABLE;

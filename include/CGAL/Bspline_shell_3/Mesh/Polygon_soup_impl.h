@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -29,8 +30,7 @@ namespace internal {
 
 inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
 {
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  sort_unique(positions);
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders)

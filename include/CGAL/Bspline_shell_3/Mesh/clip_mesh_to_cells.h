@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_INTERSECTING_FACETS_H
 
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -214,8 +215,7 @@ intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedd
   }
   for(Pair& pair : pairs)
     if(pair.second < pair.first) std::swap(pair.first, pair.second);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());      // those that share several cells
+  sort_unique(pairs);      // those that share several cells
   if(pairs.size() > most_pairs) pairs.erase(pairs.begin() + most_pairs, pairs.end());
   return pairs;
 }

@@ -24,8 +24,7 @@ enum class Refinement_status
   NOTHING_TO_REFINE,    ///< what is not proved cannot be mended by smaller cells: the certificate has the places
   LIMIT_REACHED,        ///< a limit of memory, effort or rounds; all claims may be proved of a thicker shell than asked
   DISTANCE_NOT_FINITE,  ///< the signed-distance oracle returned a value that is infinite or not a number
-  SOLVER_FAILED,        ///< the linear solver did not reach its tolerance
-  CANCELED              ///< the visitor asked to stop
+  SOLVER_FAILED         ///< the linear solver did not reach its tolerance
 };
 
 inline const char* message(Refinement_status status)
@@ -38,7 +37,6 @@ inline const char* message(Refinement_status status)
       return "A limit of memory, effort or rounds was reached before all claims were proved of a shell as thin as asked.";
     case Refinement_status::DISTANCE_NOT_FINITE: return "The signed-distance oracle returned a value that is infinite or not a number.";
     case Refinement_status::SOLVER_FAILED: return "The linear solver did not reach its tolerance.";
-    case Refinement_status::CANCELED: return "The visitor asked to stop.";
   }
   return "";
 }

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -38,8 +39,7 @@ inline constexpr double near_duplicate_distance = 1e-6;      ///< of the longest
 inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
 {
   typedef std::array<std::int64_t, 3> Cell;
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   Bbox_3 box;
   for(const auto& p : points) box += p.bbox();
   const double distance = near_duplicate_distance * (std::max)({ box.x_span(), box.y_span(), box.z_span() });

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -38,8 +39,7 @@ inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   Polygon different = polygon;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
+  sort_unique(different);
   if(different.size() < 3) return {};
   if(different.size() == polygon.size()) return { polygon };
   std::vector<Polygon> parts;

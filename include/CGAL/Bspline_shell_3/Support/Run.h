@@ -90,6 +90,13 @@ public:
     }
   }
 
+  // ends the run
+  [[noreturn]] void cancel()
+  {
+    stop(End::CANCELED);
+    throw Ended();
+  }
+
 private:
   bool goes_on()
   {

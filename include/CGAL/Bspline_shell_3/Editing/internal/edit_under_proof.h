@@ -20,6 +20,7 @@
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Real_timer.h>
@@ -339,8 +340,7 @@ public:
     }
     for(std::size_t n : now.vertices) result.vertices.push_back(m_vertices.at(all[n]));
     for(auto* numbers : { &result.facets, &result.vertices }) {
-      std::sort(numbers->begin(), numbers->end());
-      numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+      sort_unique(*numbers);
     }
     return result;
   }

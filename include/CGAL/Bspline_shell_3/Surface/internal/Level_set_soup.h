@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 #include <CGAL/Bspline_shell_3/Surface/Level_set_status.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Soup_components.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Tetrahedral_subdivision.h>
@@ -158,8 +159,7 @@ private:
         for(int j = 0; j < i; ++j)
           if(is_above(candidate, corners[i]) != is_above(candidate, corners[j])) edges.push_back(edge(corners[i], corners[j]));
     });
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_unique(edges);
     return edges;
   }
 

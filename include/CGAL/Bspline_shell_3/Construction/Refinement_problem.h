@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PROBLEM_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PROBLEM_H
+
+#include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
+#include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
+#include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
+#include <CGAL/Bspline_shell_3/Support/Progress.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Construction
+ *
+ * \brief what is the same in all rounds of a refinement.
+ */
+class Refinement_problem
+{
+public:
+  typedef Hierarchical_bspline_field_3<> Field;
+
+  /// the thickness asked for near a point, user units
+  typedef std::function<double(const Field::Point_3&)> Thickness;
+  /// is called with each step that begins; throws to stop
+  typedef std::function<void(Shell_step)> Start;
+
+  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+  template <typename ConcurrencyTag>
+  Refinement_problem(ConcurrencyTag, std::shared_ptr<const Input_mesh_3> mesh, const Any_signed_distance_3& distance, const Thickness& thickness,
+                     const Any_spd_solver& solver, const Start& start, const Refinement_parameters& parameters)
+    : input(std::move(mesh)), oracle(distance), thickness(thickness), solver(solver), start(start), parameters(parameters),
+      wanted_slopes(Bspline_shells::wanted_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
+  {}
+
+  /// half of the thickness asked for in the middle of a cell: how large the field may be on the mesh there
+  double half_thickness(const Field& field, Field::Cell_index c) const
+  {
+    const Bbox_3 b = field.cell(c).bbox();
+    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+  }
+
+  /// is made when it is asked for first
+  const Local_gap_3& gap()
+  {
+    if(!m_gap) m_gap.emplace(*input);
+    return *m_gap;
+  }
+
+  const std::shared_ptr<const Input_mesh_3> input;
+  const Any_signed_distance_3 oracle;
+  const Thickness& thickness;
+  const Any_spd_solver& solver;
+  const Start& start;
+  const Refinement_parameters parameters;
+  const std::vector<double> wanted_slopes;          ///< of each triangle, per user unit; zero where nothing helps
+
+private:
+  std::optional<Local_gap_3> m_gap;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PROBLEM_H

@@ -1,0 +1,116 @@
+// Refinement_history.h: what is concluded from the rounds of a refinement.
+#include <CGAL/Bspline_shell_3/Construction/Refinement_history.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace test_Refinement_history {
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+using BS::Obstacle_kind;
+
+BS::Refinement_round round_with(std::size_t thick_cells, std::size_t failing_facets, std::size_t undecided_cells)
+{
+  BS::Refinement_round round;
+  round.thick_cells = thick_cells;
+  round.failing_facets = failing_facets;
+  round.undecided_cells = undecided_cells;
+  return round;
+}
+
+} // namespace
+
+TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed leave as much as the best one before")
+{
+  const BS::Refinement_tuning tuning;
+  BS::Refinement_history history(0, tuning);
+  history.add_round(round_with(0, 5, 100), 1);
+  for(int n = 1; n < tuning.max_rounds_in_vain; ++n) {
+    history.add_round(round_with(0, 5, 100), 1);
+    CHECK_FALSE(history.is_in_vain());
+  }
+  SECTION("one more") {
+    history.add_round(round_with(0, 9, 200), 2);
+    CHECK(history.is_in_vain());
+  }
+  SECTION("one that leads on begins the count anew") {
+    SECTION("fewer facets") { history.add_round(round_with(0, 4, 100), 1); }
+    SECTION("clearly fewer obstacles") { history.add_round(round_with(0, 5, 89), 1); }
+    SECTION("clearly less volume of obstacles") { history.add_round(round_with(0, 5, 100), 0.89); }
+    SECTION("cells that are still too thick say nothing yet") { history.add_round(round_with(1, 5, 100), 1); }
+    CHECK_FALSE(history.is_in_vain());
+    for(int n = 0; n < tuning.max_rounds_in_vain; ++n) history.add_round(round_with(0, 5, 100), 1);
+    CHECK(history.is_in_vain());
+  }
+  SECTION("hardly fewer obstacles are as many") {
+    history.add_round(round_with(0, 5, 91), 0.91);
+    CHECK(history.is_in_vain());
+  }
+}
+
+TEST_CASE("Refinement history: a facet is a reason to refine a few times only, and once in a round however many cells it fails in")
+{
+  BS::Refinement_tuning tuning;
+  tuning.max_refinements_of_a_facet = 2;
+  BS::Refinement_history history(8, tuning);
+  const std::vector<BS::Sloping_facet> facets = { { 10, 7 }, { 11, 3 }, { 12, 7 } };
+  for(int n = 0; n < 2; ++n) {
+    CHECK(history.cells_worth_refining(facets) == std::vector<std::uint32_t>{ 10, 11, 12 });
+    history.add_refinements(facets);
+  }
+  CHECK(history.cells_worth_refining(facets).empty());
+  CHECK(history.cells_worth_refining({ { 5, 0 }, { 6, 3 } }) == std::vector<std::uint32_t>{ 5 });
+}
+
+TEST_CASE("Refinement history: obstacles are few or many, for the size of the mesh")
+{
+  const BS::Refinement_tuning tuning;
+  const auto kind = [&](std::size_t cells, std::size_t cells_at_mesh) {
+    return BS::Refinement_history(0, tuning).kind_of_obstacles(cells, cells_at_mesh, false);
+  };
+  CHECK(kind(0, 1000) == Obstacle_kind::FEW);
+  CHECK(kind(100, 2000) == Obstacle_kind::FEW);
+  CHECK(kind(101, 2000) == Obstacle_kind::MANY);
+  CHECK(kind(1000, 128000) == Obstacle_kind::FEW);
+  CHECK(kind(1001, 128000) == Obstacle_kind::MANY);
+}
+
+TEST_CASE("Refinement history: many obstacles of a field that was too large on the mesh tell nothing of gaps")
+{
+  const BS::Refinement_tuning tuning;
+  BS::Refinement_history history(0, tuning);
+  CHECK(history.kind_of_obstacles(900, 1000, true) == Obstacle_kind::THICK_FIELD);
+  CHECK_FALSE(history.are_gaps_narrow());
+  CHECK(history.kind_of_obstacles(9, 1000, true) == Obstacle_kind::FEW);
+}
+
+TEST_CASE("Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row; that stays so")
+{
+  const BS::Refinement_tuning tuning;
+  BS::Refinement_history history(0, tuning);
+  const std::size_t all = 12000;
+  SECTION("very many") {
+    CHECK(history.kind_of_obstacles(2400, all, false) == Obstacle_kind::MANY);
+    BS::Refinement_history other(0, tuning);
+    CHECK(other.kind_of_obstacles(2401, all, false) == Obstacle_kind::NARROW_GAPS);
+    CHECK(other.kind_of_obstacles(1, all, false) == Obstacle_kind::NARROW_GAPS);
+    CHECK(other.kind_of_obstacles(0, all, false) == Obstacle_kind::FEW);
+    CHECK(other.kind_of_obstacles(2401, all, true) == Obstacle_kind::THICK_FIELD);
+    CHECK(other.are_gaps_narrow());
+  }
+  SECTION("many, twice") {
+    CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
+    CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::NARROW_GAPS);
+  }
+  SECTION("many, with fewer in between") {
+    CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
+    CHECK(history.kind_of_obstacles(999, all, false) == Obstacle_kind::MANY);
+    CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
+    CHECK_FALSE(history.are_gaps_narrow());
+  }
+}
+} // namespace test_Refinement_history

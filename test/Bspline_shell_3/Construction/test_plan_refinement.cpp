@@ -1,0 +1,155 @@
+// plan_refinement.h: which cells are refined for what was found in a round.
+#include <CGAL/Bspline_shell_3/Construction/plan_refinement.h>
+#include "random_hierarchies.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Random.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace test_plan_refinement {
+namespace {
+
+namespace BS = CGAL::Bspline_shells;
+using BS::Obstacle_kind;
+typedef Hierarchy::Index Index;
+typedef std::vector<Index> Cells;
+
+constexpr std::size_t cells_at_mesh = 1000;
+
+// a block of 7 x 7 x 7 cells of the same size
+Hierarchy block()
+{
+  CGAL::Random random(1);
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-4, -4, -4, 4, 4, 4), 1);
+  return Hierarchy(some_cells(random, lattice, { -3, -3, -3 }, { 3, 3, 3 }));
+}
+
+Index cell_at(const Hierarchy& cells, const Lattice_point& p) { return cells.leaf(0, p); }
+
+std::vector<BS::Threshold_obstacle> obstacles_in(const Cells& cells)
+{
+  std::vector<BS::Threshold_obstacle> obstacles;
+  for(Index c : cells) obstacles.push_back({ c, { 0, 0, 0 } });
+  return obstacles;
+}
+
+BS::Refinement_plan plan_for(const Hierarchy& cells, const BS::Round_findings& found)
+{
+  return BS::plan_refinement(cells, found, cells_at_mesh, BS::Refinement_tuning());
+}
+
+// of cells with up to so many different coordinates, next to the middle
+std::size_t number_of_neighbors(int axes) { return axes == 0 ? 1 : axes == 1 ? 7 : 27; }
+
+} // namespace
+
+TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
+{
+  const BS::Refinement_plan plan = plan_for(block(), BS::Round_findings());
+  CHECK(plan.split.empty());
+  CHECK(plan.at_gaps.empty());
+  CHECK(plan.similar.empty());
+  CHECK(plan.nearer_to_zero.empty());
+}
+
+TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large in few; alone where in many")
+{
+  const Hierarchy cells = block();
+  const Index middle = cell_at(cells, { 0, 0, 0 }), other = cell_at(cells, { 3, 3, 3 });
+  BS::Round_findings found;
+  SECTION("slopes") {
+    found.sloping = { middle };
+    CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
+  }
+  SECTION("few thick") {
+    found.thick = { middle };
+    found.thick_at_first = { other };       // mended
+    CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
+  }
+  SECTION("many thick, with those that are nearly so") {
+    found.thick = { middle };
+    found.are_many_thick = true;
+    found.thick_at_first = { other };
+    CHECK(plan_for(cells, found).split == Cells{ (std::min)(middle, other), (std::max)(middle, other) });
+  }
+  SECTION("two sheets") {
+    found.two_sheets = { middle };
+    CHECK(plan_for(cells, found).split == Cells{ middle });
+  }
+}
+
+TEST_CASE("Refinement plan: the fewer cells with obstacles, the more of their neighbors are refined, but for very few")
+{
+  const Hierarchy cells = block();
+  BS::Round_findings found;
+  const auto split = [&](std::size_t number) {
+    Cells with_obstacles;
+    for(Index c = 0; c < number; ++c) with_obstacles.push_back(c);
+    found.obstacles = obstacles_in(with_obstacles);
+    return plan_for(cells, found).split;
+  };
+  const Cells few = split(8), more = split(9), many = split(cells_at_mesh / 38 + 1);
+  const auto expected = [&](std::size_t number, int axes) {
+    BS::Marked_cells marked(cells);
+    for(Index c = 0; c < number; ++c) marked.mark_widely(c, axes);
+    return marked.sorted();
+  };
+  CHECK(few == expected(8, 1));
+  CHECK(more == expected(9, 3));
+  CHECK(many == expected(cells_at_mesh / 38 + 1, 0));
+  CHECK(many.size() == cells_at_mesh / 38 + 1);
+}
+
+TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
+{
+  const Hierarchy cells = block();
+  const Index obstacle = cell_at(cells, { 0, 0, 0 }), culprit = cell_at(cells, { 2, 0, 0 }), thick = cell_at(cells, { 0, 3, 0 });
+  BS::Round_findings found;
+  found.obstacles = obstacles_in({ obstacle, obstacle });
+  found.thick_at_first = { thick };
+  SECTION("few") {
+    CHECK(plan_for(cells, found).at_gaps.empty());
+    CHECK(plan_for(cells, found).split.size() == number_of_neighbors(1));
+  }
+  SECTION("many are split more often at gaps") {
+    found.kind = Obstacle_kind::MANY;
+    CHECK(plan_for(cells, found).at_gaps == Cells{ obstacle });
+  }
+  SECTION("those of a thick field are left alone") {
+    found.kind = Obstacle_kind::THICK_FIELD;
+    const BS::Refinement_plan plan = plan_for(cells, found);
+    CHECK(plan.split == Cells{ thick });
+    CHECK(plan.at_gaps.empty());
+    CHECK(plan.nearer_to_zero.empty());
+  }
+  SECTION("at narrow gaps, culprits are split in their place, and the next field is to be nearer to zero in both") {
+    found.kind = Obstacle_kind::NARROW_GAPS;
+    found.culprits = { culprit };
+    found.similar = { thick };
+    const BS::Refinement_plan plan = plan_for(cells, found);
+    CHECK(plan.split == Cells{ culprit });
+    CHECK(plan.at_gaps == Cells{ culprit });
+    CHECK(plan.similar == Cells{ thick });
+    CHECK(std::is_permutation(plan.nearer_to_zero.begin(), plan.nearer_to_zero.end(), Cells{ obstacle, culprit }.begin()));
+  }
+}
+
+TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if culprits are as small as may be")
+{
+  Hierarchy cells = block();
+  while(cells.number_of_levels() <= cells.max_level()) cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
+  const Index smallest = cells.first_leaf(cells.max_level());
+  BS::Round_findings found;
+  found.kind = Obstacle_kind::NARROW_GAPS;
+  found.culprits = { smallest };
+  found.obstacles = obstacles_in({ 0 });
+  CHECK_FALSE(plan_for(cells, found).split.empty());
+  found.obstacles = obstacles_in({ smallest });
+  CHECK(plan_for(cells, found).split.empty());
+}
+} // namespace test_plan_refinement
