@@ -5,9 +5,9 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/version_macros.h>
 #if CGAL_VERSION_MAJOR >= 6
-#  include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_traits_3.h>
 #else
-#  include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_traits.h>
 #endif
 
 #if CGAL_VERSION_MAJOR >= 6

@@ -39,8 +39,8 @@ inline bool read_triangles(const std::string& file, Mesh& mesh)
   return BS::read_triangle_mesh(file, mesh) == BS::Shell_status::SUCCESS;
 }
 
-// The mesh with its vertices moved along the flow, inwards here and outwards there: as far as the certificate allows, from 80 % of the way to
-// the thresholds down, halved each time. `part` is that share.
+// The mesh with its vertices moved along the flow, inwards here and outwards there: as far as the certificate allows,
+// from 80 % of the way to the thresholds down, halved each time. `part` is that share.
 inline std::optional<Mesh> moved_along_flow(const Shell& shell, const Mesh& mesh, double& part)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);
@@ -64,24 +64,30 @@ inline std::optional<Mesh> moved_along_flow(const Shell& shell, const Mesh& mesh
 }
 
 // uniform on the surface
-inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_locations(const Mesh& mesh, std::size_t number,
-                                                                                         unsigned int seed)
+inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_locations(const Mesh& mesh,
+                                                                                          std::size_t number,
+                                                                                          unsigned int seed)
 {
   std::vector<double> area;
   std::vector<Mesh::Face_index> facets;
   double sum = 0;
   for(Mesh::Face_index f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+    sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                        mesh.point(mesh.target(mesh.next(h)))));
     area.push_back(sum);
     facets.push_back(f);
   }
   CGAL::Random random(seed);
   std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > result;
   while(result.size() < number) {
-    const std::size_t f = std::size_t(std::lower_bound(area.begin(), area.end(), random.get_double(0, sum)) - area.begin());
+    const std::size_t f = std::size_t(std::lower_bound(area.begin(), area.end(), random.get_double(0, sum))
+                                      - area.begin());
     double u = random.get_double(), v = random.get_double();
-    if(u + v > 1) { u = 1 - u; v = 1 - v; }
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
     result.emplace_back(facets[(std::min)(f, facets.size() - 1)], std::array<double, 3>{ 1 - u - v, u, v });
   }
   return result;
@@ -90,7 +96,8 @@ inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_
 // [--points N] [MESH ...]
 struct Benchmark_arguments
 {
-  Benchmark_arguments(int argc, char** argv, std::size_t default_points, const std::string& default_file) : points(default_points)
+  Benchmark_arguments(int argc, char** argv, std::size_t default_points, const std::string& default_file)
+    : points(default_points)
   {
     for(int i = 1; i < argc; ++i) {
       if(std::string(argv[i]) == "--points" && i + 1 < argc) points = std::size_t(std::atoll(argv[++i]));
@@ -103,7 +110,8 @@ struct Benchmark_arguments
   std::vector<std::string> files;
 };
 
-// calls measure(name, shell, mesh, moved, part) for each mesh that has a certified shell and a second mesh in it; says so if not
+// calls measure(name, shell, mesh, moved, part) for each mesh that has a certified shell and a second mesh in it; says
+// so if not
 template <typename Measure>
 void for_each_pair(const std::vector<std::string>& files, const Measure& measure)
 {
@@ -115,7 +123,9 @@ void for_each_pair(const std::vector<std::string>& files, const Measure& measure
     if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh);
     if(shell && shell->is_certified()) moved = moved_along_flow(*shell, mesh, part);
     if(moved) measure(mesh_name(file), *shell, mesh, *moved, part);
-    else std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified pair of meshes\"}" << std::endl;
+    else
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified pair of meshes\"}"
+                << std::endl;
   }
 }
 

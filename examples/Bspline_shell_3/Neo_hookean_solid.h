@@ -1,8 +1,10 @@
-// Nonlinear elasticity on tetrahedra: where the nodes of a compressible Neo-Hookean solid come to rest when some of them are moved.
+// Nonlinear elasticity on tetrahedra: where the nodes of a compressible Neo-Hookean solid come to rest when some of
+// them are moved.
 //
-// The energy density is W(F) = mu/2 (tr(F^T F) - 3) - mu ln J + lambda/2 (ln J)^2, with the deformation gradient F and J = det F. Elements are
-// linear, with one quadrature point, or quadratic with straight sides (10 nodes) and four points, exact for polynomials of degree two. J > 0 is kept
-// at the quadrature points, in all states on the way: W has no other domain. Between the points of quadratic elements it is not checked.
+// The energy density is W(F) = mu/2 (tr(F^T F) - 3) - mu ln J + lambda/2 (ln J)^2, with the deformation gradient F and
+// J = det F. Elements are linear, with one quadrature point, or quadratic with straight sides (10 nodes) and four
+// points, exact for polynomials of degree two. J > 0 is kept at the quadrature points, in all states on the way: W has
+// no other domain. Between the points of quadratic elements it is not checked.
 #ifndef NEO_HOOKEAN_SOLID_H
 #define NEO_HOOKEAN_SOLID_H
 
@@ -20,16 +22,32 @@
 #include <utility>
 #include <vector>
 
-struct Lame_parameters { double mu, lambda; };
+struct Lame_parameters
+{
+  double mu, lambda;
+};
 
 inline Lame_parameters lame_parameters(double young, double poisson)
 {
   return { young / (2 * (1 + poisson)), young * poisson / ((1 + poisson) * (1 - 2 * poisson)) };
 }
 
-enum class Element_order { LINEAR, QUADRATIC };
+enum class Element_order
+{
+  LINEAR,
+  QUADRATIC
+};
 
-enum class Solid_status { SUCCESS, INVALID_MESH, INVERTED_STATE, NOT_HELD, MOVES_TOO_FAR, NO_DECREASE, ITERATION_LIMIT_EXCEEDED };
+enum class Solid_status
+{
+  SUCCESS,
+  INVALID_MESH,
+  INVERTED_STATE,
+  NOT_HELD,
+  MOVES_TOO_FAR,
+  NO_DECREASE,
+  ITERATION_LIMIT_EXCEEDED
+};
 
 inline const char* message(Solid_status status)
 {
@@ -38,59 +56,68 @@ inline const char* message(Solid_status status)
     case Solid_status::INVALID_MESH: return "A tetrahedron has no positive volume, or a corner that is no point.";
     case Solid_status::INVERTED_STATE: return "A tetrahedron is inverted in the state to start from.";
     case Solid_status::NOT_HELD: return "The Hessian cannot be factored; are enough nodes held?";
-    case Solid_status::MOVES_TOO_FAR: return "Nodes are moved farther than the smallest load step can follow without inverting a tetrahedron.";
+    case Solid_status::MOVES_TOO_FAR:
+      return "Nodes are moved farther than the smallest load step can follow without inverting a tetrahedron.";
     case Solid_status::NO_DECREASE: return "The line search found no smaller energy.";
     case Solid_status::ITERATION_LIMIT_EXCEEDED: return "Newton's method did not converge in the iterations allowed.";
   }
   return "";
 }
 
-// `Factorization` has the interface of Eigen's sparse Cholesky factorizations, and fails for matrices that are not positive definite:
-// Eigen::CholmodSupernodalLLT is an order of magnitude faster for large meshes.
+// `Factorization` has the interface of Eigen's sparse Cholesky factorizations, and fails for matrices that are not
+// positive definite: Eigen::CholmodSupernodalLLT is an order of magnitude faster for large meshes.
 template <typename Factorization = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >
 class Neo_hookean_solid
 {
 public:
   typedef Eigen::Vector3d Vector;
-  typedef Eigen::Matrix3Xd Vectors;                         // a column for each node
+  typedef Eigen::Matrix3Xd Vectors; // a column for each node
   typedef Eigen::SparseMatrix<double> Matrix;
-  typedef std::function<Vector(std::size_t node, double t)> Motion;      // displacement of a node at the load t, from 0 to 1
+  // displacement of a node at the load t, from 0 to 1
+  typedef std::function<Vector(std::size_t node, double t)> Motion;
 
   struct Condition
   {
     std::size_t node;
-    std::array<bool, 3> is_held = { true, true, true };     // which of its coordinates follow the motion
+    std::array<bool, 3> is_held = { true, true, true }; // which of its coordinates follow the motion
   };
 
   struct Options
   {
-    unsigned int load_steps = 1;            // to begin with; a step that fails is halved, down to 1/1024 of these
-    unsigned int iterations = 50;           // in each load step
-    double tolerance = 1e-10;               // of the forces: their norm over force_unit()
-    Vectors start;                          // displacements; none: zero
+    unsigned int load_steps = 1;  // to begin with; a step that fails is halved, down to 1/1024 of these
+    unsigned int iterations = 50; // in each load step
+    double tolerance = 1e-10;     // of the forces: their norm over force_unit()
+    Vectors start;                // displacements; none: zero
   };
 
   struct Result
   {
     Solid_status status = Solid_status::SUCCESS;
-    Vectors displacements;                  // the last that were in equilibrium
-    double load = 0;                        // up to which; 1 is all
-    unsigned int iterations = 0, load_steps = 0, projections = 0;         // projections: Hessians that had to be made positive definite
-    double energy = 0, least_jacobian = 0;  // of these displacements; the least J at a quadrature point
-    std::vector<double> residuals;          // norms of the forces, in the order of the iterations
+    Vectors displacements; // the last that were in equilibrium
+    double load = 0;       // up to which; 1 is all
+    // projections: Hessians that had to be made positive definite
+    unsigned int iterations = 0, load_steps = 0, projections = 0;
+    double energy = 0, least_jacobian = 0; // of these displacements; the least J at a quadrature point
+    std::vector<double> residuals;         // norms of the forces, in the order of the iterations
 
     explicit operator bool() const { return status == Solid_status::SUCCESS; }
   };
 
-  struct State { double energy = 0, rounding = 0, least_jacobian = std::numeric_limits<double>::infinity(); };
+  struct State
+  {
+    double energy = 0, rounding = 0, least_jacobian = std::numeric_limits<double>::infinity();
+  };
 
   // Nodes are the points, in their order, and then the middles of edges, if elements are quadratic.
-  Neo_hookean_solid(const std::vector<Vector>& points, const std::vector<std::array<std::size_t, 4> >& tetrahedra, Element_order order,
-                    const Lame_parameters& material)
+  Neo_hookean_solid(const std::vector<Vector>& points, const std::vector<std::array<std::size_t, 4> >& tetrahedra,
+                    Element_order order, const Lame_parameters& material)
     : m_nodes(points), m_order(order), m_material(material)
   {
     for(const std::array<std::size_t, 4>& t : tetrahedra) {
-      if(*std::max_element(t.begin(), t.end()) >= points.size()) { m_is_valid = false; continue; }
+      if(*std::max_element(t.begin(), t.end()) >= points.size()) {
+        m_is_valid = false;
+        continue;
+      }
       Element e;
       Eigen::Matrix3d edges;
       for(int i = 0; i < 3; ++i) edges.col(i) = points[t[i + 1]] - points[t[0]];
@@ -154,12 +181,15 @@ public:
       const Eigen::Matrix3d F = deformation_gradient(e, g, u);
       const double J = F.determinant(), log_J = J > 0 ? std::log(J) : 0;
       if(!(J >= s.least_jacobian)) s.least_jacobian = J;
-      s.energy += weight * (m_material.mu * ((F.squaredNorm() - 3) / 2 - log_J) + m_material.lambda / 2 * log_J * log_J);
-      size += weight * (m_material.mu * ((F.squaredNorm() + 3) / 2 + std::abs(log_J)) + m_material.lambda / 2 * log_J * log_J);
+      s.energy += weight
+                  * (m_material.mu * ((F.squaredNorm() - 3) / 2 - log_J) + m_material.lambda / 2 * log_J * log_J);
+      size += weight
+              * (m_material.mu * ((F.squaredNorm() + 3) / 2 + std::abs(log_J)) + m_material.lambda / 2 * log_J * log_J);
     });
     if(!(s.least_jacobian > 0)) s.energy = std::numeric_limits<double>::infinity();
     // those of n terms add up like a random walk
-    s.rounding = std::sqrt(double(m_elements.size() * points_per_element())) * std::numeric_limits<double>::epsilon() * size;
+    s.rounding = std::sqrt(double(m_elements.size() * points_per_element())) * std::numeric_limits<double>::epsilon()
+                 * size;
     return s;
   }
 
@@ -216,7 +246,8 @@ public:
 
     const double longest = 1. / (std::max)(1u, options.load_steps);
     for(double step = longest; result.load < 1;) {
-      const double load = result.load + step < 1 - longest / 2048 ? result.load + step : 1;     // rounding leaves no step to do
+      // rounding leaves no step to do
+      const double load = result.load + step < 1 - longest / 2048 ? result.load + step : 1;
       Vectors u = result.displacements, jump = Vectors::Zero(3, u.cols());
       for(const Condition& c : conditions) {
         const Vector wanted = motion(c.node, load);
@@ -230,20 +261,29 @@ public:
         result.displacements = u;
         record_state();
         step = (std::min)(2 * step, longest);
-      }
-      else if(status == Solid_status::NOT_HELD || step < longest / 1000) return ended(status);
+      } else if(status == Solid_status::NOT_HELD || step < longest / 1000) return ended(status);
       else step /= 2;
     }
     return result;
   }
 
 private:
-  typedef Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10> Gradients;      // of the shape functions
-  typedef Eigen::Matrix<double, 9, 9> Tangent;                               // second derivatives of W, by the columns of F
+  typedef Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10> Gradients; // of the shape functions
+  typedef Eigen::Matrix<double, 9, 9> Tangent;                          // second derivatives of W, by the columns of F
 
-  struct Element { std::array<std::size_t, 10> nodes; Eigen::Matrix<double, 3, 4> gradients; double volume; };
+  struct Element
+  {
+    std::array<std::size_t, 10> nodes;
+    Eigen::Matrix<double, 3, 4> gradients;
+    double volume;
+  };
 
-  struct System { const std::vector<int>& unknown; Matrix H; Factorization factorization; };
+  struct System
+  {
+    const std::vector<int>& unknown;
+    Matrix H;
+    Factorization factorization;
+  };
 
   // of the edges of a tetrahedron
   static constexpr int ends[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
@@ -254,9 +294,12 @@ private:
   template <typename F>
   void for_each_point(const F& f) const
   {
-    const double near = 0.25 + 0.15 * std::sqrt(5.), far = (1 - near) / 3;       // coordinates of the four points
+    const double near = 0.25 + 0.15 * std::sqrt(5.), far = (1 - near) / 3; // coordinates of the four points
     for(const Element& e : m_elements) {
-      if(m_order == Element_order::LINEAR) { f(e, Gradients(e.gradients), e.volume); continue; }
+      if(m_order == Element_order::LINEAR) {
+        f(e, Gradients(e.gradients), e.volume);
+        continue;
+      }
       for(int q = 0; q < 4; ++q) {
         Gradients g(3, 10);
         const auto coordinate = [&](int i) { return i == q ? near : far; };
@@ -284,14 +327,17 @@ private:
     Tangent A = m_material.mu * Tangent::Identity();
     for(int j = 0; j < 3; ++j)
       for(int l = 0; l < 3; ++l)
-        A.block<3, 3>(3 * j, 3 * l) += factor * G.col(l) * G.col(j).transpose() + m_material.lambda * G.col(j) * G.col(l).transpose();
+        A.block<3, 3>(3 * j, 3 * l) += factor * G.col(l) * G.col(j).transpose()
+                                       + m_material.lambda * G.col(j) * G.col(l).transpose();
     if(!is_projected) return A;
     // any positive bound makes the sum of the elements positive definite, and changes the way to the solution only
     const Eigen::SelfAdjointEigenSolver<Tangent> eigen(A);
-    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(1e-3 * m_material.mu).asDiagonal() * eigen.eigenvectors().transpose();
+    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(1e-3 * m_material.mu).asDiagonal()
+           * eigen.eigenvectors().transpose();
   }
 
-  // calls f(row, column, row of H, column of H) for each entry of an element's matrix that goes into the lower triangle of H
+  // calls f(row, column, row of H, column of H) for each entry of an element's matrix that goes into the lower triangle
+  // of H
   template <typename F>
   static void for_each_entry(const Element& e, int nodes, const std::vector<int>& unknown, const F& f)
   {
@@ -313,26 +359,31 @@ private:
     return H;
   }
 
-  // sums up the Hessian in the entries that H has; returns its product with the jump of the coordinates that are held, if there is one
-  Vectors assemble(const Vectors& u, const std::vector<int>& unknown, bool is_projected, Matrix& H, const Vectors* jump = nullptr) const
+  // sums up the Hessian in the entries that H has; returns its product with the jump of the coordinates that are held,
+  // if there is one
+  Vectors assemble(const Vectors& u, const std::vector<int>& unknown, bool is_projected, Matrix& H,
+                   const Vectors* jump = nullptr) const
   {
     Vectors product = Vectors::Zero(3, u.cols());
     H.coeffs().setZero();
     for_each_point([&](const Element& e, const Gradients& g, double weight) {
       const Tangent A = weight * tangent(deformation_gradient(e, g, u), is_projected);
-      Eigen::Matrix<double, 9, Eigen::Dynamic, 0, 9, 30> B(9, 3 * g.cols());      // from displacements to F
+      Eigen::Matrix<double, 9, Eigen::Dynamic, 0, 9, 30> B(9, 3 * g.cols()); // from displacements to F
       for(Eigen::Index a = 0; a < g.cols(); ++a)
         for(int l = 0; l < 3; ++l) B.template block<3, 3>(3 * l, 3 * a) = g(l, a) * Eigen::Matrix3d::Identity();
       const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 30, 30> K = B.transpose() * A * B;
-      for_each_entry(e, int(g.cols()), unknown, [&](int r, int c, int row, int column) { H.coeffRef(row, column) += K(r, c); });
+      for_each_entry(e, int(g.cols()), unknown,
+                     [&](int r, int c, int row, int column) { H.coeffRef(row, column) += K(r, c); });
       if(jump != nullptr)
         for(Eigen::Index a = 0; a < g.cols(); ++a)
-          for(Eigen::Index b = 0; b < g.cols(); ++b) product.col(e.nodes[a]) += K.template block<3, 3>(3 * a, 3 * b) * jump->col(e.nodes[b]);
+          for(Eigen::Index b = 0; b < g.cols(); ++b)
+            product.col(e.nodes[a]) += K.template block<3, 3>(3 * a, 3 * b) * jump->col(e.nodes[b]);
     });
     return product;
   }
 
-  // The first step takes the jump of the coordinates that are held along, and all others as far as the linear equations say.
+  // The first step takes the jump of the coordinates that are held along, and all others as far as the linear equations
+  // say.
   Solid_status find_equilibrium(System& system, Vectors& jump, const Options& options, Vectors& u, Result& result) const
   {
     for(unsigned int iteration = 0;; ++iteration) {
@@ -349,7 +400,7 @@ private:
       Vectors product;
       const auto factorize = [&](bool is_projected) {
         product = assemble(u, system.unknown, is_projected, system.H, jumps ? &jump : nullptr);
-        if(system.H.rows() == 0) return true;       // all is held
+        if(system.H.rows() == 0) return true; // all is held
         system.factorization.factorize(system.H);
         return system.factorization.info() == Eigen::Success;
       };
@@ -368,8 +419,7 @@ private:
       double length = 1;
       if(jumps) {
         if(!(state(u + step).least_jacobian > 0)) return Solid_status::MOVES_TOO_FAR;
-      }
-      else {
+      } else {
         // Armijo's condition, as far as rounding lets it be seen
         const State before = state(u);
         const double slope = rest.dot(solution);

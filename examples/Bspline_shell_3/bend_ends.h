@@ -1,5 +1,5 @@
-// What elastic_proxy.cpp does to a mesh: of the facets at both ends of its longest side, those at one end are held, those at the other are moved
-// as if the mesh were bent to an arc.
+// What elastic_proxy.cpp does to a mesh: of the facets at both ends of its longest side, those at one end are held,
+// those at the other are moved as if the mesh were bent to an arc.
 #ifndef BEND_ENDS_H
 #define BEND_ENDS_H
 
@@ -15,7 +15,12 @@
 #include <cstddef>
 #include <vector>
 
-enum class End { NONE, HELD, MOVED };
+enum class End
+{
+  NONE,
+  HELD,
+  MOVED
+};
 
 template <typename Point>
 Eigen::Vector3d to_Eigen(const Point& p)
@@ -65,7 +70,9 @@ public:
     pivot[m_along] = m_high[m_along];
     arrival[m_along] = m_low[m_along] + length() * std::sin(angle) / angle;
     arrival[m_towards] += length() * (1 - std::cos(angle)) / angle;
-    return arrival + Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(m_along).cross(Eigen::Vector3d::Unit(m_towards))) * (p - pivot);
+    return arrival
+           + Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(m_along).cross(Eigen::Vector3d::Unit(m_towards)))
+               * (p - pivot);
   }
 
 private:
@@ -84,7 +91,8 @@ std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f
 
 // Bends the tetrahedra that fill a mesh, at the facets with labels. Points of the mesh come first, in its order.
 template <typename Solid, typename Mesh, typename LabelMap>
-typename Solid::Result bend(const Solid& solid, const Mesh& mesh, LabelMap labels, const Bend& motion, unsigned int load_steps)
+typename Solid::Result bend(const Solid& solid, const Mesh& mesh, LabelMap labels, const Bend& motion,
+                            unsigned int load_steps)
 {
   std::vector<End> end(solid.number_of_nodes(), End::NONE);
   for(auto f : mesh.faces())
@@ -95,10 +103,13 @@ typename Solid::Result bend(const Solid& solid, const Mesh& mesh, LabelMap label
     if(end[n] != End::NONE) conditions.push_back({ n });
   typename Solid::Options options;
   options.load_steps = load_steps;
-  return solid.solve(conditions, [&](std::size_t n, double t) -> Eigen::Vector3d {
-    const Eigen::Vector3d& p = solid.node(n);
-    return (end[n] == End::MOVED ? motion(p, t) : p) - p;
-  }, options);
+  return solid.solve(
+    conditions,
+    [&](std::size_t n, double t) -> Eigen::Vector3d {
+      const Eigen::Vector3d& p = solid.node(n);
+      return (end[n] == End::MOVED ? motion(p, t) : p) - p;
+    },
+    options);
 }
 
 #endif // BEND_ENDS_H

@@ -1,6 +1,6 @@
-// Union, intersection or difference of two solids, simplified in its shell. Each facet has the color of the solid that it comes from, before and
-// after: edges of the curve where both surfaces meet are collapsed along the curve, which moves by no more than a thousandth of the box and still
-// separates the colors.
+// Union, intersection or difference of two solids, simplified in its shell. Each facet has the color of the solid that
+// it comes from, before and after: edges of the curve where both surfaces meet are collapsed along the curve, which
+// moves by no more than a thousandth of the box and still separates the colors.
 #include "curve_filter.h"
 #include "example_files.h"
 #include "operand_labels.h"
@@ -23,7 +23,8 @@ bool write(const char* name, Mesh& mesh)
 {
   const Labels labels = labels_of(mesh);
   auto colors = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
-  for(Mesh::Face_index f : mesh.faces()) colors[f] = labels[f] == 0 ? CGAL::IO::Color(224, 164, 88) : CGAL::IO::Color(92, 142, 173);
+  for(Mesh::Face_index f : mesh.faces())
+    colors[f] = labels[f] == 0 ? CGAL::IO::Color(224, 164, 88) : CGAL::IO::Color(92, 142, 173);
   return save(name, mesh);
 }
 
@@ -32,7 +33,10 @@ int main(int argc, char** argv)
   std::string first_file, second_file, name;
   const auto code = Arguments("Usage: boolean_colors MESH [MESH, default: the first one, turned and moved] "
                               "[union | intersection | difference]\n")
-                      .required(first_file).optional(second_file).optional(name).read(argc, argv);
+                      .required(first_file)
+                      .optional(second_file)
+                      .optional(name)
+                      .read(argc, argv);
   if(code) return *code;
   if(name.empty() && operation_of(second_file)) name.swap(second_file);
   const auto known = operation_of(name);
@@ -69,21 +73,23 @@ int main(int argc, char** argv)
   Mesh coarse = mesh;
   const Curve coarse_curve = curve_of(coarse);
   const Curve_filter near_curve(coarse, coarse_curve, 0.001 * shell.report().unit);
-  const auto result = BS::simplify_in_shell(coarse, shell, BS::parameters::edge_is_constrained_map(coarse_curve).protect_constraints(false)
-                                                                         .filter(std::cref(near_curve)));
+  const auto result = BS::simplify_in_shell(
+    coarse, shell,
+    BS::parameters::edge_is_constrained_map(coarse_curve).protect_constraints(false).filter(std::cref(near_curve)));
   if(!result) {
     std::cerr << BS::message(result.status) << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
-  std::cout << result.facets_before << " facets before, " << result.facets << " now; edges of the curve: " << curve_edges << " before, "
-            << result.constrained_edges << " now\n";
+  std::cout << result.facets_before << " facets before, " << result.facets
+            << " now; edges of the curve: " << curve_edges << " before, " << result.constrained_edges << " now\n";
 
-  // Facets that are left have their labels. The integral curves tell what most of each facet was before, and so the labels of new facets, where a tip
-  // was truncated.
+  // Facets that are left have their labels. The integral curves tell what most of each facet was before, and so the
+  // labels of new facets, where a tip was truncated.
   const Labels coarse_labels = labels_of(coarse);
   const Labels carried = coarse.add_property_map<Mesh::Face_index, int>("f:carried", -1).first;
-  const BS::Transfer_report report = BS::transfer_face_labels(BS::Shell_map_3<Shell, Mesh>(shell, mesh, coarse), labels, carried);
+  const BS::Transfer_report report = BS::transfer_face_labels(BS::Shell_map_3<Shell, Mesh>(shell, mesh, coarse), labels,
+                                                              carried);
   if(!report) {
     std::cerr << report.failures.size() << " facets have no image: " << message(report.failures[0].second) << std::endl;
     return EXIT_FAILURE;

@@ -19,7 +19,8 @@ struct Broken_model
 
 typedef std::array<double, 3> Center;
 
-inline void add_polygon(Broken_model& model, std::size_t part, const std::vector<std::size_t>& points, const std::vector<std::array<double, 2> >& texture)
+inline void add_polygon(Broken_model& model, std::size_t part, const std::vector<std::size_t>& points,
+                        const std::vector<std::array<double, 2> >& texture)
 {
   model.soup.polygons.push_back(points);
   model.part.push_back(part);
@@ -35,8 +36,8 @@ inline void add_ball(Broken_model& model, std::size_t part, const Center& c, dou
     for(std::size_t i = 0; i < n; ++i) {
       const double a = 2 * pi * double(i) / double(n), b = pi * double(j) / double(rows);
       if((j == 0 || j == rows) && i > 0) continue;
-      model.soup.points.emplace_back(c[0] + radius * std::sin(b) * std::cos(a), c[1] + radius * std::sin(b) * std::sin(a),
-                                     c[2] + radius * std::cos(b));
+      model.soup.points.emplace_back(c[0] + radius * std::sin(b) * std::cos(a),
+                                     c[1] + radius * std::sin(b) * std::sin(a), c[2] + radius * std::cos(b));
     }
   const auto point = [&](std::size_t i, std::size_t j) {
     return j == 0 ? first : j == rows ? first + 1 + (rows - 1) * n : first + 1 + (j - 1) * n + i % n;
@@ -45,10 +46,15 @@ inline void add_ball(Broken_model& model, std::size_t part, const Center& c, dou
   for(std::size_t j = 0; j < rows; ++j)
     for(std::size_t i = 0; i < n; ++i) {
       const double x = double(i), y = double(j);
-      if(j == 0) add_polygon(model, part, { point(i, 0), point(i, 1), point(i + 1, 1) }, { uv(x + 0.5, 0), uv(x, 1), uv(x + 1, 1) });
-      else if(j + 1 == rows) add_polygon(model, part, { point(i, j), point(i, rows), point(i + 1, j) }, { uv(x, y), uv(x + 0.5, y + 1), uv(x + 1, y) });
-      else add_polygon(model, part, { point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j) },
-                       { uv(x, y), uv(x, y + 1), uv(x + 1, y + 1), uv(x + 1, y) });
+      if(j == 0)
+        add_polygon(model, part, { point(i, 0), point(i, 1), point(i + 1, 1) },
+                    { uv(x + 0.5, 0), uv(x, 1), uv(x + 1, 1) });
+      else if(j + 1 == rows)
+        add_polygon(model, part, { point(i, j), point(i, rows), point(i + 1, j) },
+                    { uv(x, y), uv(x + 0.5, y + 1), uv(x + 1, y) });
+      else
+        add_polygon(model, part, { point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j) },
+                    { uv(x, y), uv(x, y + 1), uv(x + 1, y + 1), uv(x + 1, y) });
     }
 }
 

@@ -1,5 +1,5 @@
-// Reads a mesh, builds its shell on equal cells, as in the paper, prints a table, and writes the two bounding surfaces and the mesh with f
-// and a color at its vertices; render_shell.py draws them. The usage, below, says what it returns.
+// Reads a mesh, builds its shell on equal cells, as in the paper, prints a table, and writes the two bounding surfaces
+// and the mesh with f and a color at its vertices; render_shell.py draws them. The usage, below, says what it returns.
 #include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -48,12 +48,12 @@ int run(const Options& options, const Results& results)
 
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
   Step_printer printer;
-  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh,
-    BS::parameters::resolution(options.resolution)
-                   .dense_grid(options.paper)
-                   .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
-                   .memory_limit(0.8 * memory)
-                   .visitor(std::ref(printer)));
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(
+    mesh, BS::parameters::resolution(options.resolution)
+            .dense_grid(options.paper)
+            .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
+            .memory_limit(0.8 * memory)
+            .visitor(std::ref(printer)));
   printer.clear();
   if(!shell) return refuse(shell.status(), shell.message(), shell.report().offending_simplices, options.file);
 
@@ -74,7 +74,9 @@ int run(const Options& options, const Results& results)
   const BS::Shell_report& r = shell.report();
   struct rusage used;
   getrusage(RUSAGE_SELF, &used);
-  const auto row = [](const std::string& what) -> std::ostream& { return std::cout << std::left << std::setw(22) << what; };
+  const auto row = [](const std::string& what) -> std::ostream& {
+    return std::cout << std::left << std::setw(22) << what;
+  };
   row("mesh") << options.file << "\n";
   row("facets, components") << r.triangles << ", " << r.components << "\n";
   row("resolution") << r.gamma << " cells per box side\n";
@@ -93,8 +95,12 @@ int run(const Options& options, const Results& results)
 int main(int argc, char** argv)
 {
   Options options;
-  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
-                      .option("--resolution", options.resolution).flag("--paper", options.paper).read(argc, argv);
+  const auto code = Arguments(usage)
+                      .required(options.file)
+                      .option("--output", options.output)
+                      .option("--resolution", options.resolution)
+                      .flag("--paper", options.paper)
+                      .read(argc, argv);
   if(code) return *code;
   const Results results(options.output, { "_inner.ply", "_outer.ply", "_mesh.ply" });
   if(const int refused = results.prepare(options.file)) return refused;

@@ -1,5 +1,5 @@
-// A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another mesh in
-// the shell, here the input with its vertices moved along the normals, is certified by the same claims.
+// A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another
+// mesh in the shell, here the input with its vertices moved along the normals, is certified by the same claims.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -31,8 +31,9 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   const BS::Shell_report& report = shell.report();
-  std::cout << shell.message() << "\n" << report.rounds.size() << " rounds, " << report.cells << " cells, "
-            << report.unknowns << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
+  std::cout << shell.message() << "\n"
+            << report.rounds.size() << " rounds, " << report.cells << " cells, " << report.unknowns
+            << " unknowns\nthickness " << 100 * shell.relative_thickness() << " % of the box, less on "
             << 100 * report.narrowed_area << " % of the mesh\n";
   if(report.limit.resource != BS::Refinement_resource::NONE) std::cout << message(report.limit) << "\n";
   for(std::size_t n = 0; n < (std::min)(report.obstacles.size(), std::size_t(5)); ++n)

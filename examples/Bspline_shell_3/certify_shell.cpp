@@ -1,5 +1,5 @@
-// Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the same
-// shell is certified by the same object, and single facets are tested before a mesh is changed.
+// Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the
+// same shell is certified by the same object, and single facets are tested before a mesh is changed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
@@ -22,8 +22,8 @@ int main(int argc, char** argv)
 {
   std::string file;
   double resolution;
-  const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution)
-                      .read(argc, argv);
+  const auto code =
+    Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution).read(argc, argv);
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
@@ -41,17 +41,22 @@ int main(int argc, char** argv)
   for(const BS::Certificate_witness& w : certificate.witnesses())
     std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
   if(certificate)
-    std::cout << "No point is farther than " << certificate.displacement_bound() << " from its image on another certified mesh.\n";
+    std::cout << "No point is farther than " << certificate.displacement_bound()
+              << " from its image on another certified mesh.\n";
 
   // would a facet still be in the shell if one of its vertices moved?
   const BS::Shell_containment_3<> is_in_shell(shell);
   const auto h = mesh.halfedge(*mesh.faces().begin());
-  const Kernel::Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+  const Kernel::Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                        r = mesh.point(mesh.target(mesh.next(h)));
   std::cout << "moved by a hundredth of the shell's thickness: "
-            << (is_in_shell(p + Kernel::Vector_3(0, 0, shell.thickness() / 100), q, r) ? "in the shell" : "not in the shell") << std::endl;
+            << (is_in_shell(p + Kernel::Vector_3(0, 0, shell.thickness() / 100), q, r) ? "in the shell"
+                                                                                       : "not in the shell")
+            << std::endl;
 
   // for programs that check the proof
-  if(BS::write_shell("certified.shell.txt", shell) != BS::Shell_file_status::SUCCESS ||
-     !BS::write_certificate("certified.certificate.txt", shell, certificate)) return EXIT_FAILURE;
+  if(BS::write_shell("certified.shell.txt", shell) != BS::Shell_file_status::SUCCESS
+     || !BS::write_certificate("certified.certificate.txt", shell, certificate))
+    return EXIT_FAILURE;
   return certificate ? EXIT_SUCCESS : 2;
 }

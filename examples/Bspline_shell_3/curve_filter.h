@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-// An edge takes the place of a part of the curve only if all of this part is within the distance from it. As the part is connected, and ends where the
-// edge ends, the edge is within the distance from the part, too.
+// An edge takes the place of a part of the curve only if all of this part is within the distance from it. As the part
+// is connected, and ends where the edge ends, the edge is within the distance from the part, too.
 class Curve_filter
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -35,10 +35,12 @@ public:
     const Mesh& mesh = profile.surface_mesh();
     if(!place || !m_curve[mesh.edge(profile.v0_v1())]) return place;
     const bool keeps_first = *place == profile.p0();
-    const Mesh::Vertex_index removed = keeps_first ? profile.v1() : profile.v0(), kept = keeps_first ? profile.v0() : profile.v1();
+    const Mesh::Vertex_index removed = keeps_first ? profile.v1() : profile.v0(),
+                             kept = keeps_first ? profile.v0() : profile.v1();
     for(Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(removed)))
       if(m_curve[mesh.edge(h)] && mesh.source(h) != kept)
-        return is_near(mesh.point(removed), Kernel::Segment_3(mesh.point(kept), mesh.point(mesh.source(h)))) ? place : Place();
+        return is_near(mesh.point(removed), Kernel::Segment_3(mesh.point(kept), mesh.point(mesh.source(h)))) ? place
+                                                                                                             : Place();
     return place;
   }
 
@@ -49,9 +51,10 @@ private:
     const std::vector<Point>& both = m_neighbors.at(middle);
     if(both.size() != 2 || CGAL::squared_distance(middle, segment) > m_squared_distance) return false;
     for(Point current : both)
-      for(Point previous = middle; current != segment.source() && current != segment.target(); ) {
+      for(Point previous = middle; current != segment.source() && current != segment.target();) {
         const std::vector<Point>& next = m_neighbors.at(current);
-        if(next.size() != 2 || current == middle || CGAL::squared_distance(current, segment) > m_squared_distance) return false;
+        if(next.size() != 2 || current == middle || CGAL::squared_distance(current, segment) > m_squared_distance)
+          return false;
         const Point after = next[0] == previous ? next[1] : next[0];
         previous = current;
         current = after;
@@ -61,7 +64,7 @@ private:
 
   Curve m_curve;
   double m_squared_distance;
-  std::map<Point, std::vector<Point> > m_neighbors;       // on the curve before
+  std::map<Point, std::vector<Point> > m_neighbors; // on the curve before
 };
 
 #endif // CURVE_FILTER_H

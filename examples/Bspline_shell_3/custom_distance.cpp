@@ -17,7 +17,10 @@ struct Distance_to_sphere
 {
   typedef Kernel::Point_3 Point_3;
   double radius;
-  double operator()(const Point_3& p) const { return std::sqrt(CGAL::squared_distance(p, Point_3(CGAL::ORIGIN))) - radius; }
+  double operator()(const Point_3& p) const
+  {
+    return std::sqrt(CGAL::squared_distance(p, Point_3(CGAL::ORIGIN))) - radius;
+  }
 };
 
 int main(int argc, char** argv)
@@ -32,8 +35,8 @@ int main(int argc, char** argv)
   }
 
   namespace parameters = CGAL::Bspline_shells::parameters;
-  const auto shell = CGAL::bspline_shell_3(mesh, parameters::resolution(30)
-                                                            .signed_distance_oracle(Distance_to_sphere{radius}));
+  const auto shell = CGAL::bspline_shell_3(
+    mesh, parameters::resolution(30).signed_distance_oracle(Distance_to_sphere{ radius }));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

@@ -1,5 +1,5 @@
-// The smoothest field of vectors, lines or crosses on a closed triangle mesh, and its singularities: F. Knoeppel, K. Crane, U. Pinkall and
-// P. Schroeder: Globally optimal direction fields, 2013; here with a vector for each facet.
+// The smoothest field of vectors, lines or crosses on a closed triangle mesh, and its singularities: F. Knoeppel, K.
+// Crane, U. Pinkall and P. Schroeder: Globally optimal direction fields, 2013; here with a vector for each facet.
 #ifndef DIRECTION_FIELD_H
 #define DIRECTION_FIELD_H
 
@@ -27,16 +27,16 @@ struct Singularity
   int index;
 };
 
-// Fields on a mesh without removed simplices. The vector of a facet stands for the N directions with the same N-th power, as a complex number whose
-// real axis is along the facet's halfedge.
+// Fields on a mesh without removed simplices. The vector of a facet stands for the N directions with the same N-th
+// power, as a complex number whose real axis is along the facet's halfedge.
 class Direction_field_space
 {
   typedef std::complex<double> Complex;
 public:
   Direction_field_space(const Mesh& mesh, int directions) : m_mesh(mesh), m_directions(directions) {}
 
-  // The field that changes least across edges, of all with a norm: an eigenvector of the connection Laplacian. Returns whether it was found. It is
-  // longest where it is most certain.
+  // The field that changes least across edges, of all with a norm: an eigenvector of the connection Laplacian. Returns
+  // whether it was found. It is longest where it is most certain.
   bool find_smoothest(Vectors field) const
   {
     const Eigen::Index size = Eigen::Index(m_mesh.num_faces());
@@ -88,7 +88,7 @@ public:
   {
     std::vector<Singularity> result;
     for(Mesh::Vertex_index v : m_mesh.vertices()) {
-      double sum = 2 * CGAL_PI * m_directions;      // of what the field turns by, and of the curvature
+      double sum = 2 * CGAL_PI * m_directions; // of what the field turns by, and of the curvature
       for(Mesh::Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
         sum += change(h, field) - m_directions * angle(m_mesh.opposite(h));
       const int index = int(std::lround(sum / (2 * CGAL_PI)));
@@ -129,7 +129,10 @@ private:
     return std::atan2(normal(first).cross(x).dot(v), x.dot(v));
   }
   // from the axes of the halfedge's facet to those of the facet across the edge
-  double turn(Mesh::Halfedge_index h) const { return polar_angle(m_mesh.opposite(h), edge(h)) - polar_angle(h, edge(h)); }
+  double turn(Mesh::Halfedge_index h) const
+  {
+    return polar_angle(m_mesh.opposite(h), edge(h)) - polar_angle(h, edge(h));
+  }
 
   Complex power(Mesh::Face_index f, Vectors field) const
   {
@@ -141,7 +144,8 @@ private:
   {
     const Mesh::Halfedge_index g = m_mesh.opposite(h);
     if(g < h) return -change(g, field);
-    return std::arg(power(m_mesh.face(g), field) * std::conj(power(m_mesh.face(h), field) * std::polar(1., m_directions * turn(h))));
+    return std::arg(power(m_mesh.face(g), field)
+                    * std::conj(power(m_mesh.face(h), field) * std::polar(1., m_directions * turn(h))));
   }
 
   const Mesh& m_mesh;

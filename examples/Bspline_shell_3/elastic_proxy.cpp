@@ -1,6 +1,7 @@
-// Bends a solid whose surface has bad triangles. A proxy with good triangles, made in the shell of the surface, is filled with tetrahedra and bent
-// there, in nonlinear elasticity; what is held and moved gets to the proxy, and the displacement back to all vertices of the surface, by the
-// one-to-one map between both. Without TetGen (AGPL) or Gmsh (GPL), this example is not built.
+// Bends a solid whose surface has bad triangles. A proxy with good triangles, made in the shell of the surface, is
+// filled with tetrahedra and bent there, in nonlinear elasticity; what is held and moved gets to the proxy, and the
+// displacement back to all vertices of the surface, by the one-to-one map between both. Without TetGen (AGPL) or Gmsh
+// (GPL), this example is not built.
 #include "Neo_hookean_solid.h"
 #include "bend_ends.h"
 #include "example_files.h"
@@ -47,7 +48,11 @@ int main(int argc, char** argv)
   int element_order = 1;
   const auto code = Arguments("Usage: elastic_proxy MESH [EDGES along the longest side of the box, default 20] "
                               "[ANGLE in degrees, default 45] [ORDER of elements, 1 or 2, default 1]\n")
-                      .required(file).optional(edges).optional(degrees).optional(element_order).read(argc, argv);
+                      .required(file)
+                      .optional(edges)
+                      .optional(degrees)
+                      .optional(element_order)
+                      .read(argc, argv);
   if(code) return *code;
   const double angle = degrees * std::acos(-1.) / 180;
   const Element_order order = element_order == 2 ? Element_order::QUADRATIC : Element_order::LINEAR;
@@ -61,7 +66,8 @@ int main(int argc, char** argv)
   Mesh proxy = mesh;
   auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
-  const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
+  const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell,
+                                          BS::parameters::edge_is_constrained_map(sharp));
   if(!report) return failed(message(report.status));
   proxy.collect_garbage();
   const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, proxy);
@@ -71,7 +77,9 @@ int main(int argc, char** argv)
   auto ends_of_proxy = proxy.add_property_map<Mesh::Face_index, End>("f:end", End::NONE).first;
   motion.label_ends(mesh, ends);
   const BS::Transfer_report labels = BS::transfer_face_labels(map, ends, ends_of_proxy);
-  if(!labels) return failed(std::to_string(labels.failures.size()) + " facets have no label: " + message(labels.failures[0].second));
+  if(!labels)
+    return failed(std::to_string(labels.failures.size())
+                  + " facets have no label: " + message(labels.failures[0].second));
 
   Tetrahedra tetrahedra;
 #ifdef HAVE_TETGEN
@@ -80,15 +88,16 @@ int main(int argc, char** argv)
   tetrahedra = tetrahedralize_with_Gmsh(proxy);
 #endif
   if(!tetrahedra) return failed(tetrahedra.error);
-  std::cout << mesh.number_of_faces() << " facets, " << proxy.number_of_faces() << " of the proxy, all of them facets of "
-            << tetrahedra.cells.size() << " tetrahedra with no other border\n";
+  std::cout << mesh.number_of_faces() << " facets, " << proxy.number_of_faces()
+            << " of the proxy, all of them facets of " << tetrahedra.cells.size()
+            << " tetrahedra with no other border\n";
 
   std::vector<Eigen::Vector3d> points;
   for(const auto& p : tetrahedra.points) points.push_back(to_Eigen(p));
   const Solid solid(points, tetrahedra.cells, order, lame_parameters(1, 0.3));
   const Solid::Result result = bend(solid, proxy, ends_of_proxy, motion, 2);
-  std::cout << message(result.status) << " " << result.iterations << " iterations in " << result.load_steps << " load steps; least J: "
-            << result.least_jacobian << "\n";
+  std::cout << message(result.status) << " " << result.iterations << " iterations in " << result.load_steps
+            << " load steps; least J: " << result.least_jacobian << "\n";
   if(!result) return EXIT_FAILURE;
 
   // back to the surface: each vertex moves as its image on the proxy does
@@ -96,9 +105,11 @@ int main(int argc, char** argv)
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const auto image = map(v);
     if(!image) return failed(std::string("A vertex has no image: ") + message(image.status));
-    u.col(Eigen::Index(v)) = solid.displacement(result.displacements, corners(proxy, image.location.first), image.location.second);
+    u.col(Eigen::Index(v)) = solid.displacement(result.displacements, corners(proxy, image.location.first),
+                                                image.location.second);
   }
-  std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length() << " of the longest side of the box\n";
+  std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length()
+            << " of the longest side of the box\n";
   if(!write_VTK("solid.vtk", tetrahedra, result.displacements, "displacement") || !write_displaced("bent.ply", mesh, u)
      || !write_displaced("bent_proxy.ply", proxy, result.displacements))
     return failed("Not all of bent.ply, bent_proxy.ply and solid.vtk are written.");

@@ -33,8 +33,16 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 // exit codes beside 0
-enum Exit_code { WRONG_USAGE = Arguments::wrong_usage, CANNOT_WRITE = 3, NO_SURFACE = 4, NOT_CERTIFIED = 5,
-                 NOT_SIMPLIFIED = 6, POINTS_LOST = 7, NO_SHELL = 10 };
+enum Exit_code
+{
+  WRONG_USAGE = Arguments::wrong_usage,
+  CANNOT_WRITE = 3,
+  NO_SURFACE = 4,
+  NOT_CERTIFIED = 5,
+  NOT_SIMPLIFIED = 6,
+  POINTS_LOST = 7,
+  NO_SHELL = 10
+};
 
 // names the steps in one line of a terminal, and is quiet in a pipe
 struct Step_printer : BS::Default_shell_visitor
@@ -49,7 +57,10 @@ struct Step_printer : BS::Default_shell_visitor
     clear();
     if(on_terminal) std::cerr << what << " ..." << std::flush;
   }
-  void clear() const { if(on_terminal) std::cerr << "\r\033[K" << std::flush; }
+  void clear() const
+  {
+    if(on_terminal) std::cerr << "\r\033[K" << std::flush;
+  }
 
   const bool on_terminal = isatty(STDERR_FILENO);
 };
@@ -69,7 +80,10 @@ public:
   Results(std::string prefix, std::vector<std::string> endings)
     : m_prefix(std::move(prefix)), m_endings(std::move(endings))
   {}
-  ~Results() { for(const std::string& ending : m_endings) std::remove(pending(ending).c_str()); }
+  ~Results()
+  {
+    for(const std::string& ending : m_endings) std::remove(pending(ending).c_str());
+  }
   Results(const Results&) = delete;
   Results& operator=(const Results&) = delete;
 
@@ -135,7 +149,8 @@ inline void list_witnesses(const BS::Certificate_report& certificate)
     std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
 }
 
-// Says which limit was reached, if one was, lists the narrowest places that stand in the way, and writes all of them as points.
+// Says which limit was reached, if one was, lists the narrowest places that stand in the way, and writes all of them as
+// points.
 inline bool report_obstacles(const BS::Shell_report& report, const std::string& file)
 {
   if(report.limit.resource != BS::Refinement_resource::NONE) std::cerr << message(report.limit) << "\n";
@@ -146,9 +161,9 @@ inline bool report_obstacles(const BS::Shell_report& report, const std::string& 
   }
   if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
   return places.empty() || write_result(file, [&](std::ostream& out) {
-    out.precision(17);
-    return CGAL::IO::write_PLY(out, places);
-  });
+           out.precision(17);
+           return CGAL::IO::write_PLY(out, places);
+         });
 }
 
 // what had to be done to polygons before they were a mesh, if anything
@@ -187,8 +202,8 @@ template <typename Shell>
 int write_surface(const std::string& file, const Shell& shell, const typename Shell::Threshold& threshold)
 {
   Mesh surface;
-  const BS::Level_set_status status
-    = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold, surface);
+  const BS::Level_set_status status = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold,
+                                                                                                 surface);
   if(status != BS::Level_set_status::SUCCESS) {
     std::cerr << "No " << file << ". " << message(status) << std::endl;
     return NO_SURFACE;

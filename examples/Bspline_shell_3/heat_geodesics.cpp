@@ -1,5 +1,6 @@
-// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good triangles in the mesh's shell,
-// and the distances are carried back along the integral curves. The proxy keeps the vertex that distances are from.
+// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good
+// triangles in the mesh's shell, and the distances are carried back along the integral curves. The proxy keeps the
+// vertex that distances are from.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -34,7 +35,8 @@ void print_errors(const char* name, const Mesh& mesh, Distance distance, Distanc
     most = (std::max)(most, error);
     largest = (std::max)(largest, exact[v]);
   }
-  std::cout << name << 100 * sum / double(mesh.number_of_vertices()) / largest << " % off in the mean, " << 100 * most / largest << " % at most\n";
+  std::cout << name << 100 * sum / double(mesh.number_of_vertices()) / largest << " % off in the mean, "
+            << 100 * most / largest << " % at most\n";
 }
 
 int main(int argc, char** argv)
@@ -44,7 +46,9 @@ int main(int argc, char** argv)
   int number = 0;
   const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES along the longest side of the box, "
                                         "default 100] [SOURCE, a vertex, default 0]\n")
-                                .required(file).optional(edges).optional(number);
+                                .required(file)
+                                .optional(edges)
+                                .optional(number);
   if(const auto code = arguments.read(argc, argv)) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
@@ -62,8 +66,9 @@ int main(int argc, char** argv)
   auto is_source = proxy.add_property_map<Mesh::Vertex_index, bool>("v:source", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
   is_source[source] = true;
-  const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell,
-                                          BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source));
+  const auto report = BS::remesh_in_shell(
+    proxy, shell.report().unit / edges, shell,
+    BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source));
   if(!report) {
     std::cerr << BS::message(report.status) << std::endl;
     return EXIT_FAILURE;
@@ -75,12 +80,14 @@ int main(int argc, char** argv)
                  distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  direct = mesh.add_property_map<Mesh::Vertex_index, double>("v:direct").first,
                  exact = mesh.add_property_map<Mesh::Vertex_index, double>("v:exact").first;
-  CGAL::Heat_method_3::estimate_geodesic_distances(proxy, on_proxy, *std::find_if(proxy.vertices().begin(), proxy.vertices().end(),
-                                                                                  [&](Mesh::Vertex_index v) { return is_source[v]; }));
+  CGAL::Heat_method_3::estimate_geodesic_distances(proxy, on_proxy,
+                                                   *std::find_if(proxy.vertices().begin(), proxy.vertices().end(),
+                                                                 [&](Mesh::Vertex_index v) { return is_source[v]; }));
   const BS::Shell_map_3<Shell, Mesh> map(shell, proxy, mesh);
   const BS::Transfer_report transfer = BS::transfer_vertex_attribute(map, on_proxy, distance);
   if(!transfer) {
-    std::cerr << transfer.failures.size() << " vertices have no distance: " << message(transfer.failures[0].second) << std::endl;
+    std::cerr << transfer.failures.size() << " vertices have no distance: " << message(transfer.failures[0].second)
+              << std::endl;
     return EXIT_FAILURE;
   }
 

@@ -1,5 +1,5 @@
-// Simplifies an open mesh. Its shell is that of a closed one, but caps and back sheets are seen nowhere: the border stays, bit for bit, and the map
-// between the meshes is one-to-one.
+// Simplifies an open mesh. Its shell is that of a closed one, but caps and back sheets are seen nowhere: the border
+// stays, bit for bit, and the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -27,8 +27,8 @@ int main(int argc, char** argv)
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   const BS::Closing_report& closing = shell.report().closing;
-  std::cout << closing.holes.size() << " holes: " << closing.caps() << " caps, " << closing.sheets << " back sheets, " << closing.triangles
-            << " triangles\n";
+  std::cout << closing.holes.size() << " holes: " << closing.caps() << " caps, " << closing.sheets << " back sheets, "
+            << closing.triangles << " triangles\n";
 
   Mesh coarse = mesh;
   const auto result = BS::simplify_in_shell(coarse, shell);

@@ -23,7 +23,12 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Face_index, int> Labels;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Curve;
 
-enum class Boolean { UNION, INTERSECTION, DIFFERENCE };
+enum class Boolean
+{
+  UNION,
+  INTERSECTION,
+  DIFFERENCE
+};
 
 inline std::optional<Boolean> operation_of(const std::string& name)
 {
@@ -34,8 +39,14 @@ inline std::optional<Boolean> operation_of(const std::string& name)
 }
 
 // facets that are new have no label: -1
-inline Labels labels_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Face_index, int>("f:label", -1).first; }
-inline Curve curve_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:curve", false).first; }
+inline Labels labels_of(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Face_index, int>("f:label", -1).first;
+}
+inline Curve curve_of(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:curve", false).first;
+}
 
 inline void set_labels(Mesh& mesh, int label)
 {
@@ -54,13 +65,14 @@ struct Label_visitor : PMP::Corefinement::Default_visitor<Mesh>
   }
 
   std::map<const Mesh*, Labels> labels;
-  int label = 0;        // of the facet that is being cut
+  int label = 0; // of the facet that is being cut
 };
 
 // whether CGAL can take it
 inline bool is_operand(const Mesh& mesh)
 {
-  return CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh) && PMP::does_bound_a_volume(mesh);
+  return CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh)
+         && PMP::does_bound_a_volume(mesh);
 }
 
 // Returns whether the result is the boundary of a solid. Its facets have the labels of those that they are parts of.
@@ -85,8 +97,8 @@ inline std::size_t mark_curve(const Mesh& mesh, Labels labels, Curve curve)
   return number;
 }
 
-// Scales, turns and moves a mesh, so that it is as large as the first one and neither beside it nor within it. Facets along the axes are in no
-// common plane then, unless chance has it.
+// Scales, turns and moves a mesh, so that it is as large as the first one and neither beside it nor within it. Facets
+// along the axes are in no common plane then, unless chance has it.
 inline void place(Mesh& mesh, const Mesh& first)
 {
   const CGAL::Bbox_3 box = PMP::bbox(mesh), other = PMP::bbox(first);
@@ -96,8 +108,9 @@ inline void place(Mesh& mesh, const Mesh& first)
   const double s = longest(other) / longest(box);
   // by 90 degrees around the z-axis
   PMP::transform(Kernel::Aff_transformation_3(0, -s, 0, middle(other, 0) + s * middle(box, 1) + 0.31 * side(other, 0),
-                                              s, 0, 0, middle(other, 1) - s * middle(box, 0) + 0.13 * side(other, 1),
-                                              0, 0, s, middle(other, 2) - s * middle(box, 2) + 0.17 * side(other, 2)), mesh);
+                                              s, 0, 0, middle(other, 1) - s * middle(box, 0) + 0.13 * side(other, 1), 0,
+                                              0, s, middle(other, 2) - s * middle(box, 2) + 0.17 * side(other, 2)),
+                 mesh);
 }
 
 #endif // OPERAND_LABELS_H

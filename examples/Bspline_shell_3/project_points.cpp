@@ -1,5 +1,5 @@
-// Points are moved from one mesh in a shell to another one, and back again: the map between the meshes is one-to-one, and the
-// points return to where they were.
+// Points are moved from one mesh in a shell to another one, and back again: the map between the meshes is one-to-one,
+// and the points return to where they were.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -19,14 +19,16 @@ int main(int argc, char** argv)
 
   // points in space, once
   std::vector<Kernel::Point_3> points;
-  for(Mesh::Edge_index e : mesh.edges()) points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  for(Mesh::Edge_index e : mesh.edges())
+    points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   const auto images = BS::project_points(shell, points, moved);
   const auto first = images.front();
   if(!first) {
     std::cerr << message(first.status) << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << points.front() << "\nis mapped to\n" << first.point << "\non facet " << first.location.first << ", barycentric coordinates "
+  std::cout << points.front() << "\nis mapped to\n"
+            << first.point << "\non facet " << first.location.first << ", barycentric coordinates "
             << first.location.second[0] << " " << first.location.second[1] << " " << first.location.second[2] << "\n";
 
   // locations on the meshes, any number of times
@@ -49,7 +51,7 @@ int main(int argc, char** argv)
     farthest_away = (std::max)(farthest_away, CGAL::squared_distance(points[n], images[n].point));
     farthest_back = (std::max)(farthest_back, CGAL::squared_distance(points[n], back[n].point));
   }
-  std::cout << points.size() << " points were moved by up to " << std::sqrt(farthest_away) << "\nand returned to their places up to "
-            << std::sqrt(farthest_back) << std::endl;
+  std::cout << points.size() << " points were moved by up to " << std::sqrt(farthest_away)
+            << "\nand returned to their places up to " << std::sqrt(farthest_back) << std::endl;
   return farthest_back <= CGAL::square(1e-8 * shell.report().unit) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,6 @@
-// Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its vertices over to the result. That
-// cannot intersect itself, and the map between it and the mesh before is one-to-one: both are proved.
+// Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its
+// vertices over to the result. That cannot intersect itself, and the map between it and the mesh before is one-to-one:
+// both are proved.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -25,7 +26,10 @@ int main(int argc, char** argv)
   double edges = 50, thickness = 0.01;
   const auto code = Arguments("Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] "
                               "[THICKNESS, of the box, default 0.01]\n  Writes remeshed.ply.\n")
-                      .required(file).optional(edges).optional(thickness).read(argc, argv);
+                      .required(file)
+                      .optional(edges)
+                      .optional(thickness)
+                      .read(argc, argv);
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
@@ -34,7 +38,7 @@ int main(int argc, char** argv)
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;
   }
-  const double unit = shell.report().unit;      // the longest side of the box
+  const double unit = shell.report().unit; // the longest side of the box
 
   // a function on the mesh as it is now
   Mesh before = mesh;
@@ -46,9 +50,10 @@ int main(int argc, char** argv)
   const auto report = BS::remesh_in_shell(mesh, unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
   std::cout << BS::message(report.status) << "\n";
   if(!report) return EXIT_FAILURE;
-  std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, " << report.collapses
-            << " collapses, " << report.flips << " flips, " << report.moves << " moves; refused: " << report.placements.rejected()
-            << "\nseconds: " << report.edit_seconds << " (operations) " << report.certificate_seconds << " (certificate)\n";
+  std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, "
+            << report.collapses << " collapses, " << report.flips << " flips, " << report.moves
+            << " moves; refused: " << report.placements.rejected() << "\nseconds: " << report.edit_seconds
+            << " (operations) " << report.certificate_seconds << " (certificate)\n";
 
   // to the result, along the integral curves
   mesh.collect_garbage();
@@ -56,6 +61,7 @@ int main(int argc, char** argv)
   const BS::Shell_map_3<Shell, Mesh> map(shell, before, mesh);
   const BS::Transfer_report transfer = BS::transfer_vertex_attribute(map, wave, wave_now);
   if(!transfer)
-    std::cerr << transfer.failures.size() << " vertices have no value: " << message(transfer.failures[0].second) << "\n";
+    std::cerr << transfer.failures.size() << " vertices have no value: " << message(transfer.failures[0].second)
+              << "\n";
   return save("remeshed.ply", mesh) && transfer ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,7 +22,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-// Vertices are moved along the integral curves, towards one threshold or the other; by less, if the mesh is not certified then.
+// Vertices are moved along the integral curves, towards one threshold or the other; by less, if the mesh is not
+// certified then.
 inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);
@@ -66,8 +67,8 @@ inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell
 inline bool is_complete(const BS::Transfer_report& report)
 {
   if(!report)
-    std::cerr << report.failures.size() << " values are missing, the first at position " << report.failures[0].first << ": "
-              << message(report.failures[0].second) << std::endl;
+    std::cerr << report.failures.size() << " values are missing, the first at position " << report.failures[0].first
+              << ": " << message(report.failures[0].second) << std::endl;
   return bool(report);
 }
 

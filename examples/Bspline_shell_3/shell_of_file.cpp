@@ -1,5 +1,5 @@
-// The front door for files: reads polygons as they are, repairs what can be repaired, and writes a certified shell of the mesh, closed
-// virtually if it is open, or of a proxy around what is no mesh.
+// The front door for files: reads polygons as they are, repairs what can be repaired, and writes a certified shell of
+// the mesh, closed virtually if it is open, or of a proxy around what is no mesh.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
@@ -16,18 +16,22 @@
 
 const char* const usage =
   "Usage: shell_of_file FILE [--thickness T] [--time-limit SECONDS] [--output PREFIX]\n"
-  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. By default, time is not limited.\n"
+  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. By default, time is "
+  "not limited.\n"
   "  Writes\n"
   "    PREFIX.shell                the shell\n"
   "    PREFIX_mesh.ply             the mesh that the shell is of: the file's, repaired, or a proxy\n"
   "    PREFIX_{inner,outer}.ply    the surfaces that bound the shell\n"
-  "    PREFIX_soup.ply             with a proxy, the file's polygons; green: carried by curves, yellow: continued to the nearest point,\n"
+  "    PREFIX_soup.ply             with a proxy, the file's polygons; green: carried by curves, yellow: continued to "
+  "the nearest point,\n"
   "                                grey: hidden from the proxy\n"
   "    PREFIX_places.ply           without a proof, points that stand in the way\n"
   "    PREFIX.json                 what was done, and why\n"
-  "  Files take their places together at the end. If the run fails (3, 5, 10 or more), results of an earlier run stay,\n"
+  "  Files take their places together at the end. If the run fails (3, 5, 10 or more), results of an earlier run "
+  "stay,\n"
   "  and the files of this one are named PREFIX.failed.\n"
-  "  Exit codes: 0 certified; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the\n"
+  "  Exit codes: 0 certified; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, "
+  "the\n"
   "  other files are written; 5 not certified; 10 + the status (Status.h) if there is no shell.\n";
 
 // the polygons as a mesh, and what becomes of their points
@@ -38,11 +42,12 @@ bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS:
   std::size_t n = 0;
   for(auto f : soup.faces()) {
     const BS::Soup_point p = shares.facets[n++];
-    color[f] = p == BS::Soup_point::CARRIED ? CGAL::IO::Color(90, 170, 90)
-             : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60) : CGAL::IO::Color(150, 150, 150);
+    color[f] = p == BS::Soup_point::CARRIED     ? CGAL::IO::Color(90, 170, 90)
+               : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60)
+                                                : CGAL::IO::Color(150, 150, 150);
   }
-  std::cout << "carried       " << 100 * shares.carried << " % of the area; " << 100 * shares.continued << " % continued to the nearest point, "
-            << 100 * shares.hidden << " % hidden\n";
+  std::cout << "carried       " << 100 * shares.carried << " % of the area; " << 100 * shares.continued
+            << " % continued to the nearest point, " << 100 * shares.hidden << " % hidden\n";
   return write_mesh(results.pending("_soup.ply"), soup);
 }
 
@@ -71,9 +76,11 @@ int run(const Options& options, const Results& results)
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
   const BS::Shell_report& report = found.shell().report();
-  std::cout << "shell         of " << found.mesh().number_of_faces() << " facets, " << name(found.kind()) << "; " << report.cells << " cells\n"
-            << "thickness     " << 100 * found.shell().relative_thickness() << " % of the box, less on " << 100 * report.narrowed_area
-            << " % of the mesh\n" << found.message() << std::endl;
+  std::cout << "shell         of " << found.mesh().number_of_faces() << " facets, " << name(found.kind()) << "; "
+            << report.cells << " cells\n"
+            << "thickness     " << 100 * found.shell().relative_thickness() << " % of the box, less on "
+            << 100 * report.narrowed_area << " % of the mesh\n"
+            << found.message() << std::endl;
   if(!write_mesh(results.pending("_mesh.ply"), found.mesh())) return CANNOT_WRITE;
   if(found.proxy && !write_soup(results, *found.proxy, shares)) return CANNOT_WRITE;
   const bool has_shell = BS::write_shell(results.pending(".shell"), found.shell()) == BS::Shell_file_status::SUCCESS;
@@ -90,11 +97,15 @@ int run(const Options& options, const Results& results)
 int main(int argc, char** argv)
 {
   Options options;
-  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
-                      .option("--thickness", options.thickness).option("--time-limit", options.limit).read(argc, argv);
+  const auto code = Arguments(usage)
+                      .required(options.file)
+                      .option("--output", options.output)
+                      .option("--thickness", options.thickness)
+                      .option("--time-limit", options.limit)
+                      .read(argc, argv);
   if(code) return *code;
-  const Results results(options.output, { ".json", ".shell", "_mesh.ply", "_inner.ply", "_outer.ply", "_soup.ply",
-                                          "_places.ply" });
+  const Results results(options.output,
+                        { ".json", ".shell", "_mesh.ply", "_inner.ply", "_outer.ply", "_soup.ply", "_places.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
   return results.finish(run(options, results));
 }

@@ -1,6 +1,6 @@
-// The whole chain: a file, the certified shell of its mesh or of a proxy, a simplified mesh in the shell, and colors and a scalar at the
-// vertices that are carried over along the integral curves. Both meshes are written with what they carry, and the shell's bounding
-// surfaces; render_shell.py draws them.
+// The whole chain: a file, the certified shell of its mesh or of a proxy, a simplified mesh in the shell, and colors
+// and a scalar at the vertices that are carried over along the integral curves. Both meshes are written with what they
+// carry, and the shell's bounding surfaces; render_shell.py draws them.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -34,18 +34,22 @@ typedef BS::Shell_map_3<Shell, Mesh> Map;
 const char* const usage =
   "Usage: simplify_and_transfer FILE [--facets FACETS] [--thickness T] [--output PREFIX] [--time-limit SECONDS]\n"
   "                             [--memory-limit MB] [--threads N]\n"
-  "  Simplifies to FACETS facets, or as far as the shell allows. The thickness T of the shell is a part of the longest\n"
+  "  Simplifies to FACETS facets, or as far as the shell allows. The thickness T of the shell is a part of the "
+  "longest\n"
   "  side of the box, by default 0.01: the thicker, the fewer facets it allows.\n"
   "  Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is simplified if not given. mesh is that of the\n"
-  "  file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why. detail is the simplified mesh,\n"
-  "  cut into small triangles that show the color of every point. PREFIX_simplified.json has the numbers of facets, and\n"
+  "  file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why. detail is the simplified "
+  "mesh,\n"
+  "  cut into small triangles that show the color of every point. PREFIX_simplified.json has the numbers of facets, "
+  "and\n"
   "  how far points arrive from where they started, there and back. SECONDS is the limit of the shell and the\n"
   "  simplification together, after which they end with a status; by default there is none. MB is the memory limit of\n"
   "  the shell, by default 4000; N is by default the number of processors.\n"
   "  If the shell is not certified, writes PREFIX_{mesh,places}.ply: the mesh, and points that stand in the way.\n"
   "  Files take their places together at the end. If the run fails (3, 5, 6, 10 or more), results of an earlier run\n"
   "  stay, and the files of this one are named PREFIX.failed.\n"
-  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the other\n"
+  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the "
+  "other\n"
   "  files are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way, all\n"
   "  files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
 
@@ -56,15 +60,18 @@ void add_attributes(Mesh& mesh)
   auto color = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
   const auto height = [&](Mesh::Vertex_index v) { return mesh.point(v).x() + mesh.point(v).y() + mesh.point(v).z(); };
   const Kernel::Point_3 top = mesh.point(*std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
-    [&](auto v, auto w) { return height(v) < height(w); }));
+                                                           [&](auto v, auto w) { return height(v) < height(w); }));
   double largest = 0;
   for(auto v : mesh.vertices()) {
     distance[v] = std::sqrt(CGAL::squared_distance(mesh.point(v), top));
     largest = (std::max)(largest, distance[v]);
   }
-  const std::array<std::array<double, 3>, 4> palette = {{ { 253, 200, 60 }, { 225, 85, 85 }, { 125, 60, 150 }, { 35, 110, 170 } }};
+  const std::array<std::array<double, 3>, 4> palette = {
+    { { 253, 200, 60 }, { 225, 85, 85 }, { 125, 60, 150 }, { 35, 110, 170 } }
+  };
   for(auto v : mesh.vertices()) {
-    const double t = distance[v] / largest, at = 3 * t, stripe = 0.65 + 0.35 * std::tanh(2 * std::cos(18 * CGAL_PI * t));
+    const double t = distance[v] / largest, at = 3 * t,
+                 stripe = 0.65 + 0.35 * std::tanh(2 * std::cos(18 * CGAL_PI * t));
     const std::size_t i = (std::min)(std::size_t(at), std::size_t(2));
     std::array<unsigned char, 3> c;
     for(std::size_t a = 0; a < 3; ++a) {
@@ -99,11 +106,13 @@ Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::s
   return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
 }
 
-// Gives the vertices of the target the source's values where their curves meet it. Prints and returns how many get none.
+// Gives the vertices of the target the source's values where their curves meet it. Prints and returns how many get
+// none.
 template <typename Value>
 std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
-  const BS::Transfer_report report = BS::transfer_vertex_attribute(map, attribute<Value>(source, name), attribute<Value>(target, name));
+  const BS::Transfer_report report = BS::transfer_vertex_attribute(map, attribute<Value>(source, name),
+                                                                   attribute<Value>(target, name));
   if(!report) {
     const auto& [vertex, status] = report.failures[0];
     std::cerr << name << ": " << report.failures.size() << " points are lost, the first at "
@@ -115,7 +124,7 @@ std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::st
 struct Round_trip
 {
   std::size_t points = 0, lost = 0;
-  double farthest = 0;      // from where one started
+  double farthest = 0; // from where one started
 };
 
 // Takes vertices and centroids of the source to the target and back.
@@ -123,16 +132,21 @@ template <typename Map_>
 void travel(const Map_& map, Round_trip& trip)
 {
   std::vector<typename Map_::Source_location> starts;
-  for(auto v : map.source().vertices()) starts.push_back(CGAL::Polygon_mesh_processing::locate_vertex<double>(v, map.source()));
+  for(auto v : map.source().vertices())
+    starts.push_back(CGAL::Polygon_mesh_processing::locate_vertex<double>(v, map.source()));
   for(auto f : map.source().faces()) starts.push_back({ f, { 1 / 3., 1 / 3., 1 / 3. } });
   const auto images = map.project(starts);
   const auto back = map.inverse();
   for(std::size_t n = 0; n < starts.size(); ++n) {
     ++trip.points;
     const auto end = images[n] ? back(images[n].location) : typename Map_::Source_image();
-    if(!images[n] || !end) { ++trip.lost; continue; }
+    if(!images[n] || !end) {
+      ++trip.lost;
+      continue;
+    }
     const auto start = map.point(starts[n]);
-    trip.farthest = (std::max)(trip.farthest, std::sqrt(CGAL::squared_distance(Kernel::Point_3(start[0], start[1], start[2]), end.point)));
+    trip.farthest = (std::max)(
+      trip.farthest, std::sqrt(CGAL::squared_distance(Kernel::Point_3(start[0], start[1], start[2]), end.point)));
   }
 }
 
@@ -156,8 +170,10 @@ int run(const Options& options, const Results& results)
   CGAL::Real_timer timer;
   timer.start();
   const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
-    soup, BS::parameters::relative_thickness(options.thickness).time_limit(options.seconds)
-                         .memory_limit(1e6 * options.megabytes).visitor(std::ref(printer)));
+    soup, BS::parameters::relative_thickness(options.thickness)
+            .time_limit(options.seconds)
+            .memory_limit(1e6 * options.megabytes)
+            .visitor(std::ref(printer)));
   const Shell& shell = found.shell();
   Mesh mesh = found.mesh();
   printer.clear();
@@ -179,7 +195,7 @@ int run(const Options& options, const Results& results)
   if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
-  constexpr double least_seconds = 1e-3;      // as limits are positive
+  constexpr double least_seconds = 1e-3; // as limits are positive
   Mesh coarse = found.mesh();
   const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
@@ -198,8 +214,8 @@ int run(const Options& options, const Results& results)
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
   const Map to_coarse(shell, mesh, coarse), to_detail(shell, mesh, detail);
   const std::size_t lost = carry_over<double>(to_coarse, mesh, coarse, "v:distance")
-                         + carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
-                         + carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color");
+                           + carry_over<CGAL::IO::Color>(to_coarse, mesh, coarse, "v:color")
+                           + carry_over<CGAL::IO::Color>(to_detail, mesh, detail, "v:color");
   const double transfer_seconds = timer.time();
   Round_trip trip;
   travel(to_coarse, trip);
@@ -207,39 +223,48 @@ int run(const Options& options, const Results& results)
 
   const auto write_simplified_report = [&](std::ostream& out) {
     out.imbue(std::locale::classic());
-    out << "{\n  \"facets_before\": " << simplified.facets_before << ",\n  \"facets\": " << simplified.facets << ",\n  \"seconds\": "
-        << simplified.total_seconds() << ",\n  \"lost\": " << lost << ",\n  \"round_trip\": { \"points\": "
-        << trip.points << ", \"lost\": " << trip.lost << ", \"farthest\": " << trip.farthest << " }\n}\n";
+    out << "{\n  \"facets_before\": " << simplified.facets_before << ",\n  \"facets\": " << simplified.facets
+        << ",\n  \"seconds\": " << simplified.total_seconds() << ",\n  \"lost\": " << lost
+        << ",\n  \"round_trip\": { \"points\": " << trip.points << ", \"lost\": " << trip.lost
+        << ", \"farthest\": " << trip.farthest << " }\n}\n";
     return bool(out);
   };
   if(!write_mesh(results.pending("_simplified.ply"), coarse) || !write_mesh(results.pending("_detail.ply"), detail)
-     || !write_result(results.pending("_simplified.json"), write_simplified_report)) return CANNOT_WRITE;
+     || !write_result(results.pending("_simplified.json"), write_simplified_report))
+    return CANNOT_WRITE;
 
   const auto row = [](const char* what) -> std::ostream& { return std::cout << std::left << std::setw(14) << what; };
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
-  row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells << " cells; "
-               << shell_seconds << " s\n";
-  row("simplified") << simplified.facets << " facets, " << 100. * double(simplified.facets) / double(simplified.facets_before)
-                    << " %; certified; " << simplified.total_seconds() << " s\n";
+  row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells
+               << " cells; " << shell_seconds << " s\n";
+  row("simplified") << simplified.facets << " facets, "
+                    << 100. * double(simplified.facets) / double(simplified.facets_before) << " %; certified; "
+                    << simplified.total_seconds() << " s\n";
   if(options.facets > 0 && simplified.facets > options.facets) row("") << message(simplified.end) << "\n";
-  row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at " << detail.number_of_vertices()
-                      << " points; " << (lost > 0 ? std::to_string(lost) + " are lost" : "none is lost") << "; "
-                      << transfer_seconds << " s\n";
-  row("round trip") << trip.points << " points, " << trip.lost << " lost; at most " << trip.farthest / shell.report().unit
-                    << " of the box from where they started\n";
+  row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at "
+                      << detail.number_of_vertices() << " points; "
+                      << (lost > 0 ? std::to_string(lost) + " are lost" : "none is lost") << "; " << transfer_seconds
+                      << " s\n";
+  row("round trip") << trip.points << " points, " << trip.lost << " lost; at most "
+                    << trip.farthest / shell.report().unit << " of the box from where they started\n";
   return lost > 0 ? int(POINTS_LOST) : (std::max)(inner, outer);
 }
 
 int main(int argc, char** argv)
 {
   Options options;
-  const auto code = Arguments(usage).required(options.file).option("--output", options.output)
-                      .option("--facets", options.facets).option("--thickness", options.thickness)
-                      .option("--time-limit", options.seconds).option("--memory-limit", options.megabytes)
-                      .option("--threads", options.threads).read(argc, argv);
+  const auto code = Arguments(usage)
+                      .required(options.file)
+                      .option("--output", options.output)
+                      .option("--facets", options.facets)
+                      .option("--thickness", options.thickness)
+                      .option("--time-limit", options.seconds)
+                      .option("--memory-limit", options.megabytes)
+                      .option("--threads", options.threads)
+                      .read(argc, argv);
   if(code) return *code;
   const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
                                           "_simplified.ply", "_detail.ply", "_simplified.json" });

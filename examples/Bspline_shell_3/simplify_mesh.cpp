@@ -1,5 +1,6 @@
-// Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the map between it and
-// the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that they were collapsed into.
+// Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the
+// map between it and the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that
+// they were collapsed into.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -22,7 +23,10 @@ int main(int argc, char** argv)
   double thickness = 0.01;
   const auto code = Arguments("Usage: simplify_mesh MESH [FACETS, default: as few as the shell allows] "
                               "[THICKNESS, of the box, default 0.01]\n  Writes simplified.off.\n")
-                      .required(file).optional(facets).optional(thickness).read(argc, argv);
+                      .required(file)
+                      .optional(facets)
+                      .optional(thickness)
+                      .read(argc, argv);
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
@@ -36,11 +40,13 @@ int main(int argc, char** argv)
   std::cout << BS::message(result.status) << "\n";
   if(!result) return EXIT_FAILURE;
   std::cout << result.facets_before << " facets before, " << result.facets << " now; places rejected: ";
-  for(auto verdict : { BS::Placement_verdict::LEAVES_SHELL, BS::Placement_verdict::FACES_AWAY, BS::Placement_verdict::WINDS_TWICE })
+  for(auto verdict :
+      { BS::Placement_verdict::LEAVES_SHELL, BS::Placement_verdict::FACES_AWAY, BS::Placement_verdict::WINDS_TWICE })
     std::cout << result.placements.number(verdict) << " (" << name(verdict) << ") ";
   const Mesh::Vertex_index v = result.images[0];
-  std::cout << "\nthe first vertex is now at " << mesh.point(v) << "\nno point is farther than " << result.certificate.displacement_bound
-            << " from its image\nseconds: " << result.edit_seconds << " (collapses) " << result.certificate_seconds << " (certificate)\n";
+  std::cout << "\nthe first vertex is now at " << mesh.point(v) << "\nno point is farther than "
+            << result.certificate.displacement_bound << " from its image\nseconds: " << result.edit_seconds
+            << " (collapses) " << result.certificate_seconds << " (certificate)\n";
   mesh.collect_garbage();
   return save("simplified.off", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

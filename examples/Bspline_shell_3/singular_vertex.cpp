@@ -1,5 +1,5 @@
-// Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell is that of a truncated mesh, but
-// the map is one-to-one from the mesh as it is.
+// Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell
+// is that of a truncated mesh, but the map is one-to-one from the mesh as it is.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -29,8 +29,8 @@ int main(int argc, char** argv)
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   for(const auto& v : shell.report().truncation.vertices)
-    std::cout << "vertex " << v.vertex << ": " << name(v.outcome) << ", cone margin " << v.margin_before << " -> " << v.margin_after << ", radius "
-              << v.radius << "\n";
+    std::cout << "vertex " << v.vertex << ": " << name(v.outcome) << ", cone margin " << v.margin_before << " -> "
+              << v.margin_after << ", radius " << v.radius << "\n";
 
   Mesh coarse = mesh;
   const auto result = BS::simplify_in_shell(coarse, shell);

@@ -1,5 +1,6 @@
-// What is no surface, as it intersects itself, has gaps, or faces both ways, gets a clean proxy with a certified shell. The proxy is
-// simplified in it, and gets the parts and texture coordinates of the polygons; what it computes goes back to them.
+// What is no surface, as it intersects itself, has gaps, or faces both ways, gets a clean proxy with a certified shell.
+// The proxy is simplified in it, and gets the parts and texture coordinates of the polygons; what it computes goes back
+// to them.
 #include "broken_models.h"
 #include "example_files.h"
 
@@ -27,9 +28,11 @@ struct Texture_of_corner
 
   friend Vector_2 get(const Texture_of_corner& map, Mesh::Halfedge_index h)
   {
-    const std::size_t polygon = map.soup->polygon_of(map.soup->mesh().face(h)), point = map.soup->point_of(map.soup->mesh().target(h));
+    const std::size_t polygon = map.soup->polygon_of(map.soup->mesh().face(h)),
+                      point = map.soup->point_of(map.soup->mesh().target(h));
     const auto& points = map.model->soup.polygons[polygon];
-    const auto& uv = map.model->texture[polygon][std::size_t(std::find(points.begin(), points.end(), point) - points.begin())];
+    const auto& uv = map.model
+                       ->texture[polygon][std::size_t(std::find(points.begin(), points.end(), point) - points.begin())];
     return Vector_2(uv[0], uv[1]);
   }
 
@@ -42,18 +45,23 @@ int main(int argc, char** argv)
   std::string name = "figure";
   const Arguments arguments = Arguments("Usage: soup_proxy [balls | figure | part]\n").optional(name);
   if(const auto code = arguments.read(argc, argv)) return *code;
-  const Broken_model model = name == "balls" ? two_balls() : name == "figure" ? figure() : name == "part" ? machine_part() : Broken_model();
+  const Broken_model model = name == "balls"    ? two_balls()
+                             : name == "figure" ? figure()
+                             : name == "part"   ? machine_part()
+                                                : Broken_model();
   if(model.soup.polygons.empty()) return *arguments.wrong("There is no model " + name + ".");
   const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(model.soup.points, model.soup.polygons);
   std::cout << proxy.message() << "\n";
   if(!proxy.is_certified()) return EXIT_FAILURE;
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
-  std::cout << model.soup.polygons.size() << " polygons, " << proxy.mesh().number_of_faces() << " facets around them; " << 100 * shares.carried
-            << " % of the area is carried, " << 100 * shares.continued << " % continued, " << 100 * shares.hidden << " % hidden\n";
+  std::cout << model.soup.polygons.size() << " polygons, " << proxy.mesh().number_of_faces() << " facets around them; "
+            << 100 * shares.carried << " % of the area is carried, " << 100 * shares.continued << " % continued, "
+            << 100 * shares.hidden << " % hidden\n";
 
   // fewer facets, in the same shell
   Mesh coarse = proxy.mesh();
-  const auto simplified = BS::simplify_in_shell(coarse, proxy.shell(), BS::parameters::stop(BS::Facet_count_stop_predicate(1000)));
+  const auto simplified = BS::simplify_in_shell(coarse, proxy.shell(),
+                                                BS::parameters::stop(BS::Facet_count_stop_predicate(1000)));
   if(!simplified) {
     std::cerr << BS::message(simplified.status) << std::endl;
     return EXIT_FAILURE;
@@ -70,16 +78,17 @@ int main(int argc, char** argv)
   auto texture = coarse.add_property_map<Mesh::Halfedge_index, Vector_2>("h:texture").first;
   const BS::Transfer_report parts = BS::transfer_face_labels(map, part_of, part);
   const BS::Transfer_report corners = BS::transfer_corner_attribute(map, Texture_of_corner{ &model, &soup }, texture);
-  std::cout << simplified.facets << " facets after simplification; " << parts.failures.size() << " without a part, " << corners.failures.size()
-            << " without texture, " << corners.continued.size() << " with texture from where nothing is proved\n";
+  std::cout << simplified.facets << " facets after simplification; " << parts.failures.size() << " without a part, "
+            << corners.failures.size() << " without texture, " << corners.continued.size()
+            << " with texture from where nothing is proved\n";
 
   // and back: the height of the proxy, as seen from the polygons
   auto height = coarse.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
   for(auto v : coarse.vertices()) height[v] = coarse.point(v).z();
   auto height_of = soup_mesh.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
   const BS::Transfer_report heights = BS::transfer_vertex_attribute(map.inverse(), height, height_of);
-  std::cout << heights.transferred << " points of the polygons have a value from the proxy, " << heights.continued.size()
-            << " of them from its nearest point" << std::endl;
+  std::cout << heights.transferred << " points of the polygons have a value from the proxy, "
+            << heights.continued.size() << " of them from its nearest point" << std::endl;
 
   return save("proxy.ply", coarse) && parts && corners && heights ? EXIT_SUCCESS : EXIT_FAILURE;
 }

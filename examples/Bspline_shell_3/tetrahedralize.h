@@ -1,7 +1,8 @@
-// Tetrahedra that fill a closed mesh and have its triangles as their border: by TetGen, if HAVE_TETGEN is defined, or by Gmsh, if HAVE_GMSH is.
+// Tetrahedra that fill a closed mesh and have its triangles as their border: by TetGen, if HAVE_TETGEN is defined, or
+// by Gmsh, if HAVE_GMSH is.
 //
-// Both are libraries of others, with licenses that hold for every program that is linked with them: TetGen is under the AGPL, version 3 (Debian:
-// libtet1.5-dev), Gmsh under the GPL, version 2 or later (Debian: libgmsh-dev).
+// Both are libraries of others, with licenses that hold for every program that is linked with them: TetGen is under the
+// AGPL, version 3 (Debian: libtet1.5-dev), Gmsh under the GPL, version 2 or later (Debian: libgmsh-dev).
 #ifndef TETRAHEDRALIZE_H
 #define TETRAHEDRALIZE_H
 
@@ -11,11 +12,11 @@
 #include <CGAL/Surface_mesh.h>
 
 #ifdef HAVE_TETGEN
-#  define TETLIBRARY
-#  include <tetgen.h>
+#define TETLIBRARY
+#include <tetgen.h>
 #endif
 #ifdef HAVE_GMSH
-#  include <gmsh.h>
+#include <gmsh.h>
 #endif
 
 #include <algorithm>
@@ -32,17 +33,17 @@ struct Tetrahedra
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 
-  std::vector<Point> points;                              // first those of the mesh, in its order
-  std::vector<std::array<std::size_t, 4> > cells;         // positively oriented; none if there was no result
-  std::string error;                                      // why there was none, or why it does not conform to the mesh
+  std::vector<Point> points;                      // first those of the mesh, in its order
+  std::vector<std::array<std::size_t, 4> > cells; // positively oriented; none if there was no result
+  std::string error;                              // why there was none, or why it does not conform to the mesh
 
   explicit operator bool() const { return error.empty(); }
 };
 
 typedef CGAL::Surface_mesh<Tetrahedra::Point> Surface;
 
-// Whether the facets on the border of the tetrahedra are the mesh's, one by one and with their orientation, and the points are the mesh's, bit for
-// bit. With cavities they are not: both generators fill them.
+// Whether the facets on the border of the tetrahedra are the mesh's, one by one and with their orientation, and the
+// points are the mesh's, bit for bit. With cavities they are not: both generators fill them.
 inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
 {
   typedef std::array<std::size_t, 3> Facet;
@@ -89,7 +90,8 @@ inline Tetrahedra checked(Tetrahedra tetrahedra, const Surface& mesh)
     const auto& p = tetrahedra.points;
     if(CGAL::orientation(p[a], p[b], p[c], p[d]) == CGAL::NEGATIVE) std::swap(c, d);
   }
-  if(tetrahedra.error.empty() && !conforms(tetrahedra, mesh)) tetrahedra.error = "The border of the tetrahedra is not the mesh.";
+  if(tetrahedra.error.empty() && !conforms(tetrahedra, mesh))
+    tetrahedra.error = "The border of the tetrahedra is not the mesh.";
   return tetrahedra;
 }
 
@@ -100,7 +102,7 @@ inline Tetrahedra tetrahedralize_with_TetGen(const Surface& mesh)
   Tetrahedra result;
   tetgenio in, out;
   in.numberofpoints = int(mesh.number_of_vertices());
-  in.pointlist = new REAL[3 * mesh.number_of_vertices()];       // freed by TetGen, as all that follows
+  in.pointlist = new REAL[3 * mesh.number_of_vertices()]; // freed by TetGen, as all that follows
   REAL* coordinate = in.pointlist;
   for(const Tetrahedra::Point& p : mesh.points())
     for(int i = 0; i < 3; ++i) *coordinate++ = p[i];
@@ -118,13 +120,15 @@ inline Tetrahedra tetrahedralize_with_TetGen(const Surface& mesh)
     ++facet;
   }
   try {
-    std::string switches = "pYq1.4Q";       // this mesh, with no point added to its triangles; quality by radius over shortest edge; no output
+    // this mesh, with no point added to its triangles; quality by radius over shortest edge; no output
+    std::string switches = "pYq1.4Q";
     tetrahedralize(switches.data(), &in, &out);
-  } catch(int code) {                       // that is all that it throws
+  } catch(int code) { // that is all that it throws
     result.error = "TetGen failed with code " + std::to_string(code) + ".";
     return result;
   }
-  for(int n = 0; n < out.numberofpoints; ++n) result.points.emplace_back(out.pointlist[3*n], out.pointlist[3*n + 1], out.pointlist[3*n + 2]);
+  for(int n = 0; n < out.numberofpoints; ++n)
+    result.points.emplace_back(out.pointlist[3 * n], out.pointlist[3 * n + 1], out.pointlist[3 * n + 2]);
   for(int n = 0; n < out.numberoftetrahedra; ++n) {
     const int* t = out.tetrahedronlist + std::ptrdiff_t(n) * out.numberofcorners;
     result.cells.push_back({ std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]), std::size_t(t[3]) });
@@ -141,9 +145,9 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
   gmsh::initialize();
   try {
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("Mesh.Algorithm3D", 1);       // Delaunay: the surface stays as it is
+    gmsh::option::setNumber("Mesh.Algorithm3D", 1); // Delaunay: the surface stays as it is
     gmsh::model::add("solid");
-    std::vector<std::size_t> nodes, corners;              // numbers begin with one
+    std::vector<std::size_t> nodes, corners; // numbers begin with one
     std::vector<double> coordinates;
     for(const Tetrahedra::Point& p : mesh.points()) {
       nodes.push_back(nodes.size() + 1);
@@ -151,7 +155,7 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
     }
     for(Surface::Face_index f : mesh.faces())
       for(Surface::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(std::size_t(v) + 1);
-    const int surface = gmsh::model::addDiscreteEntity(2), triangle = 2, tetrahedron = 4;       // types of elements
+    const int surface = gmsh::model::addDiscreteEntity(2), triangle = 2, tetrahedron = 4; // types of elements
     gmsh::model::mesh::addNodes(2, surface, nodes, coordinates);
     gmsh::model::mesh::addElementsByType(surface, triangle, {}, corners);
     gmsh::model::geo::addVolume({ gmsh::model::geo::addSurfaceLoop({ surface }) });
@@ -162,7 +166,8 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
     gmsh::model::mesh::getNodes(nodes, coordinates, parameters);
     result.points.resize(*std::max_element(nodes.begin(), nodes.end()));
     for(std::size_t n = 0; n < nodes.size(); ++n)
-      result.points[nodes[n] - 1] = Tetrahedra::Point(coordinates[3*n], coordinates[3*n + 1], coordinates[3*n + 2]);
+      result.points[nodes[n] - 1] = Tetrahedra::Point(coordinates[3 * n], coordinates[3 * n + 1],
+                                                      coordinates[3 * n + 2]);
     std::vector<std::size_t> numbers, cells;
     gmsh::model::mesh::getElementsByType(tetrahedron, numbers, cells);
     for(std::size_t n = 0; n < cells.size(); n += 4)
@@ -171,7 +176,7 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
     result.error = e.what();
   } catch(const std::string& e) {
     result.error = e;
-  } catch(...) {                              // some versions throw numbers
+  } catch(...) { // some versions throw numbers
     result.error = "Gmsh failed.";
   }
   gmsh::finalize();

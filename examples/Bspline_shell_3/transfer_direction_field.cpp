@@ -1,5 +1,6 @@
-// The smoothest field of directions on a mesh (1 vectors, 2 lines, 4 crosses) is carried to the mesh simplified in its shell, and back. Says whether
-// the simplified mesh has the same singularities at the same places, and by which angles the field differs there and back.
+// The smoothest field of directions on a mesh (1 vectors, 2 lines, 4 crosses) is carried to the mesh simplified in its
+// shell, and back. Says whether the simplified mesh has the same singularities at the same places, and by which angles
+// the field differs there and back.
 #include "direction_field.h"
 #include "example_files.h"
 
@@ -23,11 +24,15 @@ namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 
-Vectors vectors(Mesh& mesh, const char* name) { return mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>(name).first; }
+Vectors vectors(Mesh& mesh, const char* name)
+{
+  return mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>(name).first;
+}
 
 int sum_of_indices(const std::vector<Singularity>& singularities)
 {
-  return std::accumulate(singularities.begin(), singularities.end(), 0, [](int sum, const Singularity& s) { return sum + s.index; });
+  return std::accumulate(singularities.begin(), singularities.end(), 0,
+                         [](int sum, const Singularity& s) { return sum + s.index; });
 }
 
 // How many singularities before have one with the same index at the facet of their image, each its own.
@@ -52,7 +57,8 @@ std::size_t number_found(const Map& map, const std::vector<Singularity>& before,
 bool write(const std::string& file, Mesh& mesh, Vectors field, const std::vector<Singularity>& singularities)
 {
   for(int i = 0; i < 3; ++i) {
-    const auto coordinate = mesh.add_property_map<Mesh::Face_index, double>("f:field_" + std::string(1, "xyz"[i])).first;
+    const auto coordinate = mesh.add_property_map<Mesh::Face_index, double>("f:field_" + std::string(1, "xyz"[i]))
+                              .first;
     for(Mesh::Face_index f : mesh.faces()) coordinate[f] = field[f][i];
   }
   const auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:singularity", 0).first;
@@ -66,7 +72,9 @@ int main(int argc, char** argv)
   int directions = 4, facets = 0;
   const Arguments arguments = Arguments("Usage: transfer_direction_field MESH [DIRECTIONS, default 4] "
                                         "[FACETS, default: as few as the shell allows]\n")
-                                .required(file).optional(directions).optional(facets);
+                                .required(file)
+                                .optional(directions)
+                                .optional(facets);
   if(const auto code = arguments.read(argc, argv)) return *code;
   if(directions < 1) return *arguments.wrong("DIRECTIONS cannot be 0.");
   Mesh mesh;
@@ -81,7 +89,8 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   Mesh coarse = mesh;
-  const auto result = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(std::size_t(facets))));
+  const auto result = BS::simplify_in_shell(coarse, shell,
+                                            BS::parameters::stop(BS::Facet_count_stop_predicate(std::size_t(facets))));
   if(!result) {
     std::cerr << BS::message(result.status) << std::endl;
     return EXIT_FAILURE;
@@ -97,9 +106,11 @@ int main(int argc, char** argv)
   const Map map(shell, mesh, coarse);
   for(const BS::Transfer_report& report :
       { BS::transfer_tangent_vectors(map, field, there, BS::parameters::symmetry(directions).samples_per_facet(16)),
-        BS::transfer_tangent_vectors(map.inverse(), there, back, BS::parameters::symmetry(directions).linear_reconstruction(true)) })
+        BS::transfer_tangent_vectors(map.inverse(), there, back,
+                                     BS::parameters::symmetry(directions).linear_reconstruction(true)) })
     if(!report) {
-      std::cerr << report.failures.size() << " facets have no vector: " << message(report.failures[0].second) << std::endl;
+      std::cerr << report.failures.size() << " facets have no vector: " << message(report.failures[0].second)
+                << std::endl;
       return EXIT_FAILURE;
     }
 
@@ -108,11 +119,12 @@ int main(int argc, char** argv)
   double angles = 0;
   for(Mesh::Face_index f : mesh.faces()) angles += on_mesh.angle(f, field, back) / double(mesh.number_of_faces());
   std::cout << "facets: " << result.facets_before << " before, " << result.facets << " now\n"
-            << "singularities: " << before.size() << " before, " << after.size() << " now; " << found << " of them at their images\n"
-            << "sum of indices: " << sum_of_indices(before) << "/" << directions << " before, " << sum_of_indices(after) << "/" << directions
-            << " now\n"
+            << "singularities: " << before.size() << " before, " << after.size() << " now; " << found
+            << " of them at their images\n"
+            << "sum of indices: " << sum_of_indices(before) << "/" << directions << " before, " << sum_of_indices(after)
+            << "/" << directions << " now\n"
             << "there and back: " << angles << " degrees in the mean\n";
   const bool are_written = write("direction_field.ply", mesh, field, before)
-                        && write("direction_field_simplified.ply", coarse, there, after);
+                           && write("direction_field_simplified.ply", coarse, there, after);
   return are_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,4 +1,5 @@
-// A scalar field and colors at the vertices of a mesh are transferred to another mesh in the same shell, which is written with its colors.
+// A scalar field and colors at the vertices of a mesh are transferred to another mesh in the same shell, which is
+// written with its colors.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
@@ -31,7 +32,8 @@ int main(int argc, char** argv)
 
   // a coordinate changes by no more than points are moved, and those by no more than this, in the shell
   double largest = 0;
-  for(Mesh::Vertex_index v : moved.vertices()) largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
+  for(Mesh::Vertex_index v : moved.vertices())
+    largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
   const double bound = shell.thickness() / shell.report().certificate.least_gradient;
   std::cout << "heights are those of points at most " << bound << " away, and differ by up to " << largest << std::endl;
   return save("transfer_scalar_field.ply", moved) && largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;

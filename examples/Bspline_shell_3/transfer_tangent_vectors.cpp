@@ -1,4 +1,5 @@
-// Tangent vectors at the facets of a mesh are moved to another mesh in the same shell by the differential of the map, and back again.
+// Tangent vectors at the facets of a mesh are moved to another mesh in the same shell by the differential of the map,
+// and back again.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
@@ -32,8 +33,10 @@ int main(int argc, char** argv)
 
   double off_plane = 0, change = 0;
   for(Mesh::Face_index f : moved.faces())
-    off_plane = (std::max)(off_plane, std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
-  // There and back is not exactly the identity: each facet has one vector, and its centroid is not mapped to that of another one.
+    off_plane = (std::max)(off_plane,
+                           std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
+  // There and back is not exactly the identity: each facet has one vector, and its centroid is not mapped to that of
+  // another one.
   for(Mesh::Face_index f : mesh.faces()) change = (std::max)(change, std::sqrt((back[f] - wind[f]).squared_length()));
   std::cout << "the images are in the planes of their facets, up to " << off_plane
             << "\nthere and back again, vectors of length 1 and less change by up to " << change << std::endl;

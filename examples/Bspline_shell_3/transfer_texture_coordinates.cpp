@@ -1,5 +1,5 @@
-// Texture coordinates, which jump at seams, are transferred to another mesh in the same shell. Both meshes are written with
-// them, as OBJ files.
+// Texture coordinates, which jump at seams, are transferred to another mesh in the same shell. Both meshes are written
+// with them, as OBJ files.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
@@ -62,10 +62,12 @@ int main(int argc, char** argv)
   Texture_coordinates uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first,
                       uv_on_moved = moved.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   wrap_around_axis(mesh, uv);
-  const BS::Transfer_report report = BS::transfer_corner_attribute(BS::Shell_map_3<Shell, Mesh>(shell, mesh, moved), uv, uv_on_moved);
+  const BS::Transfer_report report = BS::transfer_corner_attribute(BS::Shell_map_3<Shell, Mesh>(shell, mesh, moved), uv,
+                                                                   uv_on_moved);
   if(!is_complete(report)) return EXIT_FAILURE;
   std::cout << report.transferred << " facets have texture coordinates, " << report.facets_across_seams.size()
             << " of them lie across seams\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
             << longest_edge(moved, uv_on_moved) << " after" << std::endl;
-  return write("texture_before.obj", mesh, uv) && write("texture_after.obj", moved, uv_on_moved) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write("texture_before.obj", mesh, uv) && write("texture_after.obj", moved, uv_on_moved) ? EXIT_SUCCESS
+                                                                                                 : EXIT_FAILURE;
 }

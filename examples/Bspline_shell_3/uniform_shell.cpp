@@ -22,8 +22,7 @@ int main(int argc, char** argv)
   }
 
   // 60 cells along the longest side of the mesh's box
-  const CGAL::Bspline_shell_3<> shell =
-    CGAL::bspline_shell_3(mesh, BS::parameters::resolution(60));
+  const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(60));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;
@@ -32,9 +31,9 @@ int main(int argc, char** argv)
             << 100 * shell.relative_thickness() << " % of the box\n";
 
   const Kernel::Point_3 p = mesh.point(*mesh.vertices().begin());
-  std::cout << "at the first vertex: f = " << *shell.field().value(p)
-            << ", grad f = " << *shell.field().gradient(p)
-            << ", Hessian =\n" << *shell.field().hessian(p) << "\n"
+  std::cout << "at the first vertex: f = " << *shell.field().value(p) << ", grad f = " << *shell.field().gradient(p)
+            << ", Hessian =\n"
+            << *shell.field().hessian(p) << "\n"
             << (shell.bounded_side(p) == CGAL::ON_BOUNDED_SIDE ? "in the shell" : "not in the shell") << std::endl;
   return EXIT_SUCCESS;
 }

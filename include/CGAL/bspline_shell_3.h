@@ -37,8 +37,8 @@ namespace CGAL {
  * \param np optional named parameters:
  *   - `resolution(double)`: the paper's \f$\gamma\f$, cells per longest side of the mesh's box; default 50
  *   - `grid_spacing(double)`: instead, the edge length of a cell in user units
- *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more where the shell
- *     would leave them, added up to five times
+ *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more where the
+ *     shell would leave them, added up to five times
  *   - `dense_grid(bool)`: all cells of the mesh's box and some rings around it, as in the paper (whose energy is
  *     `Energy_weights::paper()`); default `false`
  *   - `energy_weights(Bspline_shells::Energy_weights)`: the paper's \f$\mu\f$ and
@@ -50,8 +50,8 @@ namespace CGAL {
  *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
  *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
  *     shell; unlimited by default
- *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`. The
- *     side of a point is then that of its closest facet.
+ *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`.
+ *     The side of a point is then that of its closest facet.
  *   - `allow_open_shell(bool)`: do not refuse a shell that runs into the end of the cells; default `false`
  *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
  *   - `vertex_point_map(VPM)`: as in all of \cgal
@@ -60,8 +60,8 @@ namespace CGAL {
  *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds.
  * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag,
-          typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace BS = Bspline_shells;
@@ -80,11 +80,12 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   parameters.dense = choose_parameter(get_parameter(np, tags::dense_grid), parameters.dense);
   parameters.weights = choose_parameter(get_parameter(np, tags::energy_weights), parameters.weights);
   parameters.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), parameters.max_bytes);
-  parameters.allow_open_shell = choose_parameter(get_parameter(np, tags::allow_open_shell), parameters.allow_open_shell);
+  parameters.allow_open_shell = choose_parameter(get_parameter(np, tags::allow_open_shell),
+                                                 parameters.allow_open_shell);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  const double max_seconds
-    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+                                              std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
   BS::Invalid_parameter invalid = parameters.invalid();
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());

@@ -29,14 +29,15 @@ namespace CGAL {
  *
  * \brief builds a certified cubic B-spline shell of a mesh.
  *
- * An open mesh is closed first, by triangles that the shell keeps (`Bspline_shell_3::closing()`): caps of its holes, or a sheet behind it. They
- * are part of what is certified, and of no result: maps, edits and certificates take open meshes with the same border, and leave it as it is.
+ * An open mesh is closed first, by triangles that the shell keeps (`Bspline_shell_3::closing()`): caps of its holes, or
+ * a sheet behind it. They are part of what is certified, and of no result: maps, edits and certificates take open
+ * meshes with the same border, and leave it as it is.
  *
  * The mesh is checked first; what a shell cannot be built for is refused with a status and the offending simplices.
- * Polygonal facets are triangulated. A field is fitted on coarse cells around the mesh; cells are halved where the field is
- * too large on the mesh for the thickness asked for, and where the certificate fails, until all claims are proved, no
- * refinement can help, or a limit is reached (`Certified_refinement`). The thresholds are half the thickness away from the mesh,
- * and nearer where thin parts and narrow gaps demand it.
+ * Polygonal facets are triangulated. A field is fitted on coarse cells around the mesh; cells are halved where the
+ * field is too large on the mesh for the thickness asked for, and where the certificate fails, until all claims are
+ * proved, no refinement can help, or a limit is reached (`Certified_refinement`). The thresholds are half the thickness
+ * away from the mesh, and nearer where thin parts and narrow gaps demand it.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PolygonMesh a model of `FaceListGraph`
@@ -46,27 +47,29 @@ namespace CGAL {
  * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
  *        face
  * \param np optional named parameters:
- *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's box;
- *     default 0.01; positive, and less than twenty root cells
+ *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's
+ *     box; default 0.01; positive, and less than twenty root cells
  *   - `thickness(double)`: instead, in user units; the same bounds
- *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite. Several threads call it at once, unless
- *     `ConcurrencyTag` is `Sequential_tag`.
- *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`. Thin
- *     parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
+ *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite.
+ *     Several threads call it at once, unless `ConcurrencyTag` is `Sequential_tag`.
+ *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`.
+ *     Thin parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
  *   - `resolution(double)`: root cells per longest side of the mesh's box, positive; default 30, or as few as 20 where
  *     most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
  *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
  *     shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds within
  *     each pass; the caller's own solver, oracle and sizing field are not interrupted.
  *   - `effort_limit(double)`: the number of cells that may be fitted in all rounds of refinement together. After
- *     the first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores. Unlike a limit of time, it
- *     gives the same shell on every machine.
+ *     the first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores.
+ *     Unlike a limit of time, it gives the same shell on every machine.
  *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
  *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
- *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only that
- *   - `truncate(bool)`: whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face no common direction, or hardly
- *     one; default `true`, unless self-intersections are allowed
- *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1; default 0.01
+ *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only
+ *     that
+ *   - `truncate(bool)`: whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face no
+ *     common direction, or hardly one; default `true`, unless self-intersections are allowed
+ *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1;
+ *     default 0.01
  *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
  *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
  *     `bspline_shell_3()`
@@ -74,12 +77,13 @@ namespace CGAL {
  * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
  *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds. Whether it is
  *         certified, and why not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
- * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in the
- * number of facets
+ * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in
+ *   the number of facets
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag,
-          typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
+                                                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace BS = Bspline_shells;
   namespace tags = Bspline_shells::parameter_tags;
@@ -91,29 +95,34 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
   BS::Certified_shell_parameters parameters;
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::resolution_t>::value)
     parameters.resolution = get_parameter(np, tags::resolution);
-  parameters.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), parameters.relative_thickness);
+  parameters.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness),
+                                                   parameters.relative_thickness);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
     parameters.thickness = get_parameter(np, tags::thickness);
-  [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);       // a copy, unless it was passed by reference
+  // a copy, unless it was passed by reference
+  [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
     parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
-  parameters.least_cone_margin = choose_parameter(get_parameter(np, tags::least_cone_margin), parameters.least_cone_margin);
+  parameters.least_cone_margin = choose_parameter(get_parameter(np, tags::least_cone_margin),
+                                                  parameters.least_cone_margin);
   BS::Refinement_parameters& refinement = parameters.refinement;
   refinement.weights = choose_parameter(get_parameter(np, tags::energy_weights), refinement.weights);
-  refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds), refinement.constant_thresholds);
+  refinement.constant_thresholds = choose_parameter(get_parameter(np, tags::constant_thresholds),
+                                                    refinement.constant_thresholds);
   refinement.max_cells = choose_parameter(get_parameter(np, tags::effort_limit), refinement.max_cells);
   refinement.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  const double max_seconds
-    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+                                              std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
   BS::Invalid_parameter invalid = parameters.invalid();
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return Certified_bspline_shell_3(construction.refuse(invalid));
   BS::Input_mesh_3::Closer closer;
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
-    closer = BS::Input_mesh_3::closer(std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));
+    closer = BS::Input_mesh_3::closer(
+      std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));
   else if(choose_parameter(get_parameter(np, tags::virtual_closing), true))
     closer = [&](const BS::Input_mesh_3::Triangle_mesh& open) {
       const Bbox_3 box = Polygon_mesh_processing::bbox(open);
@@ -121,13 +130,19 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh, con
       return BS::close_virtually<ConcurrencyTag>(open, parameters.closing_offset(unit), construction.report().closing);
     };
   BS::Input_mesh_3::Truncator truncator;
-  if(choose_parameter(get_parameter(np, tags::truncate), true) && !choose_parameter(get_parameter(np, tags::allow_self_intersections), false))
+  if(choose_parameter(get_parameter(np, tags::truncate), true)
+     && !choose_parameter(get_parameter(np, tags::allow_self_intersections), false))
     truncator = [&](const BS::Input_mesh_3& input) {
       const double thickness = parameters.largest_thickness(input.unit());
-      return BS::truncate_mesh<ConcurrencyTag>(input, [&](const std::array<double, 3>& p) {
-        const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2])) : thickness;
-        return parameters.largest_tip(here > 0 ? here : thickness);
-      }, parameters.least_cone_margin, construction.report().truncation);
+      return BS::truncate_mesh<ConcurrencyTag>(
+        input,
+        [&](const std::array<double, 3>& p) {
+          const double here = parameters.sizing
+                                ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
+                                : thickness;
+          return parameters.largest_tip(here > 0 ? here : thickness);
+        },
+        parameters.least_cone_margin, construction.report().truncation);
     };
   return construction.run<Certified_bspline_shell_3>([&] {
     const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);

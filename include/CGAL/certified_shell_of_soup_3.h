@@ -30,15 +30,18 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief makes a certified shell of polygons, whatever they form: of the mesh that they are, repaired where little is missing
- * (`Bspline_shells::repair_soup()`), and closed virtually where it is open; or of a proxy (`certified_soup_proxy_3()`).
+ * \brief makes a certified shell of polygons, whatever they form: of the mesh that they are, repaired where little is
+ * missing (`Bspline_shells::repair_soup()`), and closed virtually where it is open; or of a proxy
+ * (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or `CGAL::parameters`
+ * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
+ *   `CGAL::parameters`
  * \param soup the polygons, as `Bspline_shells::read_polygon_soup()` reads them
- * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` is for the mesh and the proxy
- *        together; when it is reached, no other attempt begins.
- * \return the shell, and what it is of. If neither the mesh nor the proxy gets a certified shell, one of the mesh that is not certified, if there is one.
+ * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` is for the mesh and the
+ *   proxy together; when it is reached, no other attempt begins.
+ * \return the shell, and what it is of. If neither the mesh nor the proxy gets a certified shell, one of the mesh that
+ *   is not certified, if there is one.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::Polygon_soup& soup,
@@ -47,8 +50,8 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   namespace BS = Bspline_shells;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const double max_seconds
-    = choose_parameter(get_parameter(np, BS::parameter_tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_seconds = choose_parameter(get_parameter(np, BS::parameter_tags::time_limit),
+                                              std::numeric_limits<double>::infinity());
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));
   Real_timer timer;
@@ -60,7 +63,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
     return result;
   }
-  BS::Shell_status* status = &result.mesh_status;       // or of the proxy, once it is tried
+  BS::Shell_status* status = &result.mesh_status; // or of the proxy, once it is tried
   const auto attempt_all = [&] {
     result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::INVALID_PARAMETER)
@@ -73,7 +76,8 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
         result.invalid_parameter = result.shell_of_mesh.report().invalid_parameter;
       };
       build();
-      if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION && BS::orient_components(result.repaired_mesh)) {
+      if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION
+         && BS::orient_components(result.repaired_mesh)) {
         result.repairs.turned_components = true;
         build();
       }

@@ -32,37 +32,42 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief makes a clean proxy of a polygon soup, with a certified shell: for what is no surface, as it intersects itself, has gaps, or is not manifold
- * or not oriented.
+ * \brief makes a clean proxy of a polygon soup, with a certified shell: for what is no surface, as it intersects
+ * itself, has gaps, or is not manifold or not oriented.
  *
- * The proxy is a closed mesh around the soup (`CGAL::alpha_wrap_3()`). Each point of the soup that is in its shell has one image on it; what the
- * proxy sees of the soup gives it its attributes (`Bspline_shells::Soup_map_3`). The proxy can be simplified, remeshed and computed on as any mesh in
- * its shell.
+ * The proxy is a closed mesh around the soup (`CGAL::alpha_wrap_3()`). Each point of the soup that is in its shell has
+ * one image on it; what the proxy sees of the soup gives it its attributes (`Bspline_shells::Soup_map_3`). The proxy
+ * can be simplified, remeshed and computed on as any mesh in its shell.
  *
- * What the proxy cannot see, as inner parts and gaps narrower than `alpha`, gets nothing. The points of a sheet without thickness are as near to the proxy on
- * one side as on the other, and so too far from it for the shell: images are continued by the smallest distance, and marked.
+ * What the proxy cannot see, as inner parts and gaps narrower than `alpha`, gets nothing. The points of a sheet without
+ * thickness are as near to the proxy on one side as on the other, and so too far from it for the shell: images are
+ * continued by the smallest distance, and marked.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PointRange a range of points of a \cgal kernel; coordinates are rounded to `double`s
  * \tparam PolygonRange a range of ranges of positions of points
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or `CGAL::parameters`
+ * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
+ *   `CGAL::parameters`
  * \param points the points
  * \param polygons the polygons
  * \param np optional named parameters:
- *   - `alpha(double)`: the width of gaps and cavities that the proxy enters, user units; default 1/50 of the longest side of the box
+ *   - `alpha(double)`: the width of gaps and cavities that the proxy enters, user units; default 1/50 of the longest
+ *     side of the box
  *   - `offset(double)`: how far the proxy is from the soup, user units; default a quarter of `alpha`
- *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a `signed_distance_oracle()` is that of the proxy. The thickness
- *     is at least eight times the offset, unless there is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If
- *     the proxy cannot be certified within the limits of memory, effort and rounds, one with twice the `alpha` and
- *     `offset` is made.
+ *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a
+ *     `signed_distance_oracle()` is that of the proxy. The thickness is at least eight times the offset, unless there
+ *     is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be
+ *     certified within the limits of memory, effort and rounds, one with twice the `alpha` and `offset` is made.
  *   - `time_limit(double)`: seconds for the wraps and the shells together, after which the status is
  *     `TIME_LIMIT_EXCEEDED`. It has no influence on which proxy is made.
- * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`; `INVALID_PARAMETER`, also if a polygon refers to a
- *         point that does not exist; `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too small for
- *         the coordinates; `MEMORY_LIMIT_EXCEEDED`; and those of `certified_bspline_shell_3()` about the proxy
+ * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`;
+ *   `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist; `NOT_FINITE`,
+ *   `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too
+ *   small for the coordinates; `MEMORY_LIMIT_EXCEEDED`; and those of `certified_bspline_shell_3()` about the proxy
  * \cgalHeading{Cost} that of the wrap, and that of its certified shell
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename PolygonRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename PolygonRange,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, const PolygonRange& polygons,
                                                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -72,8 +77,8 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
 
-  const double max_seconds
-    = choose_parameter(get_parameter(np, tags::time_limit), std::numeric_limits<double>::infinity());
+  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+                                              std::numeric_limits<double>::infinity());
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));
   BS::Polygon_soup copy;
@@ -113,12 +118,12 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
 
   // What the shell is asked to reach, unless the caller asks for more: 19 rings of cells, the most that there may be.
   const double deepest = 19 * unit / resolution;
-  double last_scale = 1;        // which the last wrap had, relative to `alpha`
+  double last_scale = 1; // which the last wrap had, relative to `alpha`
   const auto attempt = [&](double scale) {
     BS::Soup_proxy_3::Mesh wrap;
     BS::Proxy_report report;
-    const BS::Shell_status wrapped
-      = BS::wrap_soup<ConcurrencyTag>(soup, scale * alpha, scale * offset, max_bytes, wrap, report);
+    const BS::Shell_status wrapped = BS::wrap_soup<ConcurrencyTag>(soup, scale * alpha, scale * offset, max_bytes, wrap,
+                                                                   report);
     if(report.alpha > 0) last_scale = report.alpha / alpha;
     if(wrapped != BS::Shell_status::SUCCESS) return BS::Soup_proxy_3(wrapped);
     if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value) {
@@ -139,13 +144,15 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   const auto is_final = [](const BS::Soup_proxy_3& proxy) {
     return proxy.is_certified() || BS::internal::ends_all_attempts(proxy.status());
   };
-  return run([&] {
-    BS::Soup_proxy_3 proxy = attempt(1);
-    if(is_final(proxy)) return proxy;
-    // the thinner the proxy's parts, the more cells they need
-    BS::Soup_proxy_3 coarser = attempt(2 * last_scale);
-    return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
-  }, [](BS::internal::Run::End end) { return BS::Soup_proxy_3(BS::internal::status(end)); });
+  return run(
+    [&] {
+      BS::Soup_proxy_3 proxy = attempt(1);
+      if(is_final(proxy)) return proxy;
+      // the thinner the proxy's parts, the more cells they need
+      BS::Soup_proxy_3 coarser = attempt(2 * last_scale);
+      return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
+    },
+    [](BS::internal::Run::End end) { return BS::Soup_proxy_3(BS::internal::status(end)); });
 }
 
 } // namespace CGAL

@@ -19,14 +19,14 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
-Crossing_counter_3::crossings<Sequential_tag>(const Point_3&, const Point_3&) const;
+template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings<
+  Sequential_tag>(const Point_3&, const Point_3&) const;
 #ifdef CGAL_LINKED_WITH_TBB
-template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
-Crossing_counter_3::crossings<Parallel_tag>(const Point_3&, const Point_3&) const;
+template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings<
+  Parallel_tag>(const Point_3&, const Point_3&) const;
 #endif
-template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(const Input_mesh_3::Triangle_mesh&,
-                                                                    boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
+template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(
+  const Input_mesh_3::Triangle_mesh&, boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
 template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&, const Closer&, const Truncator&);
 #ifdef CGAL_LINKED_WITH_TBB
 template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&, const Closer&, const Truncator&);

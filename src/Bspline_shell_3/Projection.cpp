@@ -11,7 +11,8 @@ namespace Bspline_shells {
 namespace internal {
 
 template class Facet_on_curve<Bspline_shell_3<> >;
-template class Facet_on_curve<Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
+template class Facet_on_curve<
+  Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
 
 } // namespace internal
 } // namespace Bspline_shells

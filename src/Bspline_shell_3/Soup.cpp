@@ -12,9 +12,11 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-template Shell_status wrap_soup<Sequential_tag>(const Soup_mesh_3&, double, double, double, Soup_mesh_3::Mesh&, Proxy_report&);
+template Shell_status wrap_soup<Sequential_tag>(const Soup_mesh_3&, double, double, double, Soup_mesh_3::Mesh&,
+                                                Proxy_report&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Shell_status wrap_soup<Parallel_tag>(const Soup_mesh_3&, double, double, double, Soup_mesh_3::Mesh&, Proxy_report&);
+template Shell_status wrap_soup<Parallel_tag>(const Soup_mesh_3&, double, double, double, Soup_mesh_3::Mesh&,
+                                              Proxy_report&);
 #endif
 
 } // namespace Bspline_shells

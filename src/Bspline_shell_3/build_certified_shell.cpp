@@ -12,15 +12,21 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-template Certified_bspline_shell_3 build_certified_shell<Sequential_tag>(Shell_construction&, const Certified_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
-template Certified_bspline_shell_3 build_certified_shell<Sequential_tag>(Shell_construction&, const Certified_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&);
+template Certified_bspline_shell_3 build_certified_shell<Sequential_tag>(Shell_construction&,
+                                                                         const Certified_shell_parameters&,
+                                                                         const std::optional<Any_signed_distance_3>&,
+                                                                         const Any_spd_solver&);
+template Certified_bspline_shell_3 build_certified_shell<Sequential_tag>(Shell_construction&,
+                                                                         const Certified_shell_parameters&,
+                                                                         const std::optional<Any_signed_distance_3>&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Certified_bspline_shell_3 build_certified_shell<Parallel_tag>(Shell_construction&, const Certified_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
-template Certified_bspline_shell_3 build_certified_shell<Parallel_tag>(Shell_construction&, const Certified_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&);
+template Certified_bspline_shell_3 build_certified_shell<Parallel_tag>(Shell_construction&,
+                                                                       const Certified_shell_parameters&,
+                                                                       const std::optional<Any_signed_distance_3>&,
+                                                                       const Any_spd_solver&);
+template Certified_bspline_shell_3 build_certified_shell<Parallel_tag>(Shell_construction&,
+                                                                       const Certified_shell_parameters&,
+                                                                       const std::optional<Any_signed_distance_3>&);
 #endif
 
 } // namespace Bspline_shells

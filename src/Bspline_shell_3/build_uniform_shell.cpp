@@ -13,14 +13,16 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template Bspline_shell_3<> build_uniform_shell<Sequential_tag>(Shell_construction&, const Uniform_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
+                                                               const std::optional<Any_signed_distance_3>&,
+                                                               const Any_spd_solver&);
 template Bspline_shell_3<> build_uniform_shell<Sequential_tag>(Shell_construction&, const Uniform_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&);
+                                                               const std::optional<Any_signed_distance_3>&);
 #ifdef CGAL_LINKED_WITH_TBB
 template Bspline_shell_3<> build_uniform_shell<Parallel_tag>(Shell_construction&, const Uniform_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&, const Any_spd_solver&);
+                                                             const std::optional<Any_signed_distance_3>&,
+                                                             const Any_spd_solver&);
 template Bspline_shell_3<> build_uniform_shell<Parallel_tag>(Shell_construction&, const Uniform_shell_parameters&,
-  const std::optional<Any_signed_distance_3>&);
+                                                             const std::optional<Any_signed_distance_3>&);
 #endif
 
 } // namespace Bspline_shells

@@ -1,5 +1,6 @@
-// check_certificate/interval.h: an interval contains what exact arithmetic gives for any two numbers of its operands, also where
-// rounding to nearest leaves it out. check_certificate/polynomials.h: so do coefficients and ranges of polynomials.
+// check_certificate/interval.h: an interval contains what exact arithmetic gives for any two numbers of its operands,
+// also where rounding to nearest leaves it out. check_certificate/polynomials.h: so do coefficients and ranges of
+// polynomials.
 #include "interval.h"
 #include "polynomials.h"
 
@@ -14,7 +15,10 @@
 
 namespace {
 
-bool contains(const Interval& i, const Rational& r) { return Rational(i.lo) <= r && r <= Rational(i.hi); }
+bool contains(const Interval& i, const Rational& r)
+{
+  return Rational(i.lo) <= r && r <= Rational(i.hi);
+}
 
 // of all signs, some of them single numbers, with sizes far apart
 std::vector<Interval> intervals()
@@ -24,7 +28,8 @@ std::vector<Interval> intervals()
   std::uniform_int_distribution<int> exponent(-60, 60);
   std::vector<Interval> result;
   for(int n = 0; n < 60; ++n) {
-    const double a = std::ldexp(number(random), exponent(random)), b = n % 3 == 0 ? a : std::ldexp(number(random), exponent(random));
+    const double a = std::ldexp(number(random), exponent(random)),
+                 b = n % 3 == 0 ? a : std::ldexp(number(random), exponent(random));
     result.emplace_back((std::min)(a, b), (std::max)(a, b));
   }
   result.emplace_back(-0.1, 0.1);
@@ -126,9 +131,13 @@ TEST_CASE("intervals of the checker: a hull contains all of them; a rational num
   CHECK(wrong == 0);
 }
 
-TEST_CASE("intervals of the checker: the arithmetic of this machine is what they rely on") { CHECK(usable_arithmetic()); }
+TEST_CASE("intervals of the checker: the arithmetic of this machine is what they rely on")
+{
+  CHECK(usable_arithmetic());
+}
 
-TEST_CASE("polynomials of the checker: a range on a triangle contains all values there, and not much else if the triangle is small")
+TEST_CASE("polynomials of the checker: a range on a triangle contains all values there, and not much else if the "
+          "triangle is small")
 {
   std::mt19937_64 random(2);
   std::size_t wrong = 0, wide = 0;
@@ -187,7 +196,8 @@ TEST_CASE("polynomials of the checker: halves, differences, derivatives and half
   CHECK(wrong_offsets == 0);
 }
 
-TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on their common face, and a linear spline is linear")
+TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on their common face, and a linear spline "
+          "is linear")
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -197,7 +207,8 @@ TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on 
       for(double& x : row) x = number(random);
   const auto coefficients = [&](int first, bool linear) {
     Coefficients c;
-    for(int n = 0; n < 64; ++n) c[n] = Interval(linear ? double(n % 4 + first) : grid[n / 16][n / 4 % 4][n % 4 + first]);
+    for(int n = 0; n < 64; ++n)
+      c[n] = Interval(linear ? double(n % 4 + first) : grid[n / 16][n / 4 % 4][n % 4 + first]);
     return bernstein(c);
   };
   const Coefficients left = coefficients(0, false), right = coefficients(1, false);

@@ -1,5 +1,5 @@
-// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic; and
-// Bernstein forms. It shares no code with the library's evaluation.
+// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic;
+// and Bernstein forms. It shares no code with the library's evaluation.
 #ifndef EXACT_SPLINE_H
 #define EXACT_SPLINE_H
 
@@ -12,17 +12,22 @@ typedef CGAL::Exact_rational Rational;
 typedef std::array<Rational, 3> Exact_point;
 
 template <typename Point>
-Exact_point exact(const Point& p) { return { Rational(p[0]), Rational(p[1]), Rational(p[2]) }; }
+Exact_point exact(const Point& p)
+{
+  return { Rational(p[0]), Rational(p[1]), Rational(p[2]) };
+}
 
+// Eq. 3.1 of the paper as it is printed, and its pieces differentiated by hand
 inline Rational bspline(const Rational& t, int order)
 {
-  const Rational a = t < 0 ? Rational(-t) : t;        // the function is even
+  const Rational a = t < 0 ? Rational(-t) : t; // the function is even
   const int sign = t < 0 ? -1 : 1;
   if(a >= 2) return Rational(0);
   if(order == 0)
-    return a >= 1 ? Rational(-a*a*a/6 + a*a - 2*a + Rational(4)/3) : Rational(a*a*a/2 - a*a + Rational(2)/3);
-  if(order == 1) return a >= 1 ? Rational(sign * (-a*a/2 + 2*a - 2)) : Rational(sign * (3*a*a/2 - 2*a));
-  return a >= 1 ? Rational(2 - a) : Rational(3*a - 2);
+    return a >= 1 ? Rational(-a * a * a / 6 + a * a - 2 * a + Rational(4) / 3)
+                  : Rational(a * a * a / 2 - a * a + Rational(2) / 3);
+  if(order == 1) return a >= 1 ? Rational(sign * (-a * a / 2 + 2 * a - 2)) : Rational(sign * (3 * a * a / 2 - 2 * a));
+  return a >= 1 ? Rational(2 - a) : Rational(3 * a - 2);
 }
 
 // position in units of the lattice: cell (i, j, k) begins at (i, j, k)
@@ -43,7 +48,7 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   int first[3];
   std::array<Rational, 6> b[3];
   for(int a = 0; a < 3; ++a) {
-    first[a] = int(std::floor(CGAL::to_double(u[a]))) - 2;      // four do not vanish; one more each side for rounding
+    first[a] = int(std::floor(CGAL::to_double(u[a]))) - 2; // four do not vanish; one more each side for rounding
     for(int n = 0; n < 6; ++n) b[a][n] = bspline(u[a] - (first[a] + n), order[a]);
   }
   Rational sum(0);
@@ -59,23 +64,24 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   return sum;
 }
 
-// the polynomial with the given Bernstein coefficients over a cell, or a derivative of order at most two along each axis, per unit
-// of the cell
-inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t, const std::array<int, 3>& order = { 0, 0, 0 })
+// the polynomial with the given Bernstein coefficients over a cell, or a derivative of order at most two along each
+// axis, per unit of the cell
+inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t,
+                                const std::array<int, 3>& order = { 0, 0, 0 })
 {
   std::array<Rational, 4> w[3];
   for(int a = 0; a < 3; ++a) {
     const Rational& x = t[a];
     const Rational s = 1 - x;
-    if(order[a] == 0) w[a] = { s*s*s, 3*s*s*x, 3*s*x*x, x*x*x };
-    if(order[a] == 1) w[a] = { -3*s*s, 3*s*(s - 2*x), 3*x*(2*s - x), 3*x*x };
-    if(order[a] == 2) w[a] = { 6*s, 6*(x - 2*s), 6*(s - 2*x), 6*x };
+    if(order[a] == 0) w[a] = { s * s * s, 3 * s * s * x, 3 * s * x * x, x * x * x };
+    if(order[a] == 1) w[a] = { -3 * s * s, 3 * s * (s - 2 * x), 3 * x * (2 * s - x), 3 * x * x };
+    if(order[a] == 2) w[a] = { 6 * s, 6 * (x - 2 * s), 6 * (s - 2 * x), 6 * x };
   }
   Rational sum(0);
   for(int k = 0; k < 4; ++k)
     for(int j = 0; j < 4; ++j) {
       Rational row(0);
-      for(int i = 0; i < 4; ++i) row += b[16*k + 4*j + i] * w[0][i];
+      for(int i = 0; i < 4; ++i) row += b[16 * k + 4 * j + i] * w[0][i];
       sum += row * w[1][j] * w[2][k];
     }
   return sum;

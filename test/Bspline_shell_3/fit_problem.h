@@ -58,7 +58,7 @@ struct Fit_problem
     const BS::Mesh_signed_distance_3 distance(input);
     samples = BS::sample_signed_distance<Tag>(distance, field.cells());
   }
-  Fit_problem(const Fit_problem&) = delete;      // energies refer to it
+  Fit_problem(const Fit_problem&) = delete; // energies refer to it
 
   double width() const { return lattice.spacing(); }
   double gamma() const { return input.unit() / width(); }
@@ -81,7 +81,10 @@ struct Fit_problem
 };
 
 // the coefficient at the lattice coordinate i of the function t^2
-inline double square_coefficient(double i) { return i * i - 1 / 3.; }
+inline double square_coefficient(double i)
+{
+  return i * i - 1 / 3.;
+}
 
 // numbers in [-1, 1], the same with any standard library
 class Deterministic_numbers

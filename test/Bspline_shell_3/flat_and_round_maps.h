@@ -1,4 +1,5 @@
-// Maps between meshes that can be written down: between sheets, along vertical lines, and between spheres, along rays from the origin.
+// Maps between meshes that can be written down: between sheets, along vertical lines, and between spheres, along rays
+// from the origin.
 #ifndef FLAT_AND_ROUND_MAPS_H
 #define FLAT_AND_ROUND_MAPS_H
 
@@ -38,7 +39,7 @@ inline std::vector<double> steps(double first, double last, int number)
 inline std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);
-  return {{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) }};
+  return { { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) } };
 }
 
 inline Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)

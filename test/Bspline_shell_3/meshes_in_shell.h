@@ -9,7 +9,8 @@
 
 #include <cmath>
 
-// each vertex by a share of its way to one of the thresholds, at most `amount`. \pre the mesh is in the shell
+// each vertex by a share of its way to one of the thresholds, at most `amount`.
+// \pre the mesh is in the shell
 template <typename Shell>
 Mesh moved_along_flow(const Shell& shell, Mesh mesh, double amount)
 {

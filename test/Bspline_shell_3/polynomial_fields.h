@@ -1,4 +1,5 @@
-// Fields that are polynomials, exactly up to rounding, on cells of one size or of several: their integral curves can be written down.
+// Fields that are polynomials, exactly up to rounding, on cells of one size or of several: their integral curves can be
+// written down.
 #ifndef POLYNOMIAL_FIELDS_H
 #define POLYNOMIAL_FIELDS_H
 
@@ -22,7 +23,11 @@ typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Uniform_field;
 typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Hierarchical_field;
 
 // a sum of monomials, of degree at most three in each variable
-struct Monomial { double factor; std::array<int, 3> power; };
+struct Monomial
+{
+  double factor;
+  std::array<int, 3> power;
+};
 typedef std::vector<Monomial> Polynomial;
 
 // Polynomials are functions of (p - center) / scale, and have values in units of the scale.
@@ -41,8 +46,8 @@ inline double coefficient(int power, double x, double w)
   switch(power) {
     case 0: return 1;
     case 1: return x;
-    case 2: return x*x - w*w / 3;
-    default: return x * (x*x - w*w);
+    case 2: return x * x - w * w / 3;
+    default: return x * (x * x - w * w);
   }
 }
 
@@ -54,14 +59,15 @@ void set_polynomial(Field& field, const Polynomial& polynomial, const Frame& fra
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
     const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
     int level = 0;
-    while(point < field.first_point(level)) ++level;      // the finest level comes first
+    while(point < field.first_point(level)) ++level; // the finest level comes first
     const auto& p = field.points(level).point(point - field.first_point(level));
     const double width = std::ldexp(lattice.spacing(), -level);
     double sum = 0;
     for(const Monomial& m : polynomial) {
       double term = m.factor;
       for(int a = 0; a < 3; ++a)
-        term *= coefficient(m.power[a], ((lattice.origin()[a] - frame.center[a]) + p[a] * width) / frame.scale, width / frame.scale);
+        term *= coefficient(m.power[a], ((lattice.origin()[a] - frame.center[a]) + p[a] * width) / frame.scale,
+                            width / frame.scale);
       sum += term;
     }
     x[Eigen::Index(n)] = frame.scale * sum;
@@ -74,8 +80,10 @@ inline Root_cells cells_of_cube(const Frame& frame = Frame())
 {
   const Eigen::Vector3d low = frame.to_user({ -1, -1, -1 }), high = frame.to_user({ 1, 1, 1 });
   CGAL::Random random(0);
-  return some_cells(random, CGAL::Bspline_shells::Lattice_3(CGAL::Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]), frame.scale / 4),
-                    { -4, -4, -4 }, { 3, 3, 3 });
+  return some_cells(
+    random,
+    CGAL::Bspline_shells::Lattice_3(CGAL::Bbox_3(low[0], low[1], low[2], high[0], high[1], high[2]), frame.scale / 4),
+    { -4, -4, -4 }, { 3, 3, 3 });
 }
 
 inline Uniform_field uniform_field(const Polynomial& polynomial, const Frame& frame = Frame())
@@ -102,7 +110,8 @@ CGAL::Bspline_shell_3<Field> shell_of(Field field, double inner, double outer, c
   report.status = CGAL::Bspline_shells::Shell_status::SUCCESS;
   report.unit = 2 * frame.scale;
   std::vector<char> cells(field.number_of_cells(), 1);
-  return CGAL::Bspline_shell_3<Field>(std::move(field), CGAL::Bspline_shells::Level_range{ frame.scale * inner, frame.scale * outer },
+  return CGAL::Bspline_shell_3<Field>(std::move(field),
+                                      CGAL::Bspline_shells::Level_range{ frame.scale * inner, frame.scale * outer },
                                       std::move(cells), {}, report);
 }
 

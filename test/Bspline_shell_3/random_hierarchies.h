@@ -15,14 +15,15 @@ typedef CGAL::Bspline_shells::Cell_complex_3 Root_cells;
 typedef CGAL::Bspline_shells::Lattice_3::Point Lattice_point;
 
 // about that share of the cells between two lattice points, both included
-inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::Lattice_3& lattice, const Lattice_point& first,
-                             const Lattice_point& last, double share = 1)
+inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::Lattice_3& lattice,
+                             const Lattice_point& first, const Lattice_point& last, double share = 1)
 {
   std::vector<std::uint64_t> keys;
   for(int k = first[2]; k <= last[2]; ++k)
     for(int j = first[1]; j <= last[1]; ++j)
       for(int i = first[0]; i <= last[0]; ++i)
-        if(share >= 1 || random.get_double() < share) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
+        if(share >= 1 || random.get_double() < share)
+          keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
   return Root_cells(lattice, keys);
 }
 
@@ -31,7 +32,8 @@ inline std::vector<Hierarchy::Index> random_leaves(CGAL::Random& random, const H
 {
   const Hierarchy::Index first = cells.first_leaf(cells.number_of_levels() - 1);
   std::vector<Hierarchy::Index> leaves;
-  for(int n = 0; n < number; ++n) leaves.push_back(Hierarchy::Index(random.get_int(int(first), int(cells.number_of_cells()))));
+  for(int n = 0; n < number; ++n)
+    leaves.push_back(Hierarchy::Index(random.get_int(int(first), int(cells.number_of_cells()))));
   return leaves;
 }
 
@@ -103,7 +105,8 @@ private:
   std::size_t index(const Lattice_point& p) const
   {
     return (std::size_t(p[2] - m_first[2]) * std::size_t(m_last[1] - m_first[1] + 1) + std::size_t(p[1] - m_first[1]))
-           * std::size_t(m_last[0] - m_first[0] + 1) + std::size_t(p[0] - m_first[0]);
+             * std::size_t(m_last[0] - m_first[0] + 1)
+           + std::size_t(p[0] - m_first[0]);
   }
 
   int m_finest;

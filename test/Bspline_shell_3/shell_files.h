@@ -33,7 +33,10 @@ typedef BS::Shell_format Format;
 
 // --- shells
 
-struct Cell_point { int i, j, k; };
+struct Cell_point
+{
+  int i, j, k;
+};
 
 inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point>& points,
                       const std::function<double(std::size_t)>& coefficient)
@@ -105,12 +108,16 @@ inline Varying_shell small_varying_shell()
   report.thickness = 0.3;
   std::vector<char> cells(field.number_of_cells(), 1);
   cells.front() = 0;
-  return Varying_shell(spline(-1, 1), Varying_shell::Threshold(spline(-0.3, -0.1)), Varying_shell::Threshold(spline(0.1, 0.3)), cells,
+  return Varying_shell(spline(-1, 1), Varying_shell::Threshold(spline(-0.3, -0.1)),
+                       Varying_shell::Threshold(spline(0.1, 0.3)), cells,
                        std::vector<BS::Level_range>(3, BS::Level_range{ -0.05, 0.3 }), report);
 }
 
 template <typename T>
-bool same_bits(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof(T)) == 0; }
+bool same_bits(const T& a, const T& b)
+{
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
 
 inline bool same_bits(const BS::Level_range& a, const BS::Level_range& b)
 {
@@ -121,20 +128,22 @@ template <typename Any_field>
 bool same_fields(const Any_field& f, const Any_field& g)
 {
   bool equal = f.number_of_cells() == g.number_of_cells() && f.number_of_coefficients() == g.number_of_coefficients()
-            && f.number_of_levels() == g.number_of_levels()
-            && same_bits(f.cells().lattice().origin(), g.cells().lattice().origin())
-            && same_bits(f.cells().lattice().spacing(), g.cells().lattice().spacing())
-            && f.cells().lattice().is_exact() == g.cells().lattice().is_exact();
+               && f.number_of_levels() == g.number_of_levels()
+               && same_bits(f.cells().lattice().origin(), g.cells().lattice().origin())
+               && same_bits(f.cells().lattice().spacing(), g.cells().lattice().spacing())
+               && f.cells().lattice().is_exact() == g.cells().lattice().is_exact();
   for(Field::Cell_index n = 0; equal && n < f.number_of_coefficients(); ++n)
-    equal = same_bits(f.coefficients()[n], g.coefficients()[n]) && f.point_of_coefficient(n) == g.point_of_coefficient(n);
+    equal = same_bits(f.coefficients()[n], g.coefficients()[n])
+            && f.point_of_coefficient(n) == g.point_of_coefficient(n);
   for(int l = 0; equal && l < f.number_of_levels(); ++l) {
     equal = f.points(l).size() == g.points(l).size();
-    for(Field::Cell_index n = 0; equal && n < f.points(l).size(); ++n) equal = f.points(l).point(n) == g.points(l).point(n);
+    for(Field::Cell_index n = 0; equal && n < f.points(l).size(); ++n)
+      equal = f.points(l).point(n) == g.points(l).point(n);
   }
   for(Field::Cell_index c = 0; equal && c < f.number_of_cells(); ++c) {
     equal = f.cells().lattice_point(c) == g.cells().lattice_point(c) && f.cells().level(c) == g.cells().level(c)
-         && same_bits(f.cell(c).corner(), g.cell(c).corner()) && same_bits(f.cell(c).width(), g.cell(c).width())
-         && same_bits(f.cell(c).error_radius(), g.cell(c).error_radius());
+            && same_bits(f.cell(c).corner(), g.cell(c).corner()) && same_bits(f.cell(c).width(), g.cell(c).width())
+            && same_bits(f.cell(c).error_radius(), g.cell(c).error_radius());
     for(int n = 0; n < 64; ++n) equal = equal && same_bits(f.cell(c).coefficients()[n], g.cell(c).coefficients()[n]);
   }
   return equal;
@@ -145,17 +154,17 @@ bool same(const Any_shell& a, const Any_shell& b)
 {
   if(a.status() != b.status() || !a) return a.status() == b.status();
   bool equal = same_fields(a.field(), b.field()) && a.shell_cells() == b.shell_cells()
-            && a.facet_ranges().size() == b.facet_ranges().size() && same_bits(a.thickness(), b.thickness());
+               && a.facet_ranges().size() == b.facet_ranges().size() && same_bits(a.thickness(), b.thickness());
   if constexpr(Any_shell::Threshold::is_constant)
     equal = equal && same_bits(a.inner_level(), b.inner_level()) && same_bits(a.outer_level(), b.outer_level());
   else
     equal = equal && same_fields(a.inner_threshold().field(), b.inner_threshold().field())
-         && same_fields(a.outer_threshold().field(), b.outer_threshold().field());
+            && same_fields(a.outer_threshold().field(), b.outer_threshold().field());
   for(std::size_t n = 0; equal && n < a.facet_ranges().size(); ++n)
     equal = same_bits(a.facet_ranges()[n], b.facet_ranges()[n]);
   const BS::Shell_report &r = a.report(), &s = b.report();
   return equal && same_bits(r.unit, s.unit) && same_bits(r.gamma, s.gamma) && r.triangles == s.triangles
-      && r.components == s.components && r.cells == s.cells && r.unknowns == s.unknowns;
+         && r.components == s.components && r.cells == s.cells && r.unknowns == s.unknowns;
 }
 
 // --- files
@@ -195,7 +204,8 @@ inline std::uint64_t slow_checksum(const std::string& bytes)
   std::uint64_t crc = ~std::uint64_t(0);
   for(char c : bytes) {
     crc ^= static_cast<unsigned char>(c);
-    for(int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xC96C5795D7870F42ull : 0);   // polynomial, reflected
+    // polynomial, reflected
+    for(int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xC96C5795D7870F42ull : 0);
   }
   return ~crc;
 }
@@ -226,7 +236,7 @@ T at(const std::string& bytes, std::size_t offset)
 {
   REQUIRE(offset + sizeof(T) <= bytes.size());
   T x;
-  std::memcpy(&x, &bytes[offset], sizeof(T));       // this machine is little-endian, as the files are
+  std::memcpy(&x, &bytes[offset], sizeof(T)); // this machine is little-endian, as the files are
   return x;
 }
 
@@ -237,7 +247,7 @@ inline Lines lines_of(const std::string& text)
 {
   Lines lines;
   std::istringstream in(text);
-  for(std::string line; std::getline(in, line); ) lines.push_back(line);
+  for(std::string line; std::getline(in, line);) lines.push_back(line);
   lines.pop_back();
   return lines;
 }

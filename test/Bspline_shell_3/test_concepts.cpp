@@ -105,7 +105,11 @@ public:
   explicit Visitor_archetype(int) {}
   Visitor_archetype(const Visitor_archetype&) = delete;
   Visitor_archetype& operator=(const Visitor_archetype&) = delete;
-  bool start_step(BS::Shell_step) { ++calls; return true; }
+  bool start_step(BS::Shell_step)
+  {
+    ++calls;
+    return true;
+  }
   int calls = 0;
 };
 
@@ -116,7 +120,11 @@ public:
   explicit Flow_visitor_archetype(int) {}
   Flow_visitor_archetype(const Flow_visitor_archetype&) = delete;
   Flow_visitor_archetype& operator=(const Flow_visitor_archetype&) = delete;
-  bool advance(std::size_t, std::size_t) { ++calls; return true; }
+  bool advance(std::size_t, std::size_t)
+  {
+    ++calls;
+    return true;
+  }
   int calls = 0;
 };
 
@@ -163,7 +171,8 @@ protected:
   Model m_model;
 
 public:
-  struct Geom_traits {};
+  struct Geom_traits
+  {};
   typedef double FT;
   typedef CGAL::Simple_cartesian<double>::Point_3 Point_3;
   typedef CGAL::Simple_cartesian<double>::Vector_3 Vector_3;
@@ -185,9 +194,15 @@ public:
     return m_model.visit_neighbors(c, axis, positive, visit);
   }
   template <typename Visitor>
-  bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const { return m_model.visit_cells(box, visit); }
+  bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const
+  {
+    return m_model.visit_cells(box, visit);
+  }
   template <typename NT>
-  std::array<NT, 64> bernstein_coefficients(Cell_index c) const { return m_model.bernstein_coefficients<NT>(c); }
+  std::array<NT, 64> bernstein_coefficients(Cell_index c) const
+  {
+    return m_model.bernstein_coefficients<NT>(c);
+  }
   std::optional<FT> value(const Point_3& p) const { return m_model.value(Model::Point_3(p.x(), p.y(), p.z())); }
   std::optional<Vector_3> gradient(const Point_3&) const { return std::nullopt; }
   std::optional<Eigen::Matrix3d> hessian(const Point_3&) const { return std::nullopt; }
@@ -212,11 +227,17 @@ public:
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const { return m_model.extend(x); }
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const { return m_model.collect(all); }
   template <typename ConcurrencyTag>
-  void set_coefficients(Eigen::VectorXd x) { m_model.set_coefficients<ConcurrencyTag>(std::move(x)); }
+  void set_coefficients(Eigen::VectorXd x)
+  {
+    m_model.set_coefficients<ConcurrencyTag>(std::move(x));
+  }
 };
 
 template <typename Index>
-struct Cell_visitor { void operator()(Index) const {} };
+struct Cell_visitor
+{
+  void operator()(Index) const {}
+};
 
 // what may be asked of any field
 template <typename Field>
@@ -232,20 +253,27 @@ void check_field_interface()
   typedef const Field& F;
   static_assert(std::is_same<decltype(std::declval<F>().number_of_cells()), std::size_t>::value, "");
   static_assert(std::is_same<decltype(std::declval<F>().cell(Cell_index())), Cell>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value, "");
+  static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value,
+                "");
   static_assert(std::is_same<decltype(std::declval<F>().has_exact_cells()), bool>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
-                             bool>::value, "");
+  static_assert(
+    std::is_same<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
+                 bool>::value,
+    "");
   static_assert(std::is_same<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
-                             std::array<float, 64> >::value, "");
+                             std::array<float, 64> >::value,
+                "");
   static_assert(std::is_same<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
-                             std::optional<typename Field::FT> >::value, "");
+                             std::optional<typename Field::FT> >::value,
+                "");
   static_assert(std::is_same<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
-                             std::optional<typename Field::Vector_3> >::value, "");
+                             std::optional<typename Field::Vector_3> >::value,
+                "");
   static_assert(std::is_same<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
-                             std::optional<Eigen::Matrix3d> >::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())),
-                             bool>::value, "");
+                             std::optional<Eigen::Matrix3d> >::value,
+                "");
+  static_assert(
+    std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())), bool>::value, "");
 }
 
 } // namespace
@@ -255,8 +283,8 @@ TEST_CASE("SignedDistanceOracle_3: the archetype gives the field its values")
   const Distance_archetype oracle(0.95);
   BS::Energy_weights distance_only;
   distance_only.mu = 0;
-  const Shell shell = CGAL::bspline_shell_3(sphere(1),
-    P::resolution(8).energy_weights(distance_only).signed_distance_oracle(std::cref(oracle)));
+  const Shell shell = CGAL::bspline_shell_3(
+    sphere(1), P::resolution(8).energy_weights(distance_only).signed_distance_oracle(std::cref(oracle)));
   REQUIRE(shell);
   CHECK(*shell.field().value(Point_3(0.95, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shell.field().value(Point_3(0, 0, -1.2)) == Approx(0.25).margin(0.01));
@@ -347,11 +375,15 @@ TEST_CASE("FittableBsplineField_3: a fit wants no more of a field than the arche
   Fittable_field_archetype other(problem.field);
   BS::Conjugate_gradient_solver<Tag> solver;
   Energy energy = problem.energy();
-  BS::Fit_energy<Fittable_field_archetype> other_energy(other, problem.samples, problem.clipped, problem.gamma(), all_four_terms());
-  CHECK(BS::fit_field<Tag>(problem.field, energy, solver, energy.initial_guess<Tag>()).status == BS::Solver_status::SUCCESS);
-  CHECK(BS::fit_field<Tag>(other, other_energy, solver, other_energy.initial_guess<Tag>()).status == BS::Solver_status::SUCCESS);
+  BS::Fit_energy<Fittable_field_archetype> other_energy(other, problem.samples, problem.clipped, problem.gamma(),
+                                                        all_four_terms());
+  CHECK(BS::fit_field<Tag>(problem.field, energy, solver, energy.initial_guess<Tag>()).status
+        == BS::Solver_status::SUCCESS);
+  CHECK(BS::fit_field<Tag>(other, other_energy, solver, other_energy.initial_guess<Tag>()).status
+        == BS::Solver_status::SUCCESS);
   for(Field::Cell_index c = 0; c < other.number_of_cells(); ++c)
-    CHECK(std::equal(other.cell(c).coefficients(), other.cell(c).coefficients() + 64, problem.field.cell(c).coefficients()));
+    CHECK(std::equal(other.cell(c).coefficients(), other.cell(c).coefficients() + 64,
+                     problem.field.cell(c).coefficients()));
 }
 
 TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and called")
@@ -386,7 +418,8 @@ TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and cal
   check(BS::transfer_vertex_attribute(map, v, v2, P::interpolation(interpolation).visitor(std::ref(visitor))));
   for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-9));
   // of the identity the differential is the identity
-  check(BS::transfer_vertex_attribute(map, v, v2, P::interpolation(interpolation).mapping(std::cref(mapping)).visitor(std::ref(visitor))));
+  check(BS::transfer_vertex_attribute(
+    map, v, v2, P::interpolation(interpolation).mapping(std::cref(mapping)).visitor(std::ref(visitor))));
   for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-6));
   check(BS::average_vertex_attribute(map, d, d, P::visitor(std::ref(visitor))));
   check(BS::transfer_face_labels(map, f, f2, P::visitor(std::ref(visitor))));

@@ -14,7 +14,8 @@
 Mesh demo_mesh(const std::string& name)
 {
   Mesh mesh;
-  if(CGAL::Bspline_shells::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh) != CGAL::Bspline_shells::Shell_status::SUCCESS)
+  if(CGAL::Bspline_shells::read_polygon_mesh(std::string(MESHES) + "/" + name, mesh)
+     != CGAL::Bspline_shells::Shell_status::SUCCESS)
     throw std::runtime_error(name + " cannot be read");
   return mesh;
 }
@@ -29,7 +30,10 @@ Mesh subdivided(const Mesh& mesh)
   for(auto f : mesh.faces()) {
     Mesh::Vertex_index v[3], m[3];
     auto h = mesh.halfedge(f);
-    for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
+    for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      v[i] = at_vertex[mesh.source(h)];
+      m[i] = at_edge[mesh.edge(h)];
+    }
     fine.add_face(v[0], m[0], m[2]);
     fine.add_face(m[0], v[1], m[1]);
     fine.add_face(m[2], m[1], v[2]);
@@ -54,7 +58,8 @@ Mesh box(const Point_3& a, const Point_3& b, bool triangulated)
 {
   Mesh mesh;
   CGAL::make_hexahedron(a, Point_3(b.x(), a.y(), a.z()), Point_3(b.x(), b.y(), a.z()), Point_3(a.x(), b.y(), a.z()),
-                        Point_3(a.x(), b.y(), b.z()), Point_3(a.x(), a.y(), b.z()), Point_3(b.x(), a.y(), b.z()), b, mesh);
+                        Point_3(a.x(), b.y(), b.z()), Point_3(a.x(), a.y(), b.z()), Point_3(b.x(), a.y(), b.z()), b,
+                        mesh);
   if(triangulated) CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   return mesh;
 }
@@ -72,8 +77,8 @@ Mesh torus(double major, double minor, int around, int across)
   const auto at = [&](int i, int j) { return v[(i % around) * across + j % across]; };
   for(int i = 0; i < around; ++i)
     for(int j = 0; j < across; ++j) {
-      mesh.add_face(at(i, j), at(i+1, j), at(i+1, j+1));
-      mesh.add_face(at(i, j), at(i+1, j+1), at(i, j+1));
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   return mesh;
 }
@@ -84,7 +89,8 @@ Mesh pyramid(int sides, double height)
   const double pi = std::acos(-1.);
   const auto apex = mesh.add_vertex(Point_3(0, 0, height)), middle = mesh.add_vertex(Point_3(0, 0, 0));
   std::vector<Mesh::Vertex_index> v;
-  for(int i = 0; i < sides; ++i) v.push_back(mesh.add_vertex(Point_3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0)));
+  for(int i = 0; i < sides; ++i)
+    v.push_back(mesh.add_vertex(Point_3(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0)));
   for(int i = 0; i < sides; ++i) {
     mesh.add_face(v[i], v[(i + 1) % sides], apex);
     mesh.add_face(v[(i + 1) % sides], v[i], middle);
@@ -98,7 +104,8 @@ Mesh cubes(const std::vector<std::array<int, 3> >& corners)
   std::map<std::array<int, 3>, Mesh::Vertex_index> vertex;
   const auto at = [&](const std::array<int, 3>& p) {
     const auto found = vertex.find(p);
-    return found != vertex.end() ? found->second : vertex.emplace(p, mesh.add_vertex(Point_3(p[0], p[1], p[2]))).first->second;
+    return found != vertex.end() ? found->second
+                                 : vertex.emplace(p, mesh.add_vertex(Point_3(p[0], p[1], p[2]))).first->second;
   };
   for(const std::array<int, 3>& c : corners)
     for(int a = 0; a < 3; ++a)
@@ -106,7 +113,7 @@ Mesh cubes(const std::vector<std::array<int, 3> >& corners)
         std::array<int, 3> beyond = c;
         beyond[a] += 2 * side - 1;
         if(std::find(corners.begin(), corners.end(), beyond) != corners.end()) continue;
-        std::array<std::array<int, 3>, 4> square;      // counterclockwise as seen from the side of larger coordinates
+        std::array<std::array<int, 3>, 4> square; // counterclockwise as seen from the side of larger coordinates
         for(int i = 0; i < 4; ++i) {
           square[i] = c;
           square[i][a] += side;
@@ -130,21 +137,22 @@ Mesh screw(int number_of_cubes)
 Mesh dumbbell(double neck_radius, int around)
 {
   Mesh mesh;
-  const double pi = std::acos(-1.), joint = std::asin(neck_radius);     // angle at the center where the neck begins
+  const double pi = std::acos(-1.), joint = std::asin(neck_radius); // angle at the center where the neck begins
   const int rings = 10;
-  std::vector<std::pair<double, double> > profile;                      // x, radius; without the poles
+  std::vector<std::pair<double, double> > profile; // x, radius; without the poles
   for(int i = 1; i <= rings; ++i) {
     const double a = pi - (pi - joint) * i / rings;
     profile.emplace_back(-1.5 + std::cos(a), std::sin(a));
   }
   const std::size_t half = profile.size();
   profile.emplace_back(0, neck_radius);
-  for(std::size_t i = half; i-- > 0; ) profile.emplace_back(-profile[i].first, profile[i].second);
+  for(std::size_t i = half; i-- > 0;) profile.emplace_back(-profile[i].first, profile[i].second);
   const auto left = mesh.add_vertex(Point_3(-2.5, 0, 0)), right = mesh.add_vertex(Point_3(2.5, 0, 0));
   std::vector<Mesh::Vertex_index> v;
   for(const auto& p : profile)
     for(int j = 0; j < around; ++j)
-      v.push_back(mesh.add_vertex(Point_3(p.first, p.second * std::cos(2 * pi * j / around), p.second * std::sin(2 * pi * j / around))));
+      v.push_back(mesh.add_vertex(
+        Point_3(p.first, p.second * std::cos(2 * pi * j / around), p.second * std::sin(2 * pi * j / around))));
   const auto at = [&](std::size_t i, int j) { return v[i * around + j % around]; };
   const std::size_t last = profile.size() - 1;
   for(int j = 0; j < around; ++j) {

@@ -37,8 +37,8 @@ Mesh pyramid(int sides, double height);
 // the boundary of a union of unit cubes, by their least corners: no two of them may meet in an edge or a vertex only
 Mesh cubes(const std::vector<std::array<int, 3> >& corners);
 
-// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With five of them, so do those
-// at (1, 1, 2).
+// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With
+// five of them, so do those at (1, 1, 2).
 Mesh screw(int number_of_cubes = 4);
 
 // two unit balls around the x-axis, their centers at -1.5 and 1.5, joined by a neck
@@ -58,8 +58,8 @@ Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const H
   const std::size_t n = ys.size();
   for(std::size_t i = 0; i + 1 < xs.size(); ++i)
     for(std::size_t j = 0; j + 1 < n; ++j) {
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j], v[(i+1)*n + j+1]);
-      mesh.add_face(v[i*n + j], v[(i+1)*n + j+1], v[i*n + j+1]);
+      mesh.add_face(v[i * n + j], v[(i + 1) * n + j], v[(i + 1) * n + j + 1]);
+      mesh.add_face(v[i * n + j], v[(i + 1) * n + j + 1], v[i * n + j + 1]);
     }
   return mesh;
 }

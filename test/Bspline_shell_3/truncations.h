@@ -42,7 +42,7 @@ inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::
   Truncation_parts parts;
   std::map<Mesh::Vertex_index, Index> corner;
   std::map<Mesh::Face_index, Index> facet;
-  std::map<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>, Index> cut;     // by center and the other end of the edge
+  std::map<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>, Index> cut; // by center and the other end of the edge
   for(auto center : centers)
     for(auto f : mesh.faces_around_target(mesh.halfedge(center))) {
       if(!facet.emplace(f, Index(parts.cut_facets.size())).second) continue;
@@ -85,9 +85,8 @@ inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::
         disc.triangles.push_back({ disc.rim[i], disc.rim[(i + 1) % size], Index(parts.points.size()) });
       parts.points.push_back(middle);
       parts.planar.push_back({ 0, 0 });
-    }
-    else for(std::size_t i = 1; i + 1 < size; ++i)
-      disc.triangles.push_back({ disc.rim[0], disc.rim[i], disc.rim[i + 1] });
+    } else
+      for(std::size_t i = 1; i + 1 < size; ++i) disc.triangles.push_back({ disc.rim[0], disc.rim[i], disc.rim[i + 1] });
   }
   for(const auto& pair : facet) {
     std::vector<Mesh::Vertex_index> v;

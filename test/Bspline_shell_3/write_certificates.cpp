@@ -6,10 +6,11 @@
 //   components                      three components: a sphere in another one, and a third one beside them
 //   simplified                      a mesh that was simplified in its shell, by the shell's own cover
 //   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
-//   truncated                       a mesh with two neighboring vertices whose facets face no common direction; also the mesh before it was
-//                                   truncated: truncated.user.off
+//   truncated                       a mesh with two neighboring vertices whose facets face no common direction; also
+//                                   the mesh before it was truncated: truncated.user.off
 //
-// The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way round.
+// The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way
+// round.
 #include "random_hierarchies.h"
 #include "test_meshes.h"
 
@@ -39,7 +40,7 @@ typedef BS::Uniform_bspline_field_3<> Uniform_field;
 typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
 typedef std::function<double(const Point_3&)> Function;
 
-const double width = 0.25;       // of the cells of level 0
+const double width = 0.25; // of the cells of level 0
 
 // The cells, of a box around the origin, on which a function is small. Farther away, it does not matter.
 Root_cells cells_near(const Function& f, double distance, const Lattice_point& size)
@@ -63,10 +64,11 @@ Field spline(Field field, const Function& f)
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
     const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
     int level = 0;
-    while(point < field.first_point(level)) ++level;      // the finest level comes first
+    while(point < field.first_point(level)) ++level; // the finest level comes first
     const auto& p = field.points(level).point(point - field.first_point(level));
     const double h = std::ldexp(lattice.spacing(), -level);
-    x[Eigen::Index(n)] = f(Point_3(lattice.origin()[0] + p[0] * h, lattice.origin()[1] + p[1] * h, lattice.origin()[2] + p[2] * h));
+    x[Eigen::Index(n)] = f(
+      Point_3(lattice.origin()[0] + p[0] * h, lattice.origin()[1] + p[1] * h, lattice.origin()[2] + p[2] * h));
   }
   field.set_coefficients(x);
   return field;
@@ -74,18 +76,20 @@ Field spline(Field field, const Function& f)
 
 bool write(const std::string& file, const Mesh& mesh)
 {
-  return BS::write_file(file, [&](std::ostream& out) { return CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17)); });
+  return BS::write_file(
+    file, [&](std::ostream& out) { return CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(17)); });
 }
 
 template <typename Shell, typename Certificate>
-bool write(const std::string& prefix, const Shell& shell, const Certificate& certificate, const std::set<BS::Claim>& not_proved = {})
+bool write(const std::string& prefix, const Shell& shell, const Certificate& certificate,
+           const std::set<BS::Claim>& not_proved = {})
 {
   bool good = certificate.status() == BS::Shell_status::SUCCESS;
   for(int c = 0; c < 5; ++c)
     good = good && (certificate.verdict(BS::Claim(c)) != BS::Verdict::PROVED) == (not_proved.count(BS::Claim(c)) != 0);
   good = good && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
-      && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
-      && write(prefix + ".mesh.off", certificate.examined_mesh());
+         && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
+         && write(prefix + ".mesh.off", certificate.examined_mesh());
   if(!good) {
     std::cerr << prefix << " is not as expected:";
     for(int c = 0; c < 5; ++c) std::cerr << ' ' << name(certificate.verdict(BS::Claim(c)));
@@ -101,22 +105,30 @@ bool write(const std::string& prefix, const Field& f, const Threshold& inner, co
   BS::Shell_report report;
   report.status = BS::Shell_status::SUCCESS;
   report.unit = 2;
-  const CGAL::Bspline_shell_3<Field, Threshold> shell(f, inner, outer, std::vector<char>(f.number_of_cells(), 1), {}, report);
+  const CGAL::Bspline_shell_3<Field, Threshold> shell(f, inner, outer, std::vector<char>(f.number_of_cells(), 1), {},
+                                                      report);
   BS::Shell_certificate_3<Field, Threshold> certificate(f, inner, outer);
   certificate.verify(mesh);
   return write(prefix, shell, certificate, not_proved);
 }
 
-double distance(const Point_3& p, const Point_3& center = CGAL::ORIGIN) { return std::sqrt(CGAL::squared_distance(p, center)); }
+double distance(const Point_3& p, const Point_3& center = CGAL::ORIGIN)
+{
+  return std::sqrt(CGAL::squared_distance(p, center));
+}
 
 template <typename Field>
-bool write_varying(const std::string& prefix, const Field& cells, const Mesh& mesh, const std::set<BS::Claim>& not_proved = {},
-                   const Function& inner_bump = [](const Point_3&) { return 0.; }, const Function& outer_bump = [](const Point_3&) { return 0.; })
+bool write_varying(
+  const std::string& prefix, const Field& cells, const Mesh& mesh, const std::set<BS::Claim>& not_proved = {},
+  const Function& inner_bump = [](const Point_3&) { return 0.; },
+  const Function& outer_bump = [](const Point_3&) { return 0.; })
 {
   typedef BS::Spline_threshold<Field> Threshold;
   const Field f = spline(cells, [](const Point_3& p) { return distance(p) - 1; });
-  return write(prefix, f, Threshold(spline(cells, [&](const Point_3& p) { return -0.2 + 0.1 * p.z() + inner_bump(p); })),
-               Threshold(spline(cells, [&](const Point_3& p) { return 0.25 - 0.1 * p.x() * p.y() + outer_bump(p); })), mesh, not_proved);
+  return write(prefix, f,
+               Threshold(spline(cells, [&](const Point_3& p) { return -0.2 + 0.1 * p.z() + inner_bump(p); })),
+               Threshold(spline(cells, [&](const Point_3& p) { return 0.25 - 0.1 * p.x() * p.y() + outer_bump(p); })),
+               mesh, not_proved);
 }
 
 // as it is built, its mesh being truncated where that must be
@@ -124,12 +136,12 @@ bool write_truncated(const std::string& prefix, const Mesh& mesh, std::size_t si
 {
   std::size_t singular = 0;
   for(auto v : mesh.vertices()) singular += BS::vertex_cone(mesh, v) ? 0 : 1;
-  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh,
-    BS::parameters::resolution(6).relative_thickness(0.1));
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
+    mesh, BS::parameters::resolution(6).relative_thickness(0.1));
   BS::Shell_certificate_3 certificate(shell);
   certificate.verify<CGAL::Sequential_tag>(mesh);
-  return singular == singular_vertices && shell.truncation() && shell.truncation()->discs().size() == singular && write(prefix, shell, certificate)
-      && write(prefix + ".user.off", mesh);
+  return singular == singular_vertices && shell.truncation() && shell.truncation()->discs().size() == singular
+         && write(prefix, shell, certificate) && write(prefix + ".user.off", mesh);
 }
 
 int main(int argc, char** argv)
@@ -147,13 +159,17 @@ int main(int argc, char** argv)
   const Uniform_field equal(roots);
   CGAL::Random random(1);
   good = write_varying(directory + "varying", equal, sphere(1)) && good;
-  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)), sphere(1)) && good;
-  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 }));        // the overhang does not reach their end
+  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)),
+                       sphere(1))
+         && good;
+  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their end
   for(bool inner : { true, false }) {
     const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
-    const Function bump = [&](const Point_3& p) { return p == place ? inner ? -2. : 3. : 0.; }, none = [](const Point_3&) { return 0.; };
+    const Function bump = [&](const Point_3&p) { return p == place ? inner ? -2. : 3. : 0.; },
+                   none = [](const Point_3&) { return 0.; };
     good = write_varying(directory + (inner ? "steep_inner" : "steep_outer"), more, sphere(1), { BS::Claim::GRADIENT },
-                         inner ? bump : none, inner ? none : bump) && good;
+                         inner ? bump : none, inner ? none : bump)
+           && good;
   }
 
   // what is not proved of meshes: two small spheres in the shell of a large one; and a vertex outside of it
@@ -162,15 +178,19 @@ int main(int argc, char** argv)
     const BS::Constant_threshold inner(-0.2), outer(0.2);
     Mesh small = sphere(1, 0.1, Point_3(1, 0, 0));
     CGAL::copy_face_graph(sphere(1, 0.1, Point_3(-1, 0, 0)), small);
-    good = write(directory + "small_spheres", f, inner, outer, small, { BS::Claim::TRANSVERSALITY, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) && good;
+    good = write(directory + "small_spheres", f, inner, outer, small,
+                 { BS::Claim::TRANSVERSALITY, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE })
+           && good;
     Mesh pointed = sphere(1);
     Point_3& tip = pointed.point(*pointed.vertices().begin());
     tip = CGAL::ORIGIN + 1.4 * (tip - CGAL::ORIGIN);
-    good = write(directory + "pointed", f, inner, outer, pointed, { BS::Claim::CONTAINMENT, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) && good;
+    good = write(directory + "pointed", f, inner, outer, pointed,
+                 { BS::Claim::CONTAINMENT, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE })
+           && good;
   }
 
-  // around the critical point of a square of the distance, which is beyond a threshold by so little that its box is in the shell nearly as a whole; and
-  // the same, turned inside out. No path is found that begins so near to it.
+  // around the critical point of a square of the distance, which is beyond a threshold by so little that its box is in
+  // the shell nearly as a whole; and the same, turned inside out. No path is found that begins so near to it.
   for(double sign : { 1., -1. }) {
     const Point_3 center(0.03, 0.05, -0.04);
     const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, center) - 1) / 2; };
@@ -179,13 +199,15 @@ int main(int argc, char** argv)
     const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
     const double critical = f.value(center).value(), radius = 0.035;
     const BS::Constant_threshold beside(critical + sign * radius * radius / 2), far(sign * 0.2);
-    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far, sign > 0 ? far : beside, ball, { BS::Claim::DEGREE_ONE })
-        && good;
+    good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far,
+                 sign > 0 ? far : beside, ball, { BS::Claim::DEGREE_ONE })
+           && good;
     // farther from it, and all claims are proved
     Mesh aside = sphere(1);
     if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(aside);
     good = write(directory + (sign > 0 ? "ball" : "ball_inwards"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
-                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), aside) && good;
+                 BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), aside)
+           && good;
   }
 
   // the volume between two spheres, and a third one
@@ -198,13 +220,15 @@ int main(int argc, char** argv)
   CGAL::copy_face_graph(sphere(1, 1.25, place), mesh);
   CGAL::copy_face_graph(sphere(1, 0.6, beside), mesh);
   const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { 12, 8, 8 })), f);
-  good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh) && good;
+  good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh)
+         && good;
 
   // simplified in its shell
   Mesh simplified = sphere(2);
-  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(simplified,
-    BS::parameters::resolution(6).relative_thickness(0.1));
-  const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(simplified, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(80)));
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
+    simplified, BS::parameters::resolution(6).relative_thickness(0.1));
+  const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
+    simplified, shell, BS::parameters::stop(BS::Facet_count_stop_predicate(80)));
   BS::Shell_certificate_3 certificate(shell);
   certificate.verify<CGAL::Sequential_tag>(simplified);
   good = result && shell.proved_cover() && write(directory + "simplified", shell, certificate) && good;

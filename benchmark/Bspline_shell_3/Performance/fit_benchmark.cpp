@@ -1,5 +1,6 @@
-// The narrow band against the paper's dense grid, in one run: time, peak memory, unknowns, levels; and how the band grows
-// with the resolution. One JSON object a line; every shell is built in a process of its own, so that peaks are its own.
+// The narrow band against the paper's dense grid, in one run: time, peak memory, unknowns, levels; and how the band
+// grows with the resolution. One JSON object a line; every shell is built in a process of its own, so that peaks are
+// its own.
 //
 //   fit_benchmark [--gamma G[,G...]] [--paper-energy] [MESH ...]
 //
@@ -53,16 +54,16 @@ bool measure(const std::string& file, double gamma, bool dense, bool paper_energ
     BS::Offending_simplices offenders;
     if(BS::read_polygon_mesh(file, mesh, offenders) != BS::Shell_status::SUCCESS) _exit(1);
     const auto shell = CGAL::bspline_shell_3(mesh,
-      BS::parameters::resolution(gamma)
-                     .dense_grid(dense)
-                     .energy_weights(paper_energy ? BS::Energy_weights::paper() : BS::Energy_weights()));
+                                             BS::parameters::resolution(gamma).dense_grid(dense).energy_weights(
+                                               paper_energy ? BS::Energy_weights::paper() : BS::Energy_weights()));
     const BS::Shell_report& r = shell.report();
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << r.triangles << ",\"gamma\":" << gamma
               << ",\"mode\":\"" << (dense ? "reference" : "band") << "\",\"energy\":\""
-              << (paper_energy ? "paper" : "quadratic") << "\",\"status\":\"" << (shell ? "success" : message(shell.status()))
-              << "\",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"widenings\":" << r.widenings;
+              << (paper_energy ? "paper" : "quadratic") << "\",\"status\":\""
+              << (shell ? "success" : message(shell.status())) << "\",\"cells\":" << r.cells
+              << ",\"unknowns\":" << r.unknowns << ",\"widenings\":" << r.widenings;
     if(shell)
       std::cout << ",\"eps1\":" << shell.inner_level() / r.unit << ",\"eps2\":" << shell.outer_level() / r.unit
                 << ",\"thickness\":" << shell.relative_thickness();
@@ -97,9 +98,8 @@ int main(int argc, char** argv)
     else if(arg == "--gamma" && i + 1 < argc) {
       gammas.clear();
       std::istringstream list(argv[++i]);
-      for(std::string g; std::getline(list, g, ','); ) gammas.push_back(std::atof(g.c_str()));
-    }
-    else files.push_back(arg);
+      for(std::string g; std::getline(list, g, ',');) gammas.push_back(std::atof(g.c_str()));
+    } else files.push_back(arg);
   }
   if(files.empty()) files = { MESHES "/elephant.off", MESHES "/fandisk.off" };
 
@@ -107,20 +107,23 @@ int main(int argc, char** argv)
     std::map<double, Measurement> band;
     for(double gamma : gammas) {
       Measurement narrow, dense;
-      const bool both = measure(file, gamma, false, paper_energy, narrow) & measure(file, gamma, true, paper_energy, dense);
+      const bool both = measure(file, gamma, false, paper_energy, narrow)
+                        & measure(file, gamma, true, paper_energy, dense);
       if(!both) continue;
       band[gamma] = narrow;
       const double thickness = dense.eps2 - dense.eps1;
-      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"gamma\":" << gamma << ",\"reference_over_band\":{\"seconds\":"
-                << dense.seconds / narrow.seconds << ",\"memory\":" << dense.peak_mb / narrow.peak_mb << ",\"unknowns\":"
-                << dense.unknowns / narrow.unknowns << "},\"level_difference\":{\"eps1\":"
-                << (narrow.eps1 - dense.eps1) / dense.eps1 << ",\"eps2\":" << (narrow.eps2 - dense.eps2) / dense.eps2
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"gamma\":" << gamma
+                << ",\"reference_over_band\":{\"seconds\":" << dense.seconds / narrow.seconds
+                << ",\"memory\":" << dense.peak_mb / narrow.peak_mb
+                << ",\"unknowns\":" << dense.unknowns / narrow.unknowns
+                << "},\"level_difference\":{\"eps1\":" << (narrow.eps1 - dense.eps1) / dense.eps1
+                << ",\"eps2\":" << (narrow.eps2 - dense.eps2) / dense.eps2
                 << ",\"of_thickness\":" << (narrow.eps2 - narrow.eps1 - thickness) / thickness << "}}" << std::endl;
     }
     if(band.count(50) && band.count(100))
-      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"growth\":\"gamma 50 to 100\",\"seconds\":"
-                << band[100].seconds / band[50].seconds << ",\"memory\":" << band[100].peak_mb / band[50].peak_mb << "}"
-                << std::endl;
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file))
+                << ",\"growth\":\"gamma 50 to 100\",\"seconds\":" << band[100].seconds / band[50].seconds
+                << ",\"memory\":" << band[100].peak_mb / band[50].peak_mb << "}" << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -1,13 +1,14 @@
-// What large meshes cost: the certified shell, the certificate once more, simplification, and an attribute there and back. For each stage seconds,
-// those of all processors, the resident memory at its end, and the most that there was of it, in bytes a facet of the mesh. One JSON object a line;
-// every mesh has a process of its own.
+// What large meshes cost: the certified shell, the certificate once more, simplification, and an attribute there and
+// back. For each stage seconds, those of all processors, the resident memory at its end, and the most that there was of
+// it, in bytes a facet of the mesh. One JSON object a line; every mesh has a process of its own.
 //
 //   large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] [--plain] MESH...
 //
-// MESH: a file, or a number of facets: a scan that is made, a sphere with bumps and grooves, whose shape does not depend on the number.
-// --thickness (default 0.01, of the longest box side) of the shell. --ratio (default 0.01): what simplification keeps of the facets. --policy
-// (default plane): its costs and places. --plain: also CGAL's edge collapse without a shell, with the same policy.
-// "mesh" in bytes is the mesh itself; peaks of the other stages are what there is beyond it.
+// MESH: a file, or a number of facets: a scan that is made, a sphere with bumps and grooves, whose shape does not
+// depend on the number.
+// --thickness (default 0.01, of the longest box side) of the shell. --ratio (default 0.01): what simplification keeps
+// of the facets. --policy (default plane): its costs and places. --plain: also CGAL's edge collapse without a shell,
+// with the same policy. "mesh" in bytes is the mesh itself; peaks of the other stages are what there is beyond it.
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -65,7 +66,7 @@ double processor_seconds()
 double memory(const std::string& field)
 {
   std::ifstream in("/proc/self/status");
-  for(std::string line; std::getline(in, line); )
+  for(std::string line; std::getline(in, line);)
     if(line.compare(0, field.size(), field) == 0) return 1024 * std::atof(line.c_str() + field.size() + 1);
   return 0;
 }
@@ -89,8 +90,10 @@ public:
     const double peak = memory("VmHWM");
     malloc_trim(0);
     std::ostringstream out;
-    out << ",\"" << name << "\":{\"seconds\":" << m_timer.time() << ",\"processor_seconds\":" << processor_seconds() - m_processor_seconds
-        << ",\"bytes_a_facet\":" << (memory("VmRSS") - mesh_bytes) / double(facets) << ",\"peak_bytes_a_facet\":" << (peak - mesh_bytes) / double(facets) << "}";
+    out << ",\"" << name << "\":{\"seconds\":" << m_timer.time()
+        << ",\"processor_seconds\":" << processor_seconds() - m_processor_seconds
+        << ",\"bytes_a_facet\":" << (memory("VmRSS") - mesh_bytes) / double(facets)
+        << ",\"peak_bytes_a_facet\":" << (peak - mesh_bytes) / double(facets) << "}";
     return out.str();
   }
 
@@ -99,7 +102,8 @@ private:
   double m_processor_seconds;
 };
 
-// an icosahedron with edges of n parts, on a sphere whose radius waves: seen from the center, no point hides another one
+// an icosahedron with edges of n parts, on a sphere whose radius waves: seen from the center, no point hides another
+// one
 Mesh scan(std::size_t facets)
 {
   const int n = int((std::max)(1., std::round(std::sqrt(double(facets) / 20))));
@@ -108,17 +112,20 @@ Mesh scan(std::size_t facets)
   mesh.reserve(Mesh::size_type(10 * n * n + 2), Mesh::size_type(30 * n * n), Mesh::size_type(20 * n * n));
   const auto displaced = [](const Kernel::Vector_3& v) {
     const double length = std::sqrt(v.squared_length()), x = v.x() / length, y = v.y() / length, z = v.z() / length;
-    const double shape = 0.25 * std::sin(3 * x + 1) * std::sin(4 * y) * std::cos(3 * z) + 0.08 * std::sin(11 * x) * std::sin(9 * y + 2) * std::sin(10 * z + 1);
-    const double grooves = 0.01 * std::tanh(4 * std::sin(25 * x + 5 * std::sin(3 * y))) + 0.004 * std::sin(61 * y) * std::sin(57 * z) * std::sin(64 * x);
+    const double shape = 0.25 * std::sin(3 * x + 1) * std::sin(4 * y) * std::cos(3 * z)
+                         + 0.08 * std::sin(11 * x) * std::sin(9 * y + 2) * std::sin(10 * z + 1);
+    const double grooves = 0.01 * std::tanh(4 * std::sin(25 * x + 5 * std::sin(3 * y)))
+                           + 0.004 * std::sin(61 * y) * std::sin(57 * z) * std::sin(64 * x);
     const double r = 1 + shape + grooves;
     return Point(r * x, r * y, r * z);
   };
   // inner vertices are a facet's own, those on edges and corners are shared
-  std::map<std::array<std::size_t, 3>, Mesh::Vertex_index> shared;        // corner, corner, steps from the lesser one
+  std::map<std::array<std::size_t, 3>, Mesh::Vertex_index> shared; // corner, corner, steps from the lesser one
   for(auto f : icosahedron.faces()) {
     const auto h = icosahedron.halfedge(f);
-    const std::array<Mesh::Vertex_index, 3> corner = { icosahedron.source(h), icosahedron.target(h), icosahedron.target(icosahedron.next(h)) };
-    const auto make = [&](int i, int j) {        // steps towards the second and the third corner
+    const std::array<Mesh::Vertex_index, 3> corner = { icosahedron.source(h), icosahedron.target(h),
+                                                       icosahedron.target(icosahedron.next(h)) };
+    const auto make = [&](int i, int j) { // steps towards the second and the third corner
       const std::array<double, 3> w = { double(n - i - j) / n, double(i) / n, double(j) / n };
       Kernel::Vector_3 v(0, 0, 0);
       for(int k = 0; k < 3; ++k) v = v + w[std::size_t(k)] * (icosahedron.point(corner[std::size_t(k)]) - CGAL::ORIGIN);
@@ -128,7 +135,7 @@ Mesh scan(std::size_t facets)
     for(int i = 0; i <= n; ++i)
       for(int j = 0; i + j <= n; ++j) {
         const std::array<int, 3> step = { n - i - j, i, j };
-        std::vector<std::pair<std::size_t, std::size_t> > on;        // corners with a weight
+        std::vector<std::pair<std::size_t, std::size_t> > on; // corners with a weight
         for(std::size_t k = 0; k < 3; ++k)
           if(step[k] > 0) on.emplace_back(std::size_t(corner[k]), std::size_t(step[k]));
         Mesh::Vertex_index v;
@@ -160,7 +167,8 @@ void with_policies(Mesh& mesh, const Options& options, const Function& f)
 void measure(const std::string& name, const Options& options)
 {
   const auto refuse = [&](const std::string& reason, const std::string& stages) {
-    std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << stages << "}" << std::endl;
+    std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << stages
+              << "}" << std::endl;
   };
   const double empty = memory("VmRSS");
   std::string stages;
@@ -180,14 +188,16 @@ void measure(const std::string& name, const Options& options)
   const double mesh_bytes = memory("VmRSS");
 
   Stage of_shell;
-  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness).memory_limit(1e10));
+  const auto shell = CGAL::certified_bspline_shell_3(
+    mesh, BS::parameters::relative_thickness(options.thickness).memory_limit(1e10));
   stages += of_shell.finish("shell", facets, mesh_bytes);
   if(!shell.is_certified()) return refuse(shell.message(), stages);
   const BS::Shell_report& r = shell.report();
   {
     std::ostringstream out;
     out << ",\"cells\":" << r.cells << ",\"rounds\":" << r.rounds.size() << ",\"steps\":{";
-    for(std::size_t s = 0; s < r.seconds.size(); ++s) out << (s > 0 ? "," : "") << "\"" << BS::name(BS::Shell_step(s)) << "\":" << r.seconds[s];
+    for(std::size_t s = 0; s < r.seconds.size(); ++s)
+      out << (s > 0 ? "," : "") << "\"" << BS::name(BS::Shell_step(s)) << "\":" << r.seconds[s];
     stages += out.str() + "}";
   }
 
@@ -204,7 +214,8 @@ void measure(const std::string& name, const Options& options)
     Mesh plain = mesh;
     Stage stage;
     with_policies(plain, options, [&](const auto& policies) {
-      SMS::edge_collapse(plain, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+      SMS::edge_collapse(plain, stop,
+                         CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
     });
     stages += stage.finish("plain_simplification", facets, mesh_bytes);
   }
@@ -212,8 +223,10 @@ void measure(const std::string& name, const Options& options)
   Mesh coarse = mesh;
   BS::Edit_status status = BS::Edit_status::SUCCESS;
   with_policies(coarse, options, [&](const auto& policies) {
-    status = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop).get_cost(policies.get_cost())
-                                                                  .get_placement(policies.get_placement())).status;
+    status = BS::simplify_in_shell(
+               coarse, shell,
+               BS::parameters::stop(stop).get_cost(policies.get_cost()).get_placement(policies.get_placement()))
+               .status;
   });
   coarse.collect_garbage();
   stages += of_simplification.finish("simplification", facets, mesh_bytes);
@@ -233,8 +246,10 @@ void measure(const std::string& name, const Options& options)
   stages += of_transfer_back.finish("transfer_back", facets, mesh_bytes);
   double sum = 0;
   for(auto v : mesh.vertices()) sum += std::abs(back[v] - fine_values[v]);
-  std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"done\",\"facets\":" << facets << ",\"coarse_facets\":" << coarse.number_of_faces()
-            << ",\"lost\":" << averaged.failures.size() + averaged.left_out.size() + interpolated.failures.size() << ",\"mean_error\":" << sum / double(mesh.number_of_vertices()) << stages << "}" << std::endl;
+  std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"done\",\"facets\":" << facets
+            << ",\"coarse_facets\":" << coarse.number_of_faces()
+            << ",\"lost\":" << averaged.failures.size() + averaged.left_out.size() + interpolated.failures.size()
+            << ",\"mean_error\":" << sum / double(mesh.number_of_vertices()) << stages << "}" << std::endl;
 }
 
 int main(int argc, char** argv)
@@ -249,18 +264,17 @@ int main(int argc, char** argv)
       double& x = arg == "--ratio" ? options.ratio : options.thickness;
       x = std::atof(argv[++i]);
       is_usable = is_usable && x > 0;
-    }
-    else if(arg == "--policy" && i + 1 < argc) {
+    } else if(arg == "--policy" && i + 1 < argc) {
       const std::string policy = argv[++i];
       options.is_probabilistic = policy == "probabilistic-plane";
       is_usable = is_usable && (options.is_probabilistic || policy == "plane");
-    }
-    else if(arg == "--plain") options.is_plain_too = true;
+    } else if(arg == "--plain") options.is_plain_too = true;
     else if(arg.compare(0, 2, "--") == 0) is_usable = false;
     else names.push_back(arg);
   }
   if(!is_usable || names.empty()) {
-    std::cerr << "Usage: large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] [--plain] MESH...\n";
+    std::cerr << "Usage: large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] "
+                 "[--plain] MESH...\n";
     return 2;
   }
   for(const std::string& name : names) {
@@ -272,7 +286,8 @@ int main(int argc, char** argv)
     }
     int status = 0;
     if(child < 0 || waitpid(child, &status, 0) < 0 || !(WIFEXITED(status) && WEXITSTATUS(status) == 0))
-      std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":\"the process died\"}" << std::endl;
+      std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":\"the process died\"}"
+                << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -1,5 +1,6 @@
-// How fast random points move from a mesh to another one in its shell: microseconds a point, with one core and with all, and for several
-// tolerances; also when the points are mapped one by one, so that none begins near the last. One JSON object a line.
+// How fast random points move from a mesh to another one in its shell: microseconds a point, with one core and with
+// all, and for several tolerances; also when the points are mapped one by one, so that none begins near the last. One
+// JSON object a line.
 //
 //   projection_benchmark [--points N] [MESH ...]
 //
@@ -40,7 +41,8 @@ int main(int argc, char** argv)
 {
   print_JSON_numbers();
   const Benchmark_arguments arguments(argc, argv, 1000000, MESHES "/armadillo.off");
-  for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
+  for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved,
+                                     double part) {
     const double unit = shell.report().unit;
     const auto locations = random_locations(mesh, arguments.points, 1);
     for(double tolerance : { 1e-6, 1e-9, 1e-12 }) {
@@ -52,10 +54,11 @@ int main(int argc, char** argv)
       const double one = microseconds<CGAL::Sequential_tag>(map, locations, lost);
       const double all = microseconds<CGAL::Parallel_if_available_tag>(map, locations, lost_by_all);
       const double one_by_one = microseconds_one_by_one(map, locations, lost_one_by_one);
-      std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces() << ",\"points\":" << arguments.points
-                << ",\"moved_by\":" << part << ",\"tolerance\":" << tolerance << ",\"lost\":" << (std::max)({ lost, lost_by_all, lost_one_by_one })
-                << ",\"microseconds\":{\"one_core\":" << one << ",\"all_cores\":" << all << ",\"one_by_one\":" << one_by_one
-                << "},\"speedup\":" << one / all
+      std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces()
+                << ",\"points\":" << arguments.points << ",\"moved_by\":" << part << ",\"tolerance\":" << tolerance
+                << ",\"lost\":" << (std::max)({ lost, lost_by_all, lost_one_by_one })
+                << ",\"microseconds\":{\"one_core\":" << one << ",\"all_cores\":" << all
+                << ",\"one_by_one\":" << one_by_one << "},\"speedup\":" << one / all
                 << ",\"preparation_seconds\":" << preparation << "}" << std::endl;
     }
   });

@@ -1,4 +1,5 @@
-// Lengths of edges that differ from place to place: shorter where a mesh is thin, or where the level sets of its shell's field are curved.
+// Lengths of edges that differ from place to place: shorter where a mesh is thin, or where the level sets of its
+// shell's field are curved.
 #ifndef BENCHMARK_GRADED_LENGTH_H
 #define BENCHMARK_GRADED_LENGTH_H
 
@@ -19,14 +20,15 @@
 #include <utility>
 #include <vector>
 
-// A length on each cell of a grid that the mesh was found in; from one cell to the next it grows by 0.3 of the way at most, so that facets of
-// different sizes have room between them.
+// A length on each cell of a grid that the mesh was found in; from one cell to the next it grows by 0.3 of the way at
+// most, so that facets of different sizes have room between them.
 class Graded_length
 {
   typedef std::array<int, 3> Cell;
 public:
   // sizes at points, scaled so that a quarter of them give lengths below the geometric mean of both bounds
-  Graded_length(const std::vector<Kernel::Point_3>& points, const std::vector<double>& sizes, double least, double most) : m_width(least / 2)
+  Graded_length(const std::vector<Kernel::Point_3>& points, const std::vector<double>& sizes, double least, double most)
+    : m_width(least / 2)
   {
     std::vector<double> sorted = sizes;
     const auto quartile = sorted.begin() + std::ptrdiff_t(sorted.size() / 4);
@@ -54,7 +56,7 @@ public:
   double operator()(const Kernel::Point_3& p) const
   {
     double length = std::numeric_limits<double>::infinity();
-    for(int radius = 0; std::isinf(length); ++radius)       // edges are near the mesh
+    for(int radius = 0; std::isinf(length); ++radius) // edges are near the mesh
       visit_cells(cell(p), radius, [&](const Cell& c, int) {
         const auto found = m_lengths.find(c);
         if(found != m_lengths.end()) length = (std::min)(length, found->second);
@@ -73,7 +75,8 @@ private:
   {
     for(int i = -radius; i <= radius; ++i)
       for(int j = -radius; j <= radius; ++j)
-        for(int k = -radius; k <= radius; ++k) visit({ center[0] + i, center[1] + j, center[2] + k }, i*i + j*j + k*k);
+        for(int k = -radius; k <= radius; ++k)
+          visit({ center[0] + i, center[1] + j, center[2] + k }, i * i + j * j + k * k);
   }
 
   double m_width;

@@ -1,17 +1,22 @@
-// Unions, intersections and differences of pairs of meshes: whether they get a certified shell, and what becomes of the colors of their operands if
-// they are simplified in it as far as it allows. One JSON object a line.
+// Unions, intersections and differences of pairs of meshes: whether they get a certified shell, and what becomes of the
+// colors of their operands if they are simplified in it as far as it allows. One JSON object a line.
 //
 //   boolean_benchmark [--thickness T] [--distance D] [--points N] [FIRST SECOND ...]
 //
-// Default: ten pairs of meshes, the second one turned and moved (place() in operand_labels.h); those that are given are taken as they are. Four
-// simplifications: `free` ignores the colors and gets them by transfer_face_labels(); `along_curve` collapses edges of the intersection curve along
-// the curve, and `near_curve` only as far as the curve stays near (Curve_filter); `protected` keeps each of them. In these, facets keep their labels.
-// The thickness of the shell (default 0.01) and the distance of near_curve (default 0.001) are in units of the longest box side. Reported are
+// Default: ten pairs of meshes, the second one turned and moved (place() in operand_labels.h); those that are given are
+// taken as they are. Four simplifications: `free` ignores the colors and gets them by transfer_face_labels();
+// `along_curve` collapses edges of the intersection curve along the curve, and `near_curve` only as far as the curve
+// stays near (Curve_filter); `protected` keeps each of them. In these, facets keep their labels. The thickness of the
+// shell (default 0.01) and the distance of near_curve (default 0.001) are in units of the longest box side. Reported
+// are
 //
-// - label_distance: the largest distance of the centroid of a facet of the Boolean from the operand that it has the label of
-// - border_to_curve: distances between the border of the colors, and the curve before; on_surface: the same for the image of the border on the
-//   Boolean's mesh; curve_to_border: the other way. Mean and maximum, in percent of the longest box side.
-// - wrong_area: the share of N points (default 100000) of the simplified mesh with another color than their images on the Boolean's mesh, in percent
+// - label_distance: the largest distance of the centroid of a facet of the Boolean from the operand that it has the
+//   label of
+// - border_to_curve: distances between the border of the colors, and the curve before; on_surface: the same for the
+//   image of the border on the Boolean's mesh; curve_to_border: the other way. Mean and maximum, in percent of the
+//   longest box side.
+// - wrong_area: the share of N points (default 100000) of the simplified mesh with another color than their images on
+//   the Boolean's mesh, in percent
 #include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/curve_filter.h"
@@ -46,7 +51,8 @@ double worst_quality(const Mesh& mesh)
   double worst = 1;
   for(Mesh::Face_index f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+               &r = mesh.point(mesh.target(mesh.next(h)));
     const auto length = [](const auto& s, const auto& t) { return std::sqrt(CGAL::squared_distance(s, t)); };
     const double a = length(p, q), b = length(q, r), c = length(r, p);
     worst = (std::min)(worst, 16 * CGAL::squared_area(p, q, r) / ((a + b + c) * a * b * c));
@@ -62,10 +68,12 @@ double label_distance(const Mesh& mesh, const Labels& labels, const std::array<c
     for(Mesh::Face_index f : mesh.faces()) {
       const auto h = mesh.halfedge(f);
       if(labels[f] == label)
-        centroids.push_back(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+        centroids.push_back(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                           mesh.point(mesh.target(mesh.next(h)))));
     }
     if(!centroids.empty())
-      largest = (std::max)(largest, PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(centroids, *operands[std::size_t(label)]));
+      largest = (std::max)(
+        largest, PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(centroids, *operands[std::size_t(label)]));
   }
   return largest;
 }
@@ -98,7 +106,8 @@ struct Samples
       if(!colored.curve[e]) continue;
       const Mesh::Halfedge_index h = mesh.halfedge(mesh.face(mesh.halfedge(e, 0)));
       const int first = mesh.halfedge(e, 0) == h ? 0 : mesh.halfedge(e, 0) == mesh.next(h) ? 1 : 2;
-      const Kernel::Point_3 &p = mesh.point(mesh.source(mesh.halfedge(e, 0))), &q = mesh.point(mesh.target(mesh.halfedge(e, 0)));
+      const Kernel::Point_3 &p = mesh.point(mesh.source(mesh.halfedge(e, 0))),
+                            &q = mesh.point(mesh.target(mesh.halfedge(e, 0)));
       const double length = std::sqrt(CGAL::squared_distance(p, q));
       const int parts = 1 + int(length / (0.001 * unit));
       for(int n = 0; n < parts; ++n) {
@@ -154,7 +163,8 @@ std::string compare(const Shell& shell, const Colored& before, const Colored& af
   std::size_t lost = 0, wrong = 0;
   const auto images = back.project(border.locations);
   for(std::size_t n = 0; n < images.size(); ++n) {
-    if(images[n] && !before.tree.empty()) on_surface.add(std::sqrt(before.tree.squared_distance(images[n].point)), border.lengths[n]);
+    if(images[n] && !before.tree.empty())
+      on_surface.add(std::sqrt(before.tree.squared_distance(images[n].point)), border.lengths[n]);
     else ++lost;
   }
   const auto locations = random_locations(after.mesh, number, 5);
@@ -164,13 +174,15 @@ std::string compare(const Shell& shell, const Colored& before, const Colored& af
     else if(before.labels[origins[n].location.first] != after.labels[locations[n].first]) ++wrong;
   }
   std::ostringstream out;
-  out << "\"border_to_curve\":" << distances(border, before).json(unit) << ",\"on_surface\":" << on_surface.json(unit) << ",\"curve_to_border\":"
-      << distances(curve, after).json(unit) << ",\"wrong_area\":" << 100 * double(wrong) / double(number) << ",\"lost\":" << lost;
+  out << "\"border_to_curve\":" << distances(border, before).json(unit) << ",\"on_surface\":" << on_surface.json(unit)
+      << ",\"curve_to_border\":" << distances(curve, after).json(unit)
+      << ",\"wrong_area\":" << 100 * double(wrong) / double(number) << ",\"lost\":" << lost;
   return out.str();
 }
 
 template <typename NamedParameters>
-std::string simplify(const Shell& shell, const Colored& before, bool keeps_labels, std::size_t number, const NamedParameters& np, Mesh& coarse)
+std::string simplify(const Shell& shell, const Colored& before, bool keeps_labels, std::size_t number,
+                     const NamedParameters& np, Mesh& coarse)
 {
   const auto result = BS::simplify_in_shell(coarse, shell, np);
   if(!result) return "{\"certified\":false,\"reason\":" + quoted(BS::message(result.status)) + "}";
@@ -178,23 +190,25 @@ std::string simplify(const Shell& shell, const Colored& before, bool keeps_label
   const Labels labels = labels_of(coarse);
   const Curve border = curve_of(coarse);
   if(!keeps_labels)
-    BS::transfer_face_labels(Map(shell, before.mesh, coarse), before.labels, labels, BS::parameters::samples_per_facet(16).default_value(-1));
+    BS::transfer_face_labels(Map(shell, before.mesh, coarse), before.labels, labels,
+                             BS::parameters::samples_per_facet(16).default_value(-1));
   std::size_t unlabeled = 0;
   for(Mesh::Face_index f : coarse.faces()) unlabeled += labels[f] < 0 ? 1 : 0;
   const std::size_t border_edges = mark_curve(coarse, labels, border);
   const Colored after(coarse, labels, border);
   std::ostringstream out;
-  out << "{\"certified\":true,\"facets\":" << result.facets << ",\"constrained_edges\":" << result.constrained_edges << ",\"border_edges\":"
-      << border_edges << ",\"unlabeled\":" << unlabeled << "," << compare(shell, before, after, number) << ",\"seconds\":"
-      << result.total_seconds() << "}";
+  out << "{\"certified\":true,\"facets\":" << result.facets << ",\"constrained_edges\":" << result.constrained_edges
+      << ",\"border_edges\":" << border_edges << ",\"unlabeled\":" << unlabeled << ","
+      << compare(shell, before, after, number) << ",\"seconds\":" << result.total_seconds() << "}";
   return out.str();
 }
 
-void measure(const std::string& name_0, const Mesh& first, const std::string& name_1, const Mesh& second, const std::string& operation,
-             const Options& options)
+void measure(const std::string& name_0, const Mesh& first, const std::string& name_1, const Mesh& second,
+             const std::string& operation, const Options& options)
 {
-  std::cout << "{\"first\":" << quoted(name_0) << ",\"second\":" << quoted(name_1) << ",\"operation\":" << quoted(operation) << ",\"facets\":["
-            << first.number_of_faces() << "," << second.number_of_faces() << "]";
+  std::cout << "{\"first\":" << quoted(name_0) << ",\"second\":" << quoted(name_1)
+            << ",\"operation\":" << quoted(operation) << ",\"facets\":[" << first.number_of_faces() << ","
+            << second.number_of_faces() << "]";
   CGAL::Real_timer timer;
   timer.start();
   Mesh mesh;
@@ -208,12 +222,14 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
   const std::size_t curve_edges = mark_curve(mesh, labels, curve);
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
-  std::cout << ",\"result\":{\"facets\":" << mesh.number_of_faces() << ",\"curve_edges\":" << curve_edges << ",\"worst_quality\":"
-            << worst_quality(mesh) << ",\"label_distance\":" << label_distance(mesh, labels, { &first, &second }) / unit << ",\"seconds\":"
-            << seconds << "}" << std::flush;
+  std::cout << ",\"result\":{\"facets\":" << mesh.number_of_faces() << ",\"curve_edges\":" << curve_edges
+            << ",\"worst_quality\":" << worst_quality(mesh)
+            << ",\"label_distance\":" << label_distance(mesh, labels, { &first, &second }) / unit
+            << ",\"seconds\":" << seconds << "}" << std::flush;
 
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(options.thickness));
-  std::cout << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false") << ",\"seconds\":" << shell.report().total_seconds();
+  std::cout << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false")
+            << ",\"seconds\":" << shell.report().total_seconds();
   if(!shell.is_certified()) {
     const auto& obstacles = shell.report().obstacles;
     std::cout << ",\"reason\":" << quoted(shell.message()) << ",\"obstacles\":" << obstacles.size();
@@ -224,13 +240,17 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
   const Colored before(mesh, labels, curve);
   std::cout << "},\"free\":";
   Mesh free = mesh;
-  std::cout << simplify(shell, before, false, options.points, BS::parameters::stop(BS::Never_stop_predicate()), free) << std::flush;
+  std::cout << simplify(shell, before, false, options.points, BS::parameters::stop(BS::Never_stop_predicate()), free)
+            << std::flush;
   const auto with_curve = [&](const char* name, double distance, bool protects) {
     Mesh coarse = mesh;
     const Curve_filter filter(coarse, curve_of(coarse), distance);
     std::cout << ",\"" << name << "\":"
               << simplify(shell, before, true, options.points,
-                          BS::parameters::edge_is_constrained_map(curve_of(coarse)).protect_constraints(protects).filter(std::cref(filter)), coarse)
+                          BS::parameters::edge_is_constrained_map(curve_of(coarse))
+                            .protect_constraints(protects)
+                            .filter(std::cref(filter)),
+                          coarse)
               << std::flush;
   };
   with_curve("along_curve", std::numeric_limits<double>::infinity(), false);
@@ -253,20 +273,23 @@ int main(int argc, char** argv)
   }
   const bool is_default = files.empty();
   if(is_default)
-    for(const char* name : { "eight", "eight", "blobby", "blobby", "knot1", "sphere", "elephant", "elephant", "bear", "elephant", "dino", "homer",
-                             "joint", "couplingdown", "pinion", "handle", "anchor_dense", "rotor", "fandisk", "fandisk" })
+    for(const char* name : { "eight",    "eight",  "blobby",       "blobby", "knot1",   "sphere", "elephant",
+                             "elephant", "bear",   "elephant",     "dino",   "homer",   "joint",  "couplingdown",
+                             "pinion",   "handle", "anchor_dense", "rotor",  "fandisk", "fandisk" })
       files.push_back(MESHES "/" + std::string(name) + ".off");
   for(std::size_t n = 0; n + 1 < files.size(); n += 2) {
     Mesh first, second;
     if(read_triangles(files[n], first) && read_triangles(files[n + 1], second) && is_default) place(second, first);
     const std::string name_0 = mesh_name(files[n]), name_1 = mesh_name(files[n + 1]);
     if(!is_operand(first) || !is_operand(second)) {
-      std::cout << "{\"first\":" << quoted(name_0) << ",\"second\":" << quoted(name_1) << ",\"status\":\"no solids\"}" << std::endl;
+      std::cout << "{\"first\":" << quoted(name_0) << ",\"second\":" << quoted(name_1) << ",\"status\":\"no solids\"}"
+                << std::endl;
       continue;
     }
     set_labels(first, 0);
     set_labels(second, 1);
-    for(const char* operation : { "union", "intersection", "difference" }) measure(name_0, first, name_1, second, operation, options);
+    for(const char* operation : { "union", "intersection", "difference" })
+      measure(name_0, first, name_1, second, operation, options);
   }
   return EXIT_SUCCESS;
 }

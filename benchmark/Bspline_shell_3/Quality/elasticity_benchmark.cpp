@@ -1,15 +1,17 @@
-// Nonlinear elasticity in tetrahedra on meshes as they are, and on proxies of them in their certified shells: quality of tetrahedra, iterations,
-// time, and how far the solutions are from that of the finest proxy. One JSON object a line; every mesh has a process of its own.
+// Nonlinear elasticity in tetrahedra on meshes as they are, and on proxies of them in their certified shells: quality
+// of tetrahedra, iterations, time, and how far the solutions are from that of the finest proxy. One JSON object a line;
+// every mesh has a process of its own.
 //
 //   elasticity_benchmark [--edges N]... [--angle A] [--unknowns U] [--gmsh] [--max-seconds S] [MESH ...]
 //
-// --edges: the target length of the proxy's edges is the longest side of the box divided by N; default: 20, 30 and 45. --angle: one end of the
-// longest side is held, the other bent by so many degrees, by default 45. --unknowns: larger systems are left out (default 300000). --gmsh:
-// tetrahedra by Gmsh, not by TetGen. --max-seconds: after which a process is given up.
+// --edges: the target length of the proxy's edges is the longest side of the box divided by N; default: 20, 30 and 45.
+// --angle: one end of the longest side is held, the other bent by so many degrees, by default 45. --unknowns: larger
+// systems are left out (default 300000). --gmsh: tetrahedra by Gmsh, not by TetGen. --max-seconds: after which a
+// process is given up.
 //
-// Quality is the mean ratio, 12 (3 volume)^(2/3) by the sum of the squares of all edges. Differences are over the vertices of the mesh, in percent of
-// the largest displacement, from what quadratic elements give on the finest proxy that is not left out. self_intersections: pairs of facets of the
-// bent mesh.
+// Quality is the mean ratio, 12 (3 volume)^(2/3) by the sum of the squares of all edges. Differences are over the
+// vertices of the mesh, in percent of the largest displacement, from what quadratic elements give on the finest proxy
+// that is not left out. self_intersections: pairs of facets of the bent mesh.
 #include "../meshes_in_shell.h"
 
 #include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h"
@@ -24,7 +26,7 @@
 #include <CGAL/Real_timer.h>
 
 #ifdef HAVE_CHOLMOD
-#  include <Eigen/CholmodSupport>
+#include <Eigen/CholmodSupport>
 #endif
 
 #include <sys/wait.h>
@@ -38,7 +40,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 #ifdef HAVE_CHOLMOD
 struct Factorization : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>
 {
-  Factorization() { cholmod().print = 0; }      // its messages would go to the standard output
+  Factorization() { cholmod().print = 0; } // its messages would go to the standard output
 };
 typedef Neo_hookean_solid<Factorization> Solid;
 #else
@@ -93,7 +95,7 @@ struct Domain
   double edges;
   Mesh surface;
   Ends ends;
-  std::optional<Map> map;       // none for the mesh itself
+  std::optional<Map> map; // none for the mesh itself
   Tetrahedra tetrahedra;
   double seconds = 0;
 
@@ -111,33 +113,38 @@ struct Domain
 };
 
 // solves and prints; all solutions are compared with the first that there is
-void measure(const std::string& name, const Mesh& mesh, const Domain& domain, int order, const Bend& motion, const Options& options,
-             Solid::Vectors& reference)
+void measure(const std::string& name, const Mesh& mesh, const Domain& domain, int order, const Bend& motion,
+             const Options& options, Solid::Vectors& reference)
 {
   const Tetrahedra& tetrahedra = domain.tetrahedra;
-  std::cout << "{\"mesh\":" << quoted(name) << ",\"domain\":" << quoted(domain.name) << ",\"edges\":" << domain.edges << ",\"facets\":"
-            << domain.surface.number_of_faces() << ",\"generator\":" << quoted(options.generator) << ",\"conforms\":"
-            << (tetrahedra ? "true" : "false") << ",\"seconds_for_tetrahedra\":" << domain.seconds << ",\"order\":" << order;
+  std::cout << "{\"mesh\":" << quoted(name) << ",\"domain\":" << quoted(domain.name) << ",\"edges\":" << domain.edges
+            << ",\"facets\":" << domain.surface.number_of_faces() << ",\"generator\":" << quoted(options.generator)
+            << ",\"conforms\":" << (tetrahedra ? "true" : "false") << ",\"seconds_for_tetrahedra\":" << domain.seconds
+            << ",\"order\":" << order;
   if(!tetrahedra) {
     std::cout << ",\"status\":" << quoted(tetrahedra.error) << "}" << std::endl;
     return;
   }
   const std::vector<double> ratios = sorted_mean_ratios(tetrahedra);
-  std::cout << ",\"tetrahedra\":" << ratios.size() << ",\"mean_ratio\":{\"least\":" << ratios.front() << ",\"percentile_1\":"
-            << ratios[ratios.size() / 100] << ",\"median\":" << ratios[ratios.size() / 2] << "}";
+  std::cout << ",\"tetrahedra\":" << ratios.size() << ",\"mean_ratio\":{\"least\":" << ratios.front()
+            << ",\"percentile_1\":" << ratios[ratios.size() / 100] << ",\"median\":" << ratios[ratios.size() / 2]
+            << "}";
   CGAL::Real_timer timer;
   timer.start();
   std::vector<Eigen::Vector3d> points;
   for(const Kernel::Point_3& p : tetrahedra.points) points.push_back(to_Eigen(p));
-  const Solid solid(points, tetrahedra.cells, order == 2 ? Element_order::QUADRATIC : Element_order::LINEAR, lame_parameters(1, 0.3));
+  const Solid solid(points, tetrahedra.cells, order == 2 ? Element_order::QUADRATIC : Element_order::LINEAR,
+                    lame_parameters(1, 0.3));
   if(3 * solid.number_of_nodes() > options.unknowns) {
     std::cout << ",\"status\":\"left out: " << 3 * solid.number_of_nodes() << " unknowns\"}" << std::endl;
     return;
   }
   const Solid::Result result = bend(solid, domain.surface, domain.ends, motion, 2);
-  std::cout << ",\"unknowns\":" << 3 * solid.number_of_nodes() << ",\"status\":" << quoted(message(result.status)) << ",\"load\":" << result.load
-            << ",\"load_steps\":" << result.load_steps << ",\"iterations\":" << result.iterations << ",\"projected_Hessians\":"
-            << result.projections << ",\"energy\":" << result.energy << ",\"least_J\":" << result.least_jacobian << ",\"seconds\":" << timer.time();
+  std::cout << ",\"unknowns\":" << 3 * solid.number_of_nodes() << ",\"status\":" << quoted(message(result.status))
+            << ",\"load\":" << result.load << ",\"load_steps\":" << result.load_steps
+            << ",\"iterations\":" << result.iterations << ",\"projected_Hessians\":" << result.projections
+            << ",\"energy\":" << result.energy << ",\"least_J\":" << result.least_jacobian
+            << ",\"seconds\":" << timer.time();
   Solid::Vectors u;
   if(result && domain.bring_back(mesh, solid, result.displacements, u)) {
     Mesh bent = mesh;
@@ -154,9 +161,9 @@ void measure(const std::string& name, const Mesh& mesh, const Domain& domain, in
     }
     const auto differences = (u - reference).colwise().norm();
     const double percent = 100 / reference.colwise().norm().maxCoeff();
-    std::cout << ",\"difference\":{\"mean\":" << percent * differences.mean() << ",\"max\":" << percent * differences.maxCoeff() << "}";
-  }
-  else if(result) std::cout << ",\"lost\":\"a vertex has no image\"";
+    std::cout << ",\"difference\":{\"mean\":" << percent * differences.mean()
+              << ",\"max\":" << percent * differences.maxCoeff() << "}";
+  } else if(result) std::cout << ",\"lost\":\"a vertex has no image\"";
   std::cout << "}" << std::endl;
 }
 
@@ -173,19 +180,20 @@ void measure(const std::string& file, const Options& options)
   auto ends = mesh.add_property_map<Mesh::Face_index, End>("f:end", End::NONE).first;
   motion.label_ends(mesh, ends);
 
-  std::list<Domain> domains;        // maps point to their meshes
+  std::list<Domain> domains; // maps point to their meshes
   for(double edges : options.edges) {
     Domain& domain = domains.emplace_back(Domain{ "proxy", edges, mesh, Ends(), std::nullopt, Tetrahedra() });
     Mesh& proxy = domain.surface;
     domain.ends = proxy.property_map<Mesh::Face_index, End>("f:end").first;
     auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
     PMP::detect_sharp_edges(proxy, 60, sharp);
-    const auto report = BS::remesh_in_shell(proxy, shell->report().unit / edges, *shell, BS::parameters::edge_is_constrained_map(sharp));
+    const auto report = BS::remesh_in_shell(proxy, shell->report().unit / edges, *shell,
+                                            BS::parameters::edge_is_constrained_map(sharp));
     proxy.collect_garbage();
     domain.map.emplace(*shell, mesh, proxy);
     if(report && BS::transfer_face_labels(*domain.map, ends, domain.ends)) continue;
-    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"edges\":" << edges << ",\"status\":" << quoted(message(report.status))
-              << "}" << std::endl;
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"edges\":" << edges
+              << ",\"status\":" << quoted(message(report.status)) << "}" << std::endl;
     domains.pop_back();
   }
   domains.push_back({ "input", 0, mesh, Ends(), std::nullopt, Tetrahedra() });
@@ -219,9 +227,10 @@ int main(int argc, char** argv)
     else files.push_back(arg);
   }
   if(options.edges.empty()) options.edges = { 20, 30, 45 };
-  std::sort(options.edges.rbegin(), options.edges.rend());        // others are compared with the finest
+  std::sort(options.edges.rbegin(), options.edges.rend()); // others are compared with the finest
   if(!(options.edges.back() > 0)) {
-    std::cerr << "Usage: elasticity_benchmark [--edges N]... [--angle A] [--unknowns U] [--gmsh] [--max-seconds S] [MESH ...]\n";
+    std::cerr << "Usage: elasticity_benchmark [--edges N]... [--angle A] [--unknowns U] [--gmsh] [--max-seconds S] "
+                 "[MESH ...]\n";
     return 2;
   }
   if(files.empty())
@@ -238,7 +247,8 @@ int main(int argc, char** argv)
     int status = 1;
     if(child < 0 || waitpid(child, &status, 0) < 0 || status != 0)
       std::cout << "\n{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\""
-                << (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? "time limit" : "the process did not end well") << "\"}" << std::endl;
+                << (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? "time limit" : "the process did not end well")
+                << "\"}" << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -1,12 +1,12 @@
-// Tangent fields at facets, carried to the mesh simplified in its shell and back: angles to the same field, given by a formula, in degrees. One JSON
-// object a line: mesh and symmetry (1 vectors, 4 crosses).
+// Tangent fields at facets, carried to the mesh simplified in its shell and back: angles to the same field, given by a
+// formula, in degrees. One JSON object a line: mesh and symmetry (1 vectors, 4 crosses).
 //
 //   fields_benchmark [--thickness T] [MESH ...]
 //
-// "there" compares at the centroids of the simplified mesh, "back" at those of the mesh. "nearest" takes one vector for each facet; "mean" takes
-// samples_per_facet(16) there, and linear_reconstruction(true) back. "sampling" is no fault of the map: how far the formula is, at 16 places of each
-// facet of the simplified mesh, from its value at the centroid, which is what a field that is constant on facets is off by. Angles are means over
-// the area.
+// "there" compares at the centroids of the simplified mesh, "back" at those of the mesh. "nearest" takes one vector for
+// each facet; "mean" takes samples_per_facet(16) there, and linear_reconstruction(true) back. "sampling" is no fault of
+// the map: how far the formula is, at 16 places of each facet of the simplified mesh, from its value at the centroid,
+// which is what a field that is constant on facets is off by. Angles are means over the area.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -49,11 +49,13 @@ struct Formula
 {
   explicit Formula(const CGAL::Bbox_3& box)
     : middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2),
-      unit((std::max)({ box.x_span(), box.y_span(), box.z_span() })) {}
+      unit((std::max)({ box.x_span(), box.y_span(), box.z_span() }))
+  {}
 
   Kernel::Vector_3 operator()(const Kernel::Point_3& p, const Kernel::Vector_3& normal) const
   {
-    const Kernel::Vector_3 d = (p - middle) / unit, v = CGAL::cross_product(Kernel::Vector_3(0.4, 0.5, 1), d) + 0.3 * Kernel::Vector_3(1, 0.7, -0.5);
+    const Kernel::Vector_3 d = (p - middle) / unit, v = CGAL::cross_product(Kernel::Vector_3(0.4, 0.5, 1), d)
+                                                        + 0.3 * Kernel::Vector_3(1, 0.7, -0.5);
     const double n = normal.squared_length();
     return n > 0 ? v - (v * normal / n) * normal : v;
   }
@@ -66,16 +68,24 @@ struct Formula
 double angle(const Kernel::Vector_3& u, const Kernel::Vector_3& v, const Kernel::Vector_3& normal, int symmetry)
 {
   const double step = 360. / symmetry,
-               a = std::atan2(CGAL::cross_product(u, v) * normal / std::sqrt(normal.squared_length()), u * v) * 180 / CGAL_PI;
+               a = std::atan2(CGAL::cross_product(u, v) * normal / std::sqrt(normal.squared_length()), u * v) * 180
+                   / CGAL_PI;
   return std::abs(a - step * std::round(a / step));
 }
 
 struct Mean
 {
-  void add(double x, double weight) { sum += weight * x; total += weight; }
+  void add(double x, double weight)
+  {
+    sum += weight * x;
+    total += weight;
+  }
   double sum = 0, total = 0;
 };
-std::ostream& operator<<(std::ostream& out, const Mean& m) { return out << m.sum / m.total; }
+std::ostream& operator<<(std::ostream& out, const Mean& m)
+{
+  return out << m.sum / m.total;
+}
 
 Mean mean_angle(const Mesh& mesh, const Formula& formula, const Vectors& vectors, int symmetry)
 {
@@ -127,14 +137,19 @@ void measure(const std::string& file, double thickness)
     given[f] = formula(t.centroid(), t.normal);
   }
   for(int symmetry : { 1, 4 }) {
-    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces() << ",\"simplified\":" << coarse.number_of_faces()
-              << ",\"symmetry\":" << symmetry << ",\"sampling\":" << sampling_angle(coarse, formula, symmetry);
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces()
+              << ",\"simplified\":" << coarse.number_of_faces() << ",\"symmetry\":" << symmetry
+              << ",\"sampling\":" << sampling_angle(coarse, formula, symmetry);
     for(bool mean : { false, true }) {
       const std::size_t samples = mean ? 16 : 1;
-      const auto first = BS::transfer_tangent_vectors(map, given, there, BS::parameters::symmetry(symmetry).samples_per_facet(samples));
-      const auto second = BS::transfer_tangent_vectors(map.inverse(), there, back, BS::parameters::symmetry(symmetry).linear_reconstruction(mean));
-      std::cout << ",\"" << (mean ? "mean" : "nearest") << "\":{\"there\":" << mean_angle(coarse, formula, there, symmetry) << ",\"back\":"
-                << mean_angle(mesh, formula, back, symmetry) << ",\"lost\":" << first.failures.size() + second.failures.size() << "}";
+      const auto first = BS::transfer_tangent_vectors(map, given, there,
+                                                      BS::parameters::symmetry(symmetry).samples_per_facet(samples));
+      const auto second = BS::transfer_tangent_vectors(map.inverse(), there, back,
+                                                       BS::parameters::symmetry(symmetry).linear_reconstruction(mean));
+      std::cout << ",\"" << (mean ? "mean" : "nearest")
+                << "\":{\"there\":" << mean_angle(coarse, formula, there, symmetry)
+                << ",\"back\":" << mean_angle(mesh, formula, back, symmetry)
+                << ",\"lost\":" << first.failures.size() + second.failures.size() << "}";
     }
     std::cout << "}" << std::endl;
   }
@@ -154,7 +169,8 @@ int main(int argc, char** argv)
     return 2;
   }
   if(files.empty())
-    for(const char* name : { "fandisk", "eight", "elephant", "bear", "anchor_dense" }) files.push_back(std::string(MESHES "/") + name + ".off");
+    for(const char* name : { "fandisk", "eight", "elephant", "bear", "anchor_dense" })
+      files.push_back(std::string(MESHES "/") + name + ".off");
   for(const std::string& file : files) measure(file, thickness);
   return EXIT_SUCCESS;
 }

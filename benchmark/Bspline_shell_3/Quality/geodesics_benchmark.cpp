@@ -1,14 +1,15 @@
-// Geodesic distances by the heat method: solved on the mesh itself, and on a proxy with good triangles in its shell, from where they are carried
-// back. Compared to exact distances along the mesh (Surface_mesh_shortest_path). One JSON object a line: mesh, and number of edges along the
-// longest side of the box.
+// Geodesic distances by the heat method: solved on the mesh itself, and on a proxy with good triangles in its shell,
+// from where they are carried back. Compared to exact distances along the mesh (Surface_mesh_shortest_path). One JSON
+// object a line: mesh, and number of edges along the longest side of the box.
 //
 //   geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]
 //
-// N is 25, 50, 100 and 150 by default, K is 5: vertices at equal steps of their numbers. They are constrained, so that the proxy has them.
-// Errors are in percent of the largest exact distance, over all vertices and sources; "beyond_3" is the share of vertices off by more than 3 %, as in
-// the histograms of the paper. Where facets are not in the certified shell, they are frozen, and "certified" is false. With R > 1, there are two more
-// proxies for each N, whose edges are up to R times as long: the shorter, the thinner the mesh is ("gap"), or the more the level sets of the field
-// are curved ("curvature"). On proxies, the heat method is also solved with half of CGAL's time step.
+// N is 25, 50, 100 and 150 by default, K is 5: vertices at equal steps of their numbers. They are constrained, so that
+// the proxy has them. Errors are in percent of the largest exact distance, over all vertices and sources; "beyond_3" is
+// the share of vertices off by more than 3 %, as in the histograms of the paper. Where facets are not in the certified
+// shell, they are frozen, and "certified" is false. With R > 1, there are two more proxies for each N, whose edges are
+// up to R times as long: the shorter, the thinner the mesh is ("gap"), or the more the level sets of the field are
+// curved ("curvature"). On proxies, the heat method is also solved with half of CGAL's time step.
 #include "../meshes_in_shell.h"
 #include "Graded_length.h"
 
@@ -39,7 +40,7 @@
 namespace HM = CGAL::Heat_method_3;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Vertex, double> Distance;
-typedef std::vector<double> Values;       // at the vertices of the mesh, in their order
+typedef std::vector<double> Values; // at the vertices of the mesh, in their order
 
 Values exact_distances(const Mesh& mesh, Vertex source)
 {
@@ -50,7 +51,8 @@ Values exact_distances(const Mesh& mesh, Vertex source)
   return result;
 }
 
-// The time step is the square of the mean length of the edges, and has no parameter: lengths that are shorter by the root of two halve it.
+// The time step is the square of the mean length of the edges, and has no parameter: lengths that are shorter by the
+// root of two halve it.
 struct Half_time_step : Kernel
 {
   struct Compute_squared_distance_3
@@ -76,7 +78,10 @@ struct Errors
     for(std::size_t n = 0; n < exact.size(); ++n) {
       const double error = 100 * std::abs(found[n] - exact[n]) / largest;
       ++number;
-      if(!std::isfinite(error)) { ++missing; continue; }
+      if(!std::isfinite(error)) {
+        ++missing;
+        continue;
+      }
       sum += error;
       most = (std::max)(most, error);
       beyond += error > 3;
@@ -88,8 +93,9 @@ struct Errors
 
 std::ostream& operator<<(std::ostream& out, const Errors& e)
 {
-  return out << "{\"mean\":" << e.sum / double(e.number - e.missing) << ",\"max\":" << e.most << ",\"beyond_3\":"
-             << double(e.beyond) / double(e.number - e.missing) << ",\"missing\":" << e.missing << ",\"seconds\":" << e.seconds << "}";
+  return out << "{\"mean\":" << e.sum / double(e.number - e.missing) << ",\"max\":" << e.most
+             << ",\"beyond_3\":" << double(e.beyond) / double(e.number - e.missing) << ",\"missing\":" << e.missing
+             << ",\"seconds\":" << e.seconds << "}";
 }
 
 template <typename Mode>
@@ -113,13 +119,17 @@ Errors direct(const Mesh& mesh, const std::vector<Vertex>& sources, const std::v
 typedef std::function<double(const Kernel::Point_3&)> Sizing;
 
 // uniform, and graded between a length and a multiple of it
-std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const Mesh& mesh, double length, double grading)
+std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const Mesh& mesh, double length,
+                                                     double grading)
 {
-  std::vector<std::pair<std::string, Sizing> > result = { { "uniform", [length](const Kernel::Point_3&) { return length; } } };
+  std::vector<std::pair<std::string, Sizing> > result = { { "uniform",
+                                                            [length](const Kernel::Point_3&) { return length; } } };
   BS::Input_mesh_3 input;
-  if(!(grading > 1) || input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects(),
-                                                         BS::Input_mesh_3::closer(shell.closing()), BS::Input_mesh_3::truncator(shell.truncation()))
-                       != BS::Shell_status::SUCCESS)
+  if(!(grading > 1)
+     || input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects(),
+                                          BS::Input_mesh_3::closer(shell.closing()),
+                                          BS::Input_mesh_3::truncator(shell.truncation()))
+          != BS::Shell_status::SUCCESS)
     return result;
   const BS::Local_gap_3 gap(input);
   std::vector<Kernel::Point_3> points;
@@ -136,7 +146,8 @@ std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const M
   return result;
 }
 
-void measure(const std::string& file, const std::vector<double>& all_edges, std::size_t number_of_sources, double thickness, double grading)
+void measure(const std::string& file, const std::vector<double>& all_edges, std::size_t number_of_sources,
+             double thickness, double grading)
 {
   Mesh mesh;
   std::optional<Shell> shell;
@@ -155,7 +166,8 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     sources.push_back(Vertex(Vertex::size_type(s * mesh.number_of_vertices() / number_of_sources)));
     exact.push_back(exact_distances(mesh, sources.back()));
   }
-  const Errors plain = direct<HM::Direct>(mesh, sources, exact), intrinsic = direct<HM::Intrinsic_Delaunay>(mesh, sources, exact);
+  const Errors plain = direct<HM::Direct>(mesh, sources, exact),
+               intrinsic = direct<HM::Intrinsic_Delaunay>(mesh, sources, exact);
 
   const auto measure_proxy = [&](double edges, const std::string& name, const Sizing& sizing) {
     Mesh proxy = mesh;
@@ -168,11 +180,14 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
     CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
     timer.reset();
-    const auto report = BS::remesh_in_shell(proxy, sizing, *shell, BS::parameters::edge_is_constrained_map(sharp)
-                                              .vertex_is_constrained_map(is_source).freeze_rejected_facets(!shell->is_certified()));
+    const auto report = BS::remesh_in_shell(
+      proxy, sizing, *shell,
+      BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source).freeze_rejected_facets(
+        !shell->is_certified()));
     const double remeshing_seconds = timer.time();
-    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces() << ",\"certified\":"
-              << (shell->is_certified() ? "true" : "false") << ",\"edges\":" << edges << ",\"sizing\":" << quoted(name);
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces()
+              << ",\"certified\":" << (shell->is_certified() ? "true" : "false") << ",\"edges\":" << edges
+              << ",\"sizing\":" << quoted(name);
     if(!report && report.status != BS::Edit_status::EDITED_EXCEPT_FROZEN) {
       std::cout << ",\"status\":" << quoted(BS::message(report.status)) << "}" << std::endl;
       return;
@@ -190,7 +205,8 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
       timer.reset();
       for(std::size_t s = 0; s < sources.size(); ++s) {
         heat_distances<decltype(mode), decltype(traits)>(proxy, on_proxy[s], distance);
-        BS::transfer_vertex_attribute(map, distance, on_mesh, BS::parameters::default_value(std::numeric_limits<double>::quiet_NaN()));
+        BS::transfer_vertex_attribute(map, distance, on_mesh,
+                                      BS::parameters::default_value(std::numeric_limits<double>::quiet_NaN()));
         Values found;
         for(Vertex v : mesh.vertices()) found.push_back(on_mesh[v]);
         errors.add(exact[s], found);
@@ -200,12 +216,15 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     solve(HM::Direct(), CGAL::Default(), direct_errors);
     solve(HM::Intrinsic_Delaunay(), CGAL::Default(), intrinsic_errors);
     solve(HM::Direct(), Half_time_step(), half_errors);
-    std::cout << ",\"direct\":" << plain << ",\"intrinsic\":" << intrinsic << ",\"proxy\":{\"facets\":" << proxy.number_of_faces() << ",\"direct\":"
-              << direct_errors << ",\"intrinsic\":" << intrinsic_errors << ",\"half_time_step\":" << half_errors << "}"
-              << ",\"seconds\":{\"shell\":" << shell_seconds << ",\"remeshing\":" << remeshing_seconds << "}}" << std::endl;
+    std::cout << ",\"direct\":" << plain << ",\"intrinsic\":" << intrinsic
+              << ",\"proxy\":{\"facets\":" << proxy.number_of_faces() << ",\"direct\":" << direct_errors
+              << ",\"intrinsic\":" << intrinsic_errors << ",\"half_time_step\":" << half_errors << "}"
+              << ",\"seconds\":{\"shell\":" << shell_seconds << ",\"remeshing\":" << remeshing_seconds << "}}"
+              << std::endl;
   };
   for(double edges : all_edges)
-    for(const auto& [name, sizing] : sizings(*shell, mesh, shell->report().unit / edges, grading)) measure_proxy(edges, name, sizing);
+    for(const auto& [name, sizing] : sizings(*shell, mesh, shell->report().unit / edges, grading))
+      measure_proxy(edges, name, sizing);
 }
 
 int main(int argc, char** argv)
@@ -220,15 +239,16 @@ int main(int argc, char** argv)
     if(arg == "--edges" && i + 1 < argc) {
       std::istringstream list(argv[++i]);
       for(std::string n; std::getline(list, n, ',');) edges.push_back(std::atof(n.c_str()));
-    }
-    else if(arg == "--sources" && i + 1 < argc) sources = std::size_t(std::atoll(argv[++i]));
+    } else if(arg == "--sources" && i + 1 < argc) sources = std::size_t(std::atoll(argv[++i]));
     else if(arg == "--thickness" && i + 1 < argc) thickness = std::atof(argv[++i]);
     else if(arg == "--grading" && i + 1 < argc) grading = std::atof(argv[++i]);
     else files.push_back(arg);
   }
   if(edges.empty()) edges = { 25, 50, 100, 150 };
-  if(sources == 0 || !(thickness > 0) || !(grading >= 1) || !std::all_of(edges.begin(), edges.end(), [](double n) { return n > 0; })) {
-    std::cerr << "Usage: geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]\n";
+  if(sources == 0 || !(thickness > 0) || !(grading >= 1)
+     || !std::all_of(edges.begin(), edges.end(), [](double n) { return n > 0; })) {
+    std::cerr
+      << "Usage: geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]\n";
     return 2;
   }
   if(files.empty())

@@ -1,9 +1,10 @@
-// Remeshing in a shell beside CGAL's isotropic remeshing: quality of triangles, certificate, time. One JSON object a line.
+// Remeshing in a shell beside CGAL's isotropic remeshing: quality of triangles, certificate, time. One JSON object a
+// line.
 //
 //   remesh_benchmark [--edges N] [--iterations I] [--thickness T] [MESH ...]
 //
-// The target length of edges is the longest side of the mesh's box divided by N, default 60; 5 iterations by default. Quality is twice the
-// ratio of inradius to circumradius. Edges sharper than 60 degrees are constrained in both.
+// The target length of edges is the longest side of the mesh's box divided by N, default 60; 5 iterations by default.
+// Quality is twice the ratio of inradius to circumradius. Edges sharper than 60 degrees are constrained in both.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -20,14 +21,18 @@
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-struct Quality { double least = 0, percentile = 0, median = 0; };
+struct Quality
+{
+  double least = 0, percentile = 0, median = 0;
+};
 
 Quality quality(const Mesh& mesh)
 {
   std::vector<double> all;
   for(Mesh::Face_index f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Kernel::Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Kernel::Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                          &r = mesh.point(mesh.target(mesh.next(h)));
     const double a = std::sqrt(CGAL::squared_distance(q, r)), b = std::sqrt(CGAL::squared_distance(r, p)),
                  c = std::sqrt(CGAL::squared_distance(p, q));
     const double denominator = (a + b + c) * a * b * c;
@@ -46,7 +51,8 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
 {
   Mesh mesh;
   std::optional<Shell> shell;
-  if(read_triangles(file, mesh)) shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
+  if(read_triangles(file, mesh))
+    shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell || !shell->is_certified()) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"no certified shell\"}" << std::endl;
     return;
@@ -55,32 +61,40 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   PMP::detect_sharp_edges(mesh, 60, sharp);
   Mesh plain = mesh;
-  const auto sharp_of_plain = plain.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;      // the one that was copied
+  // the one that was copied
+  const auto sharp_of_plain = plain.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
 
   CGAL::Real_timer timer;
   timer.start();
   PMP::isotropic_remeshing(plain.faces(), length, plain,
-                           CGAL::parameters::number_of_iterations(iterations).number_of_relaxation_steps(2)
-                                            .edge_is_constrained_map(sharp_of_plain));
+                           CGAL::parameters::number_of_iterations(iterations)
+                             .number_of_relaxation_steps(2)
+                             .edge_is_constrained_map(sharp_of_plain));
   const double plain_seconds = timer.time();
   plain.collect_garbage();
 
   timer.reset();
   const Quality before = quality(mesh);
-  const auto report = BS::remesh_in_shell(mesh, length, *shell,
+  const auto report = BS::remesh_in_shell(
+    mesh, length, *shell,
     BS::parameters::number_of_iterations(iterations).number_of_relaxation_steps(2).edge_is_constrained_map(sharp));
   const double seconds = timer.time();
-  std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"" << (report ? "certified" : message(report.status)) << "\",\"facets\":"
-            << report.facets_before << ",\"before\":" << before << ",\"in_shell\":{\"facets\":" << report.facets << ",\"quality\":"
-            << quality(mesh) << ",\"splits\":" << report.splits << ",\"collapses\":" << report.collapses << ",\"flips\":" << report.flips
-            << ",\"moves\":" << report.moves << ",\"rejected\":{";
-  for(auto v : { BS::Placement_verdict::LEAVES_SHELL, BS::Placement_verdict::FACES_AWAY, BS::Placement_verdict::WINDS_TWICE })
-    std::cout << (v == BS::Placement_verdict::LEAVES_SHELL ? "" : ",") << "\"" << name(v) << "\":" << report.placements.number(v);
-  std::cout << "},\"self_intersects\":" << (PMP::does_self_intersect(mesh) ? "true" : "false") << ",\"seconds\":{\"check\":"
-            << report.check_seconds << ",\"operations\":" << report.edit_seconds << ",\"certificate\":" << report.certificate_seconds
-            << ",\"total\":" << seconds << "}},\"isotropic_remeshing\":{\"facets\":" << plain.number_of_faces() << ",\"quality\":"
-            << quality(plain) << ",\"self_intersects\":" << (PMP::does_self_intersect(plain) ? "true" : "false") << ",\"seconds\":" << plain_seconds
-            << "},\"times\":" << seconds / plain_seconds << "}" << std::endl;
+  std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\""
+            << (report ? "certified" : message(report.status)) << "\",\"facets\":" << report.facets_before
+            << ",\"before\":" << before << ",\"in_shell\":{\"facets\":" << report.facets
+            << ",\"quality\":" << quality(mesh) << ",\"splits\":" << report.splits
+            << ",\"collapses\":" << report.collapses << ",\"flips\":" << report.flips << ",\"moves\":" << report.moves
+            << ",\"rejected\":{";
+  for(auto v :
+      { BS::Placement_verdict::LEAVES_SHELL, BS::Placement_verdict::FACES_AWAY, BS::Placement_verdict::WINDS_TWICE })
+    std::cout << (v == BS::Placement_verdict::LEAVES_SHELL ? "" : ",") << "\"" << name(v)
+              << "\":" << report.placements.number(v);
+  std::cout << "},\"self_intersects\":" << (PMP::does_self_intersect(mesh) ? "true" : "false")
+            << ",\"seconds\":{\"check\":" << report.check_seconds << ",\"operations\":" << report.edit_seconds
+            << ",\"certificate\":" << report.certificate_seconds << ",\"total\":" << seconds
+            << "}},\"isotropic_remeshing\":{\"facets\":" << plain.number_of_faces() << ",\"quality\":" << quality(plain)
+            << ",\"self_intersects\":" << (PMP::does_self_intersect(plain) ? "true" : "false")
+            << ",\"seconds\":" << plain_seconds << "},\"times\":" << seconds / plain_seconds << "}" << std::endl;
 }
 
 int main(int argc, char** argv)
@@ -111,7 +125,8 @@ int main(int argc, char** argv)
     }
     int status = 1;
     if(child < 0 || waitpid(child, &status, 0) < 0 || status != 0)
-      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"the process did not end well\"}" << std::endl;
+      std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"status\":\"the process did not end well\"}"
+                << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -1,10 +1,11 @@
-// What the paper's resolution gamma does (its Figures 7 and 8): one JSON object a line for each mesh and gamma, the number of equal cells along the
-// longest side of the mesh's box; and one for the certified shell of the mesh, whose cells are as small as the proof needs.
+// What the paper's resolution gamma does (its Figures 7 and 8): one JSON object a line for each mesh and gamma, the
+// number of equal cells along the longest side of the mesh's box; and one for the certified shell of the mesh, whose
+// cells are as small as the proof needs.
 //
 //   resolution_benchmark [--gamma G,G,...] [--points N] [--thickness T] [--output PREFIX AXIS PART] [MESH ...]
 //
-// Default: 30, 50, 70, 90, 110 and 130, as in the paper; 100000 random points on the mesh; a certified shell of 0.01. Lengths are in units of the
-// longest side.
+// Default: 30, 50, 70, 90, 110 and 130, as in the paper; 100000 random points on the mesh; a certified shell of 0.01.
+// Lengths are in units of the longest side.
 //
 //   gamma                    null for the certified shell
 //   seconds                  of the shell; of the certified one, with its proof
@@ -15,10 +16,11 @@
 //   certificate, certified   verdicts about the mesh, and whether all claims are proved
 //   certificate_seconds      of equal cells
 //
-// --output writes PREFIX_mesh.ply, the surfaces PREFIX_{G,certified}_{inner,outer}.ply, and PREFIX_{G,certified}_slice.txt, a grid on the plane
-// where the coordinate AXIS (0, 1 or 2) has come to this PART (0 to 1) of its way through the mesh's box. The first line is: columns, rows, the first
-// point, the step; one line follows for each point, row by row: f, and where between the thresholds it is, from 0 to 1. Both are nan where the shell
-// has no cells.
+// --output writes PREFIX_mesh.ply, the surfaces PREFIX_{G,certified}_{inner,outer}.ply, and
+// PREFIX_{G,certified}_slice.txt, a grid on the plane where the coordinate AXIS (0, 1 or 2) has come to this PART (0 to
+// 1) of its way through the mesh's box. The first line is: columns, rows, the first point, the step; one line follows
+// for each point, row by row: f, and where between the thresholds it is, from 0 to 1. Both are nan where the shell has
+// no cells.
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -49,8 +51,8 @@ struct Options
   double part = 0;
 };
 
-constexpr int pixels = 800;             // along the longest side of a slice
-constexpr double margin = 0.08;         // around the mesh's box in it
+constexpr int pixels = 800;     // along the longest side of a slice
+constexpr double margin = 0.08; // around the mesh's box in it
 
 template <typename Shell_>
 bool write_slice(const std::string& file, const Shell_& shell, const Mesh& mesh, int axis, double part)
@@ -60,7 +62,7 @@ bool write_slice(const std::string& file, const Shell_& shell, const Mesh& mesh,
   std::array<double, 3> origin;
   std::array<int, 3> size;
   for(int a = 0; a < 3; ++a) {
-    origin[a] = a == axis ? (1 - part) * (box.min)(a) + part * (box.max)(a) : (box.min)(a) - margin * unit;
+    origin[a] = a == axis ? (1 - part) * (box.min)(a) + part * (box.max)(a) : (box.min)(a)-margin * unit;
     size[a] = a == axis ? 1 : int(((box.max)(a) - (box.min)(a) + 2 * margin * unit) / step) + 1;
   }
   return BS::write_file(file, [&](std::ostream& out) {
@@ -73,7 +75,10 @@ bool write_slice(const std::string& file, const Shell_& shell, const Mesh& mesh,
         for(int i = 0; i < size[0]; ++i) {
           const typename Shell_::Point_3 p(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
           const auto f = shell.field().value(p);
-          if(!f) { out << "nan nan\n"; continue; }
+          if(!f) {
+            out << "nan nan\n";
+            continue;
+          }
           const double inner = shell.inner_threshold().value(p);
           out << *f / unit << " " << (*f - inner) / (shell.outer_threshold().value(p) - inner) << "\n";
         }
@@ -86,21 +91,22 @@ bool write_output(const Options& options, const std::string& name, const Shell_&
 {
   const std::string prefix = options.prefix + "_" + name + "_";
   return write_surface(prefix + "inner.ply", shell, shell.inner_threshold()) == 0
-      && write_surface(prefix + "outer.ply", shell, shell.outer_threshold()) == 0
-      && write_slice(prefix + "slice.txt", shell, mesh, options.axis, options.part);
+         && write_surface(prefix + "outer.ply", shell, shell.outer_threshold()) == 0
+         && write_slice(prefix + "slice.txt", shell, mesh, options.axis, options.part);
 }
 
 // what both kinds of shells have in common
 template <typename Shell_>
-void print_shell(const Shell_& shell, const Mesh& mesh, double seconds, const BS::Certificate_report& certificate, std::size_t points)
+void print_shell(const Shell_& shell, const Mesh& mesh, double seconds, const BS::Certificate_report& certificate,
+                 std::size_t points)
 {
   const double unit = shell.report().unit;
   double inner = std::numeric_limits<double>::infinity(), outer = -inner, largest = 0;
   std::size_t contained = 0;
   for(const auto& [facet, weights] : random_locations(mesh, points, 3)) {
     const auto h = mesh.halfedge(facet);
-    const Kernel::Point_3 p = CGAL::barycenter(mesh.point(mesh.source(h)), weights[0], mesh.point(mesh.target(h)), weights[1],
-                                               mesh.point(mesh.target(mesh.next(h))), weights[2]);
+    const Kernel::Point_3 p = CGAL::barycenter(mesh.point(mesh.source(h)), weights[0], mesh.point(mesh.target(h)),
+                                               weights[1], mesh.point(mesh.target(mesh.next(h))), weights[2]);
     const auto f = shell.field().value(p);
     if(!f) continue;
     const double low = shell.inner_threshold().value(p), high = shell.outer_threshold().value(p);
@@ -109,12 +115,15 @@ void print_shell(const Shell_& shell, const Mesh& mesh, double seconds, const BS
     outer = (std::max)(outer, high);
   }
   for(const BS::Level_range& range : shell.facet_ranges()) largest = (std::max)({ largest, -range.min, range.max });
-  std::cout << ",\"cells\":" << shell.report().cells << ",\"seconds\":" << seconds << ",\"inner\":" << inner / unit << ",\"outer\":" << outer / unit
-            << ",\"thickness\":" << shell.relative_thickness() << ",\"largest_value\":" << largest / unit << ",\"contained\":"
-            << double(contained) / double(points) << ",\"certificate\":{";
+  std::cout << ",\"cells\":" << shell.report().cells << ",\"seconds\":" << seconds << ",\"inner\":" << inner / unit
+            << ",\"outer\":" << outer / unit << ",\"thickness\":" << shell.relative_thickness()
+            << ",\"largest_value\":" << largest / unit << ",\"contained\":" << double(contained) / double(points)
+            << ",\"certificate\":{";
   bool certified = true;
-  for(BS::Claim claim : { BS::Claim::CONTAINMENT, BS::Claim::TRANSVERSALITY, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE }) {
-    std::cout << (claim == BS::Claim::CONTAINMENT ? "\"" : ",\"") << name(claim) << "\":\"" << name(certificate.verdict(claim)) << "\"";
+  for(BS::Claim claim : { BS::Claim::CONTAINMENT, BS::Claim::TRANSVERSALITY, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET,
+                          BS::Claim::DEGREE_ONE }) {
+    std::cout << (claim == BS::Claim::CONTAINMENT ? "\"" : ",\"") << name(claim) << "\":\""
+              << name(certificate.verdict(claim)) << "\"";
     certified = certified && certificate.verdict(claim) == BS::Verdict::PROVED;
   }
   std::cout << "},\"certified\":" << (certified ? "true" : "false");
@@ -131,9 +140,12 @@ bool measure(const std::string& file, const Options& options)
     return seconds;
   };
   const auto begin = [&](const std::string& gamma) {
-    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces() << ",\"gamma\":" << gamma;
+    std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces()
+              << ",\"gamma\":" << gamma;
   };
-  const auto give_up = [&](const std::string& reason) { std::cout << ",\"status\":" << quoted(reason) << "}" << std::endl; };
+  const auto give_up = [&](const std::string& reason) {
+    std::cout << ",\"status\":" << quoted(reason) << "}" << std::endl;
+  };
   if(!read_triangles(file, mesh)) {
     begin("null");
     give_up("no mesh");
@@ -181,26 +193,27 @@ int main(int argc, char** argv)
     if(arg == "--gamma" && i + 1 < argc) {
       options.gammas.clear();
       std::istringstream list(argv[++i]);
-      for(std::string g; std::getline(list, g, ','); ) options.gammas.push_back(std::atof(g.c_str()));
-    }
-    else if(arg == "--points" && i + 1 < argc) options.points = std::size_t(std::atoll(argv[++i]));
+      for(std::string g; std::getline(list, g, ',');) options.gammas.push_back(std::atof(g.c_str()));
+    } else if(arg == "--points" && i + 1 < argc) options.points = std::size_t(std::atoll(argv[++i]));
     else if(arg == "--thickness" && i + 1 < argc) options.thickness = std::atof(argv[++i]);
     else if(arg == "--output" && i + 3 < argc) {
       options.prefix = argv[++i];
       options.axis = std::atoi(argv[++i]);
       options.part = std::atof(argv[++i]);
-    }
-    else files.push_back(arg);
+    } else files.push_back(arg);
   }
   const auto is_positive = [](double x) { return x > 0; };
-  if(!(std::all_of(options.gammas.begin(), options.gammas.end(), is_positive) && options.points > 0 && options.thickness > 0
-       && options.axis >= 0 && options.axis <= 2 && (options.prefix.empty() || files.size() == 1))) {
-    std::cerr << "Usage: resolution_benchmark [--gamma G,G,...] [--points N] [--thickness T] [--output PREFIX AXIS PART] [MESH ...]\n"
+  if(!(std::all_of(options.gammas.begin(), options.gammas.end(), is_positive) && options.points > 0
+       && options.thickness > 0 && options.axis >= 0 && options.axis <= 2
+       && (options.prefix.empty() || files.size() == 1))) {
+    std::cerr << "Usage: resolution_benchmark [--gamma G,G,...] [--points N] [--thickness T] [--output PREFIX AXIS "
+                 "PART] [MESH ...]\n"
                  "With --output, there is one MESH.\n";
     return 2;
   }
   if(files.empty())
-    for(const char* name : { "anchor_dense", "bear", "blobby", "elephant", "fandisk", "homer", "knot1", "retinal", "triceratops" })
+    for(const char* name :
+        { "anchor_dense", "bear", "blobby", "elephant", "fandisk", "homer", "knot1", "retinal", "triceratops" })
       files.push_back(std::string(MESHES "/") + name + ".off");
   bool all = true;
   for(const std::string& file : files) all = measure(file, options) && all;

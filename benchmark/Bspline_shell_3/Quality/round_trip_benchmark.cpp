@@ -1,11 +1,12 @@
-// Points move from a mesh to another one in its shell and back: how far from where they started they arrive, whether any is lost, whether
-// small triangles keep their orientation, and whether the differential of the map jumps. One JSON object a line.
+// Points move from a mesh to another one in its shell and back: how far from where they started they arrive, whether
+// any is lost, whether small triangles keep their orientation, and whether the differential of the map jumps. One JSON
+// object a line.
 //
 //   round_trip_benchmark [--points N] [MESH ...]
 //
-// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow, and then, on a second line, the
-// first as coarse as the shell allows. Points are random ones, and all vertices, midpoints of edges and centroids of facets, of both
-// meshes. Lengths are in units of the longest box side.
+// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow, and then, on
+// a second line, the first as coarse as the shell allows. Points are random ones, and all vertices, midpoints of edges
+// and centroids of facets, of both meshes. Lengths are in units of the longest box side.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -44,7 +45,8 @@ struct Round_trip
 };
 
 // to the target of `there` and back to that of `back`
-void travel(const Map::Projection_to_target& there, const Map::Projection_to_target& back, const Points& points, Round_trip& result)
+void travel(const Map::Projection_to_target& there, const Map::Projection_to_target& back, const Points& points,
+            Round_trip& result)
 {
   const double unit = there.shell().report().unit;
   const auto images = there.project(points);
@@ -59,14 +61,16 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
       ++result.reasons[message(status)];
       continue;
     }
-    result.farthest = (std::max)(result.farthest, std::sqrt(CGAL::squared_distance(points[n], returned[n].point)) / unit);
+    result.farthest = (std::max)(result.farthest,
+                                 std::sqrt(CGAL::squared_distance(points[n], returned[n].point)) / unit);
   }
   // equilateral triangles across the gradient
   const double size = 1e-5 * unit;
   Points corners;
   for(const Kernel::Point_3& p : points) {
     const Kernel::Vector_3 g = *there.shell().field().gradient(p);
-    Kernel::Vector_3 u = CGAL::cross_product(g, std::abs(g.x()) < std::abs(g.y()) ? Kernel::Vector_3(1, 0, 0) : Kernel::Vector_3(0, 1, 0));
+    Kernel::Vector_3 u = CGAL::cross_product(g, std::abs(g.x()) < std::abs(g.y()) ? Kernel::Vector_3(1, 0, 0)
+                                                                                  : Kernel::Vector_3(0, 1, 0));
     u = u / std::sqrt(u.squared_length());
     const Kernel::Vector_3 v = CGAL::cross_product(g, u) / std::sqrt(g.squared_length());
     corners.push_back(p + size * u);
@@ -75,20 +79,25 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
   }
   const auto mapped = there.project(corners);
   for(std::size_t n = 0; n < points.size(); ++n) {
-    if(!images[n] || !mapped[3*n] || !mapped[3*n + 1] || !mapped[3*n + 2]) continue;      // a corner may be out of the shell where the point is not
+    // a corner may be out of the shell where the point is not
+    if(!images[n] || !mapped[3 * n] || !mapped[3 * n + 1] || !mapped[3 * n + 2]) continue;
     ++result.triangles;
     const Kernel::Vector_3 g = *there.shell().field().gradient(images[n].point);
-    if(!(CGAL::cross_product(mapped[3*n + 1].point - mapped[3*n].point, mapped[3*n + 2].point - mapped[3*n].point) * g > 0)) ++result.turned;
+    if(!(CGAL::cross_product(mapped[3 * n + 1].point - mapped[3 * n].point,
+                             mapped[3 * n + 2].point - mapped[3 * n].point)
+           * g
+         > 0))
+      ++result.turned;
   }
 }
 
 // How the differential of the map changes between neighboring points on straight lines in facets of the source.
 struct Jumps
 {
-  double within_facets = 0;       // of the target: that of the map
-  double of_flow = 0;             // that of the flow, also from facet to facet
-  double across_edges = 0;        // of the target: that of the map
-  double unexplained = 0;         // what is left of it if both normals are put in the place of one point's
+  double within_facets = 0; // of the target: that of the map
+  double of_flow = 0;       // that of the flow, also from facet to facet
+  double across_edges = 0;  // of the target: that of the map
+  double unexplained = 0;   // what is left of it if both normals are put in the place of one point's
 };
 
 Jumps jumps(const Map& map, std::size_t lines)
@@ -101,22 +110,34 @@ Jumps jumps(const Map& map, std::size_t lines)
   };
   for(const auto& location : random_locations(map.source(), lines, 11)) {
     const auto h = map.source().halfedge(location.first);
-    // points in the facet, 1e-7 of the box apart, around where the line leaves a facet of the target: found by bisection
+    // points in the facet, 1e-7 of the box apart, around where the line leaves a facet of the target: found by
+    // bisection
     const Map::Coordinates p = map.point(location);
-    const Kernel::Vector_3 along = map.source().point(map.source().target(h)) - map.source().point(map.source().source(h));
+    const Kernel::Vector_3 along = map.source().point(map.source().target(h))
+                                   - map.source().point(map.source().source(h));
     const double length = std::sqrt(along.squared_length());
-    const auto at = [&](double t) { return Map::Coordinates{ p[0] + t * along.x(), p[1] + t * along.y(), p[2] + t * along.z() }; };
+    const auto at = [&](double t) {
+      return Map::Coordinates{ p[0] + t * along.x(), p[1] + t * along.y(), p[2] + t * along.z() };
+    };
     double first = 0, last = 0.2;
     auto a = map.to_target()(at(first)), b = map.to_target()(at(last));
     if(!a || !b) continue;
     while((last - first) * length > 1e-7 * unit) {
       const double middle = (first + last) / 2;
       const auto m = map.to_target()(at(middle));
-      if(!m) { a = m; break; }
-      if(m.location.first == a.location.first) { first = middle; a = m; }
-      else { last = middle; b = m; }
+      if(!m) {
+        a = m;
+        break;
+      }
+      if(m.location.first == a.location.first) {
+        first = middle;
+        a = m;
+      } else {
+        last = middle;
+        b = m;
+      }
     }
-    if(!a) continue;        // the line leaves the shell
+    if(!a) continue; // the line leaves the shell
     const auto da = map.to_target().differential(at(first), a), db = map.to_target().differential(at(last), b);
     if(!da || !db) continue;
     const double size = da.matrix.norm();
@@ -133,36 +154,40 @@ Jumps jumps(const Map& map, std::size_t lines)
   return result;
 }
 
-void measure(const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& second, const std::string& kind, std::size_t number)
+void measure(const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& second, const std::string& kind,
+             std::size_t number)
 {
   const Map map(shell, mesh, second);
   Round_trip trip;
   travel(map.to_target(), map.to_source(), points_of(mesh, number), trip);
   travel(map.to_source(), map.to_target(), points_of(second, number), trip);
   const Jumps jump = jumps(map, 2000);
-  std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces() << ",\"second\":\"" << kind << "\",\"facets_of_second\":"
-            << second.number_of_faces() << ",\"points\":" << trip.points << ",\"lost\":" << trip.lost << ",\"reasons\":{";
+  std::cout << "{\"mesh\":" << quoted(name) << ",\"facets\":" << mesh.number_of_faces() << ",\"second\":\"" << kind
+            << "\",\"facets_of_second\":" << second.number_of_faces() << ",\"points\":" << trip.points
+            << ",\"lost\":" << trip.lost << ",\"reasons\":{";
   bool comma = false;
   for(const auto& reason : trip.reasons) {
     std::cout << (comma ? "," : "") << "\"" << reason.first << "\":" << reason.second;
     comma = true;
   }
-  std::cout << "},\"farthest\":" << trip.farthest << ",\"triangles\":" << trip.triangles << ",\"turned\":" << trip.turned
-            << ",\"jumps\":{\"of_flow\":" << jump.of_flow << ",\"within_facets\":" << jump.within_facets << ",\"across_edges\":"
-            << jump.across_edges << ",\"not_explained_by_normals\":" << jump.unexplained << "}}" << std::endl;
+  std::cout << "},\"farthest\":" << trip.farthest << ",\"triangles\":" << trip.triangles
+            << ",\"turned\":" << trip.turned << ",\"jumps\":{\"of_flow\":" << jump.of_flow
+            << ",\"within_facets\":" << jump.within_facets << ",\"across_edges\":" << jump.across_edges
+            << ",\"not_explained_by_normals\":" << jump.unexplained << "}}" << std::endl;
 }
 
 int main(int argc, char** argv)
 {
   print_JSON_numbers();
   const Benchmark_arguments arguments(argc, argv, 100000, MESHES "/elephant.off");
-  for_each_pair(arguments.files, [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
-    measure(name, shell, mesh, moved, "moved by " + std::to_string(part), arguments.points);
-    Mesh coarse = mesh;
-    if(BS::simplify_in_shell(coarse, shell)) {
-      coarse.collect_garbage();
-      measure(name, shell, mesh, coarse, "simplified", arguments.points);
-    }
-  });
+  for_each_pair(arguments.files,
+                [&](const std::string& name, const Shell& shell, const Mesh& mesh, const Mesh& moved, double part) {
+                  measure(name, shell, mesh, moved, "moved by " + std::to_string(part), arguments.points);
+                  Mesh coarse = mesh;
+                  if(BS::simplify_in_shell(coarse, shell)) {
+                    coarse.collect_garbage();
+                    measure(name, shell, mesh, coarse, "simplified", arguments.points);
+                  }
+                });
   return EXIT_SUCCESS;
 }

@@ -1,12 +1,15 @@
-// Simplifies each mesh in its certified shell, and beside it by the same edge collapse without the shell, to the same number of facets;
-// then in the shell again, as far as it goes. One JSON object a line; every mesh has a process of its own.
+// Simplifies each mesh in its certified shell, and beside it by the same edge collapse without the shell, to the same
+// number of facets; then in the shell again, as far as it goes. One JSON object a line; every mesh has a process of its
+// own.
 //
-//   simplify_benchmark FILE... [--facets N] [--ratio R] [--policy plane|triangle|probabilistic-plane|probabilistic-triangle]
+//   simplify_benchmark FILE... [--facets N] [--ratio R]
+//       [--policy plane|triangle|probabilistic-plane|probabilistic-triangle]
 //                      [--thickness T] [--points N] [--max-seconds S]
 //
-// --facets (default 300) or --ratio: where to stop; what the shell does not allow is compared at the number that it allows. --thickness
-// (default 0.01, of the longest box side) of the shell. --points: number of samples of the Hausdorff distances (default 50000). Distances are
-// in units of the longest box side, angles in degrees. --max-seconds: after which a process is given up.
+// --facets (default 300) or --ratio: where to stop; what the shell does not allow is compared at the number that it
+// allows. --thickness (default 0.01, of the longest box side) of the shell. --points: number of samples of the
+// Hausdorff distances (default 50000). Distances are in units of the longest box side, angles in degrees.
+// --max-seconds: after which a process is given up.
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -50,14 +53,16 @@ struct Options
 
 void print_refused(const std::string& file, const std::string& reason)
 {
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << "}" << std::endl;
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << "}"
+            << std::endl;
 }
 
 double least_angle(const Mesh& mesh)
 {
   double least = 180;
   for(auto h : mesh.halfedges()) {
-    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+               &r = mesh.point(mesh.target(mesh.next(h)));
     least = (std::min)(least, CGAL::to_double(CGAL::approximate_angle(p, q, r)));
   }
   return least;
@@ -69,12 +74,14 @@ std::string quality(const Mesh& before, Mesh mesh, double unit, const Options& o
   mesh.collect_garbage();
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
   PMP::self_intersections(mesh, std::back_inserter(pairs));
-  const auto np = CGAL::parameters::use_random_uniform_sampling(true).number_of_points_on_faces(options.points).random_seed(1);
+  const auto np =
+    CGAL::parameters::use_random_uniform_sampling(true).number_of_points_on_faces(options.points).random_seed(1);
   const double from = PMP::approximate_Hausdorff_distance<CGAL::Sequential_tag>(before, mesh, np, np) / unit;
   const double to = PMP::approximate_Hausdorff_distance<CGAL::Sequential_tag>(mesh, before, np, np) / unit;
   std::ostringstream out;
-  out << "\"facets\":" << mesh.number_of_faces() << ",\"self_intersections\":" << pairs.size() << ",\"distance_from_input\":" << from
-      << ",\"distance_to_input\":" << to << ",\"hausdorff\":" << (std::max)(from, to) << ",\"least_angle\":" << least_angle(mesh);
+  out << "\"facets\":" << mesh.number_of_faces() << ",\"self_intersections\":" << pairs.size()
+      << ",\"distance_from_input\":" << from << ",\"distance_to_input\":" << to
+      << ",\"hausdorff\":" << (std::max)(from, to) << ",\"least_angle\":" << least_angle(mesh);
   return out.str();
 }
 
@@ -86,15 +93,17 @@ std::string numbers(const BS::Simplification_report& report)
       << ",\"collapsed\":" << report.collapsed << ",\"retried\":" << report.retried << ",\"placements\":{";
   for(std::size_t n = 0; n < report.placements.by_verdict.size(); ++n)
     out << (n > 0 ? "," : "") << "\"" << name(BS::Placement_verdict(n)) << "\":" << report.placements.by_verdict[n];
-  out << "},\"seconds\":{\"total\":" << report.total_seconds() << ",\"check\":" << report.check_seconds << ",\"collapse\":"
-      << report.edit_seconds << ",\"certificate\":" << report.certificate_seconds << "}";
+  out << "},\"seconds\":{\"total\":" << report.total_seconds() << ",\"check\":" << report.check_seconds
+      << ",\"collapse\":" << report.edit_seconds << ",\"certificate\":" << report.certificate_seconds << "}";
   return out.str();
 }
 
 template <typename Policies>
-int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_bspline_shell_3& shell, const Options& options)
+int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_bspline_shell_3& shell,
+             const Options& options)
 {
-  const std::size_t wanted = options.ratio > 0 ? std::size_t(options.ratio * double(input.number_of_faces())) : options.facets;
+  const std::size_t wanted = options.ratio > 0 ? std::size_t(options.ratio * double(input.number_of_faces()))
+                                               : options.facets;
   const double unit = shell.report().unit;
   const auto in_shell = [&](Mesh& mesh, const auto& np) {
     Policies policies(mesh);
@@ -118,10 +127,12 @@ int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_b
   Mesh coarsest = input;
   const auto last = in_shell(coarsest, BS::parameters::stop(BS::Never_stop_predicate()));
 
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"simplified\",\"policy\":" << quoted(options.policy) << ",\"facets\":"
-            << input.number_of_faces() << ",\"wanted\":" << wanted << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false")
-            << ",\"seconds\":" << shell.report().total_seconds() << "},\"in_shell\":{" << quality(input, ours, unit, options) << "," << numbers(report)
-            << "},\"plain\":{" << quality(input, plain, unit, options) << ",\"seconds\":" << plain_seconds << "},\"coarsest\":{"
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"simplified\",\"policy\":" << quoted(options.policy)
+            << ",\"facets\":" << input.number_of_faces() << ",\"wanted\":" << wanted
+            << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false")
+            << ",\"seconds\":" << shell.report().total_seconds() << "},\"in_shell\":{"
+            << quality(input, ours, unit, options) << "," << numbers(report) << "},\"plain\":{"
+            << quality(input, plain, unit, options) << ",\"seconds\":" << plain_seconds << "},\"coarsest\":{"
             << quality(input, coarsest, unit, options) << "," << numbers(last) << "}}" << std::endl;
   return EXIT_SUCCESS;
 }
@@ -139,7 +150,8 @@ int run(const std::string& file, const Options& options)
     print_refused(file, message(shell.status()));
     return EXIT_FAILURE;
   }
-  if(options.policy == "triangle") return simplify<SMS::GarlandHeckbert_triangle_policies<Mesh, Kernel> >(file, mesh, shell, options);
+  if(options.policy == "triangle")
+    return simplify<SMS::GarlandHeckbert_triangle_policies<Mesh, Kernel> >(file, mesh, shell, options);
   if(options.policy == "probabilistic-plane")
     return simplify<SMS::GarlandHeckbert_probabilistic_plane_policies<Mesh, Kernel> >(file, mesh, shell, options);
   if(options.policy == "probabilistic-triangle")

@@ -1,40 +1,49 @@
-// The map between a mesh and the same mesh simplified in its shell, beside what is used where there is no shell: the closest point, and the ray
-// along the interpolated vertex normal. One JSON object a line, for each mesh, method and direction.
+// The map between a mesh and the same mesh simplified in its shell, beside what is used where there is no shell: the
+// closest point, and the ray along the interpolated vertex normal. One JSON object a line, for each mesh, method and
+// direction.
 //
 //   transfer_benchmark [--points N] [--thickness T] [MESH ...]
 //
-// Default: 100000 points on elephant; shells of 1 % of the longest side of the mesh's box, which is the unit of all lengths here. What the
-// methods do with a point p of the source:
+// Default: 100000 points on elephant; shells of 1 % of the longest side of the mesh's box, which is the unit of all
+// lengths here. What the methods do with a point p of the source:
 //
 //   shell_map      Shell_map_3: the integral curve through p
 //   closest_point  the point of the target that is closest to p
-//   normal_ray     the hit nearest to p of the line through p along the vertex normals, interpolated at p; both directions, whichever way the
-//                  facet faces, and not farther than two thicknesses of the shell: where the gradient is 1, that is how long a line can be in
-//                  the shell that is inclined to the gradient by 60 degrees
+//   normal_ray     the hit nearest to p of the line through p along the vertex normals, interpolated at p; both
+//                  directions, whichever way the facet faces, and not farther than two thicknesses of the shell: where
+//                  the gradient is 1, that is how long a line can be in the shell that is inclined to the gradient by
+//                  60 degrees
 //
 // What is measured, with none of it defined by the shell:
 //
-//   faces_away     share of random points whose image is on a facet that faces away: the dot product of the two facets' normals is negative.
-//                  The two sides of a wall, or of a gap, face opposite ways; two meshes along each other face the same way. So this sees each
-//                  image across a wall, whatever is near. It also counts correct images at creases sharper than 90 degrees.
-//   wrong_sheet    these without the ones at creases: no facet of the target that faces as the source does is connected with that of the image
-//                  by facets that meet the ball around the image whose radius is twice the distance from the point to it
+//   faces_away     share of random points whose image is on a facet that faces away: the dot product of the two facets'
+//                  normals is negative. The two sides of a wall, or of a gap, face opposite ways; two meshes along each
+//                  other face the same way. So this sees each image across a wall, whatever is near. It also counts
+//                  correct images at creases sharper than 90 degrees.
+//   wrong_sheet    these without the ones at creases: no facet of the target that faces as the source does is connected
+//                  with that of the image by facets that meet the ball around the image whose radius is twice the
+//                  distance from the point to it
 //   not_covered    share of random points without an image
-//   folded         share of random points where the map turns small triangles over or flattens them: triangles around them of the shape of
-//                  their facet, 1e-4 long, that face as none of the facets of their corners' images does. Flat is what is not higher over its
-//                  longest edge than twice 1e-9, the tolerance of Shell_map_3, as each corner may be off by that.
-//   torn           The source's facets are subdivided into about N triangles. Share of their area with an edge across which the map jumps:
-//                  20 bisections of the edge, each time the half whose images are farther apart, leave images farther apart than half of its
-//                  length. A continuous map would stretch it there by 500000. Edges stretched to less than twice their length are not examined.
+//   folded         share of random points where the map turns small triangles over or flattens them: triangles around
+//                  them of the shape of their facet, 1e-4 long, that face as none of the facets of their corners'
+//                  images does. Flat is what is not higher over its longest edge than twice 1e-9, the tolerance of
+//                  Shell_map_3, as each corner may be off by that.
+//   torn           The source's facets are subdivided into about N triangles. Share of their area with an edge across
+//                  which the map jumps: 20 bisections of the edge, each time the half whose images are farther apart,
+//                  leave images farther apart than half of its length. A continuous map would stretch it there by
+//                  500000. Edges stretched to less than twice their length are not examined.
 //   stretched      share of their area with an edge whose images are more than ten times as far apart
-//   not_hit        share of random points q of the target to which nothing is mapped. The points that may be are known: the image of q by the
-//                  inverse map; the points of the source on the normal of the target at q; the solutions of a cubic equation for each facet of
-//                  the source nearby. Whether one of them is mapped to within 1e-6 of q, far more than roundings, is tried.
-//   round_trip     there and back by the same method: mean and largest distance from the start of what comes back, and the share that is lost
-//   microseconds   per random point, one thread; all methods get them in the same order, in which neighbors follow each other
+//   not_hit        share of random points q of the target to which nothing is mapped. The points that may be are known:
+//                  the image of q by the inverse map; the points of the source on the normal of the target at q; the
+//                  solutions of a cubic equation for each facet of the source nearby. Whether one of them is mapped to
+//                  within 1e-6 of q, far more than roundings, is tried.
+//   round_trip     there and back by the same method: mean and largest distance from the start of what comes back, and
+//                  the share that is lost
+//   microseconds   per random point, one thread; all methods get them in the same order, in which neighbors follow each
+//                  other
 //
-// Successive self-parameterization (Liu et al., "Surface Multigrid via Intrinsic Prolongation", 2021) is not compared: it keeps a map while it
-// decimates, and so maps a mesh to its own decimation only, not to a second mesh that is given.
+// Successive self-parameterization (Liu et al., "Surface Multigrid via Intrinsic Prolongation", 2021) is not compared:
+// it keeps a map while it decimates, and so maps a mesh to its own decimation only, not to a second mesh that is given.
 #include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 
@@ -69,12 +78,15 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
-typedef std::array<double, 3> Weights;       // barycentric coordinates
+typedef std::array<double, 3> Weights; // barycentric coordinates
 typedef AABB_tree_of<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > Mesh_tree;
 
-const double tolerance = 1e-9;      // of Shell_map_3, in boxes
+const double tolerance = 1e-9; // of Shell_map_3, in boxes
 
-double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point& p, const Point& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 struct Place
 {
@@ -105,7 +117,10 @@ struct Surface
     const auto v = corners(f);
     return { true, f, w, CGAL::barycenter(mesh.point(v[0]), w[0], mesh.point(v[1]), w[1], mesh.point(v[2]), w[2]) };
   }
-  Place place(Mesh::Face_index f, const Point& p) const { return { true, f, PMP::locate_in_face(p, f, mesh).second, p }; }
+  Place place(Mesh::Face_index f, const Point& p) const
+  {
+    return { true, f, PMP::locate_in_face(p, f, mesh).second, p };
+  }
   const Vector& normal(const Place& p) const { return facet_normals[p.facet]; }
 
   const Mesh& mesh;
@@ -116,7 +131,7 @@ struct Surface
 // Each method finds the image of a place, and the places whose image another one may be.
 struct Along_curve
 {
-  const BS::Shell_map_3<Shell, Mesh> &map, &inverse;
+  const BS::Shell_map_3<Shell, Mesh>&map, &inverse;
 
   static Place traced(const BS::Shell_map_3<Shell, Mesh>& map, const Place& p)
   {
@@ -172,21 +187,24 @@ struct Along_normal
     if(!(n.squared_length() > 0)) return {};
     Place nearest;
     for(const Place& hit : on_line(target, p.point, n / std::sqrt(n.squared_length()), farthest))
-      if(!nearest.is_found || CGAL::compare_distance_to_point(p.point, hit.point, nearest.point) == CGAL::SMALLER) nearest = hit;
+      if(!nearest.is_found || CGAL::compare_distance_to_point(p.point, hit.point, nearest.point) == CGAL::SMALLER)
+        nearest = hit;
     return nearest;
   }
 
-  // Moved by t times the vertex normals, a facet of the source is a triangle whose plane contains q where a determinant, cubic in t, is zero. As the
-  // interpolated normals may be shorter than 1, t may be larger than `farthest`: twice as large, unless normals differ by more than 120 degrees.
+  // Moved by t times the vertex normals, a facet of the source is a triangle whose plane contains q where a
+  // determinant, cubic in t, is zero. As the interpolated normals may be shorter than 1, t may be larger than
+  // `farthest`: twice as large, unless normals differ by more than 120 degrees.
   std::vector<Place> origins(const Place& q) const
   {
     std::vector<Mesh::Face_index> facets;
     const Vector reach(farthest, farthest, farthest);
-    source.tree.all_intersected_primitives(Kernel::Iso_cuboid_3(q.point - reach, q.point + reach), std::back_inserter(facets));
+    source.tree.all_intersected_primitives(Kernel::Iso_cuboid_3(q.point - reach, q.point + reach),
+                                           std::back_inserter(facets));
     std::vector<Place> places;
     for(Mesh::Face_index f : facets) {
       const auto v = source.corners(f);
-      Eigen::Matrix3d start, slope;       // of the corners, seen from q, in units of `farthest`
+      Eigen::Matrix3d start, slope; // of the corners, seen from q, in units of `farthest`
       for(int i = 0; i < 3; ++i)
         for(int a = 0; a < 3; ++a) {
           start(a, i) = (source.mesh.point(v[i])[a] - q.point[a]) / farthest;
@@ -196,7 +214,8 @@ struct Along_normal
       for(const auto& range : monotone_ranges(det(0), det(1), det(-1), slope.determinant())) {
         const double low = det(range.first), high = det(range.second);
         if(!((low <= 0 && high >= 0) || (low >= 0 && high <= 0)) || low == high) continue;
-        const auto root = boost::math::tools::bisect(det, range.first, range.second, boost::math::tools::eps_tolerance<double>(50));
+        const auto root = boost::math::tools::bisect(det, range.first, range.second,
+                                                     boost::math::tools::eps_tolerance<double>(50));
         Eigen::Matrix<double, 4, 3> conditions;
         conditions << start + root.first * slope, Eigen::RowVector3d::Ones();
         const Eigen::Vector3d w = conditions.colPivHouseholderQr().solve(Eigen::Vector4d(0, 0, 0, 1));
@@ -206,10 +225,13 @@ struct Along_normal
     return places;
   }
 
-  // parts of [-2, 2] on which a cubic polynomial is monotone, from its values at 0, 1 and -1 and its leading coefficient
-  static std::vector<std::pair<double, double> > monotone_ranges(double at_0, double at_1, double at_minus_1, double leading)
+  // parts of [-2, 2] on which a cubic polynomial is monotone, from its values at 0, 1 and -1 and its leading
+  // coefficient
+  static std::vector<std::pair<double, double> > monotone_ranges(double at_0, double at_1, double at_minus_1,
+                                                                 double leading)
   {
-    const double a = 3 * leading, b = at_1 + at_minus_1 - 2 * at_0, c = (at_1 - at_minus_1) / 2 - leading;       // the derivative is a t^2 + b t + c
+    // the derivative is a t^2 + b t + c
+    const double a = 3 * leading, b = at_1 + at_minus_1 - 2 * at_0, c = (at_1 - at_minus_1) / 2 - leading;
     std::vector<double> ends = { -2, 2 };
     const double discriminant = b * b - 4 * a * c;
     if(discriminant > 0) {
@@ -219,7 +241,7 @@ struct Along_normal
     }
     std::sort(ends.begin(), ends.end());
     std::vector<std::pair<double, double> > ranges;
-    for(std::size_t n = 1; n < ends.size(); ++n) ranges.emplace_back(ends[n-1], ends[n]);
+    for(std::size_t n = 1; n < ends.size(); ++n) ranges.emplace_back(ends[n - 1], ends[n]);
     return ranges;
   }
 };
@@ -227,7 +249,8 @@ struct Along_normal
 std::vector<Place> random_places(const Surface& surface, std::size_t number, unsigned int seed)
 {
   std::vector<Place> places;
-  for(const auto& location : random_locations(surface.mesh, number, seed)) places.push_back(surface.place(location.first, location.second));
+  for(const auto& location : random_locations(surface.mesh, number, seed))
+    places.push_back(surface.place(location.first, location.second));
   const auto point = boost::make_function_property_map<Place>([](const Place& p) -> const Point& { return p.point; });
   CGAL::spatial_sort(places.begin(), places.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(point)>(point));
   return places;
@@ -236,7 +259,7 @@ std::vector<Place> random_places(const Surface& surface, std::size_t number, uns
 struct Figures
 {
   std::size_t points = 0, faces_away = 0, wrong_sheet = 0, not_covered = 0, folded = 0, lost = 0, not_hit = 0;
-  double area = 0, torn = 0, stretched = 0;       // of small triangles that have images, all together
+  double area = 0, torn = 0, stretched = 0; // of small triangles that have images, all together
   double round_trip = 0, farthest = 0, seconds = 0;
 };
 
@@ -265,7 +288,9 @@ template <typename Method>
 bool is_folded(const Method& there, const Surface& source, const Surface& target, const Place& p, double unit)
 {
   const auto v = source.corners(p.facet);
-  const auto longest_edge = [](const auto& t) { return (std::max)({ distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0]) }); };
+  const auto longest_edge = [](const auto& t) {
+    return (std::max)({ distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0]) });
+  };
   const std::array<Point, 3> facet = { source.mesh.point(v[0]), source.mesh.point(v[1]), source.mesh.point(v[2]) };
   const double scale = (std::min)(1., 1e-4 * unit / longest_edge(facet));
   std::array<Place, 3> images;
@@ -279,12 +304,14 @@ bool is_folded(const Method& there, const Surface& source, const Surface& target
   }
   const Vector across = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   const double flat = 2 * tolerance * unit * longest_edge(t);
-  return std::none_of(images.begin(), images.end(), [&](const Place& image) { return across * target.normal(image) > flat; });
+  return std::none_of(images.begin(), images.end(),
+                      [&](const Place& image) { return across * target.normal(image) > flat; });
 }
 
 // Whether there is a jump between two places of a facet, whose images are given.
 template <typename Method>
-bool is_torn(const Method& there, const Surface& source, const Place& p, const Place& q, const Place& image_of_p, const Place& image_of_q)
+bool is_torn(const Method& there, const Surface& source, const Place& p, const Place& q, const Place& image_of_p,
+             const Place& image_of_q)
 {
   const double length = distance(p.point, q.point);
   if(distance(image_of_p.point, image_of_q.point) < 2 * length) return false;
@@ -315,7 +342,8 @@ void map_small_triangles(const Method& there, const Surface& source, std::size_t
     const int k = (std::max)(1, int(std::ceil(std::sqrt(share * double(number)))));
     std::vector<Place> places, images;
     for(int j = 0; j <= k; ++j)
-      for(int i = 0; i <= k - j; ++i) places.push_back(source.place(f, Weights{ double(k - i - j) / k, double(i) / k, double(j) / k }));
+      for(int i = 0; i <= k - j; ++i)
+        places.push_back(source.place(f, Weights{ double(k - i - j) / k, double(i) / k, double(j) / k }));
     for(const Place& p : places) images.push_back(there(p));
     const auto index = [k](int i, int j) { return std::size_t(j * (2 * k + 3 - j) / 2 + i); };
     const auto examine = [&](const std::array<std::size_t, 3>& v) {
@@ -324,7 +352,8 @@ void map_small_triangles(const Method& there, const Surface& source, std::size_t
       bool torn = false, stretched = false;
       for(int i = 0; i < 3; ++i) {
         const std::size_t a = v[i], b = v[(i + 1) % 3];
-        stretched = stretched || distance(images[a].point, images[b].point) > 10 * distance(places[a].point, places[b].point);
+        stretched = stretched
+                    || distance(images[a].point, images[b].point) > 10 * distance(places[a].point, places[b].point);
         torn = torn || is_torn(there, source, places[a], places[b], images[a], images[b]);
       }
       const double part = share / (double(k) * k);
@@ -351,7 +380,8 @@ bool is_hit(const Method& there, const Place& q, double unit)
 }
 
 template <typename Method>
-Figures measure(const Method& there, const Method& back, const Surface& source, const Surface& target, std::size_t number, double unit)
+Figures measure(const Method& there, const Method& back, const Surface& source, const Surface& target,
+                std::size_t number, double unit)
 {
   Figures result;
   const std::vector<Place> places = random_places(source, number, 3);
@@ -387,18 +417,22 @@ Figures measure(const Method& there, const Method& back, const Surface& source, 
 }
 
 // `asked` is the thickness that was asked for
-void print(const std::string& mesh, const std::string& method, const std::string& direction, const Surface& source, const Surface& target,
-           const Shell& shell, double asked, const Figures& f)
+void print(const std::string& mesh, const std::string& method, const std::string& direction, const Surface& source,
+           const Surface& target, const Shell& shell, double asked, const Figures& f)
 {
   const double points = double(f.points), returned = double(f.points - f.lost);
-  std::cout << "{\"mesh\":" << quoted(mesh) << ",\"method\":\"" << method << "\",\"direction\":\"" << direction << "\",\"facets\":"
-            << source.mesh.number_of_faces() << ",\"facets_of_target\":" << target.mesh.number_of_faces() << ",\"thickness\":{\"asked\":" << asked
-            << ",\"largest\":" << shell.report().thickness / shell.report().unit << ",\"narrowed_area\":" << shell.report().narrowed_area
-            << "},\"points\":" << f.points << ",\"faces_away\":" << double(f.faces_away) / points << ",\"wrong_sheet\":"
-            << double(f.wrong_sheet) / points << ",\"not_covered\":" << double(f.not_covered) / points << ",\"folded\":"
-            << double(f.folded) / points << ",\"torn\":" << f.torn / f.area << ",\"stretched\":" << f.stretched / f.area << ",\"not_hit\":"
-            << double(f.not_hit) / points << ",\"round_trip\":{\"lost\":" << double(f.lost) / points << ",\"mean\":" << f.round_trip / returned
-            << ",\"farthest\":" << f.farthest << "},\"microseconds\":" << 1e6 * f.seconds / points << "}" << std::endl;
+  std::cout << "{\"mesh\":" << quoted(mesh) << ",\"method\":\"" << method << "\",\"direction\":\"" << direction
+            << "\",\"facets\":" << source.mesh.number_of_faces()
+            << ",\"facets_of_target\":" << target.mesh.number_of_faces() << ",\"thickness\":{\"asked\":" << asked
+            << ",\"largest\":" << shell.report().thickness / shell.report().unit
+            << ",\"narrowed_area\":" << shell.report().narrowed_area << "},\"points\":" << f.points
+            << ",\"faces_away\":" << double(f.faces_away) / points
+            << ",\"wrong_sheet\":" << double(f.wrong_sheet) / points
+            << ",\"not_covered\":" << double(f.not_covered) / points << ",\"folded\":" << double(f.folded) / points
+            << ",\"torn\":" << f.torn / f.area << ",\"stretched\":" << f.stretched / f.area
+            << ",\"not_hit\":" << double(f.not_hit) / points << ",\"round_trip\":{\"lost\":" << double(f.lost) / points
+            << ",\"mean\":" << f.round_trip / returned << ",\"farthest\":" << f.farthest
+            << "},\"microseconds\":" << 1e6 * f.seconds / points << "}" << std::endl;
 }
 
 void compare(const std::string& file, double thickness, std::size_t points)
@@ -426,7 +460,8 @@ void compare(const std::string& file, double thickness, std::size_t points)
   };
   const double farthest = 2 * shell.thickness();
   measure_both_ways("shell_map", Along_curve{ map, inverse }, Along_curve{ inverse, map });
-  measure_both_ways("closest_point", To_closest_point{ fine, coarse, farthest }, To_closest_point{ coarse, fine, farthest });
+  measure_both_ways("closest_point", To_closest_point{ fine, coarse, farthest },
+                    To_closest_point{ coarse, fine, farthest });
   measure_both_ways("normal_ray", Along_normal{ fine, coarse, farthest }, Along_normal{ coarse, fine, farthest });
 }
 

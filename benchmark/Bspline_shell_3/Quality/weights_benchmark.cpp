@@ -1,12 +1,13 @@
-// What the paper's weight mu does to shells of equal cells (its Figure 10): one JSON object a line for each mesh and mu, and one for the certified
-// shell of the mesh.
+// What the paper's weight mu does to shells of equal cells (its Figure 10): one JSON object a line for each mesh and
+// mu, and one for the certified shell of the mesh.
 //
 //   weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] [MESH ...]
 //
-// Default: 20 cells along the longest side of the mesh's box, as in the figure, and 100000 random points on fandisk; mu from 1e-6 to 100; a certified
-// shell of 0.05. Lengths are in units of that side. Points, and distances along the mesh from its first vertex by the heat method, go to a second
-// mesh and back: the mesh with its vertices moved along the flow, by 40 % of the way to a level at most. In the certified shell, it is moved as far
-// as its certificate allows: by 80 %, or half as much, and so on.
+// Default: 20 cells along the longest side of the mesh's box, as in the figure, and 100000 random points on fandisk; mu
+// from 1e-6 to 100; a certified shell of 0.05. Lengths are in units of that side. Points, and distances along the mesh
+// from its first vertex by the heat method, go to a second mesh and back: the mesh with its vertices moved along the
+// flow, by 40 % of the way to a level at most. In the certified shell, it is moved as far as its certificate allows: by
+// 80 %, or half as much, and so on.
 //
 //   mu               null for the certified shell
 //   contained        share of the points that are in the shell
@@ -14,12 +15,13 @@
 //   wrong_side       share of the points where the gradient does not point to the side that the facet faces
 //   certificate      verdicts about the mesh, and about the second one
 //   kept_vertices    vertices of the second mesh that are where they were, as their curve does not get that far
-//   round_trip       number of points that come back to within 1e-6, 1e-3 and 0.03, those that are farther away, and those that are lost
-//   distances        that come back: the mean of what they are off by, and the most; the number of points that are off by 0.03 to 0.06, and so on, by
-//                    more than 0.3 in the end, and those that get no distance
+//   round_trip       number of points that come back to within 1e-6, 1e-3 and 0.03, those that are farther away, and
+//                    those that are lost
+//   distances        that come back: the mean of what they are off by, and the most; the number of points that are off
+//                    by 0.03 to 0.06, and so on, by more than 0.3 in the end, and those that get no distance
 //
-// --output writes PREFIX_mesh.ply, the mesh with the distances, and PREFIX_{M,certified}.txt, points where what comes back is off by more than 0.03,
-// and by how much: x y z error, of which the last is -1 where nothing comes back.
+// --output writes PREFIX_mesh.ply, the mesh with the distances, and PREFIX_{M,certified}.txt, points where what comes
+// back is off by more than 0.03, and by how much: x y z error, of which the last is -1 where nothing comes back.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
@@ -54,7 +56,7 @@ struct Options
   std::string prefix;
 };
 
-constexpr double threshold = 0.03;      // from which on the paper shows errors
+constexpr double threshold = 0.03; // from which on the paper shows errors
 
 // along the flow, inwards here and outwards there, as moved_along_flow(), but without a certificate
 Mesh moved_without_proof(const Uniform_shell& shell, const Mesh& mesh, std::size_t& kept)
@@ -81,8 +83,10 @@ std::string verdicts(const Shell_& shell, const Mesh& mesh)
   BS::Shell_certificate_3 certificate(shell);
   certificate.verify(mesh);
   std::string result;
-  for(BS::Claim claim : { BS::Claim::CONTAINMENT, BS::Claim::TRANSVERSALITY, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE })
-    result += std::string(result.empty() ? "{" : ",") + "\"" + name(claim) + "\":\"" + name(certificate.verdict(claim)) + "\"";
+  for(BS::Claim claim : { BS::Claim::CONTAINMENT, BS::Claim::TRANSVERSALITY, BS::Claim::GRADIENT, BS::Claim::ONE_SHEET,
+                          BS::Claim::DEGREE_ONE })
+    result += std::string(result.empty() ? "{" : ",") + "\"" + name(claim) + "\":\"" + name(certificate.verdict(claim))
+              + "\"";
   return result + "}";
 }
 
@@ -97,8 +101,8 @@ double interpolated(const Mesh& mesh, Distance values, const Location& location)
 
 // the rest of a line; false if the points cannot be written
 template <typename Shell_>
-bool measure_map(const Shell_& shell, const Mesh& mesh, Mesh& second, Distance distance, std::size_t kept, const Options& options,
-                 const std::string& mu)
+bool measure_map(const Shell_& shell, const Mesh& mesh, Mesh& second, Distance distance, std::size_t kept,
+                 const Options& options, const std::string& mu)
 {
   const BS::Shell_map_3<Shell_, Mesh> map(shell, mesh, second), inverse = map.inverse();
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -125,28 +129,34 @@ bool measure_map(const Shell_& shell, const Mesh& mesh, Mesh& second, Distance d
     if(back) {
       const double way = std::sqrt(CGAL::squared_distance(p, back.point)) / shell.report().unit;
       ++histogram[way < 1e-6 ? 0 : way < 1e-3 ? 1 : way < threshold ? 2 : 3];
-    }
-    else ++lost;
+    } else ++lost;
     const double carried = images[n] ? interpolated(second, on_second, images[n].location) : missing,
                  error = std::abs(carried - interpolated(mesh, distance, locations[n])) / shell.report().unit;
     if(!(error <= threshold)) failures << p << " " << (std::isfinite(error) ? error : -1) << "\n";
-    if(!std::isfinite(error)) { ++without; continue; }
+    if(!std::isfinite(error)) {
+      ++without;
+      continue;
+    }
     sum += error;
     most = (std::max)(most, error);
     if(error > threshold) ++errors[(std::min)(std::size_t(error / threshold) - 1, errors.size() - 1)];
   }
   const double points = double(locations.size());
-  std::cout << ",\"thickness\":" << shell.relative_thickness() << ",\"points\":" << locations.size() << ",\"contained\":"
-            << double(contained) / points << ",\"largest_angle\":" << std::acos((std::max)(-1., least_cosine)) * 180 / CGAL_PI
-            << ",\"wrong_side\":" << double(wrong_side) / points << ",\"certificate\":" << verdicts(shell, mesh) << ",\"certificate_of_second\":"
-            << verdicts(shell, second) << ",\"kept_vertices\":"
-            << kept << ",\"round_trip\":{\"1e-6\":" << histogram[0] << ",\"1e-3\":" << histogram[1] << ",\"0.03\":" << histogram[2] << ",\"more\":"
-            << histogram[3] << ",\"lost\":" << lost << "},\"distances\":{\"mean\":" << sum / (points - double(without)) << ",\"most\":" << most
+  std::cout << ",\"thickness\":" << shell.relative_thickness() << ",\"points\":" << locations.size()
+            << ",\"contained\":" << double(contained) / points
+            << ",\"largest_angle\":" << std::acos((std::max)(-1., least_cosine)) * 180 / CGAL_PI
+            << ",\"wrong_side\":" << double(wrong_side) / points << ",\"certificate\":" << verdicts(shell, mesh)
+            << ",\"certificate_of_second\":" << verdicts(shell, second) << ",\"kept_vertices\":" << kept
+            << ",\"round_trip\":{\"1e-6\":" << histogram[0] << ",\"1e-3\":" << histogram[1]
+            << ",\"0.03\":" << histogram[2] << ",\"more\":" << histogram[3] << ",\"lost\":" << lost
+            << "},\"distances\":{\"mean\":" << sum / (points - double(without)) << ",\"most\":" << most
             << ",\"errors\":[";
   for(std::size_t n = 0; n < errors.size(); ++n) std::cout << (n == 0 ? "" : ",") << errors[n];
   std::cout << "],\"missing\":" << without << "}}" << std::endl;
 
-  return options.prefix.empty() || BS::write_file(options.prefix + "_" + mu + ".txt", [&](std::ostream& out) { return bool(out << failures.str()); });
+  return options.prefix.empty() || BS::write_file(options.prefix + "_" + mu + ".txt", [&](std::ostream& out) {
+           return bool(out << failures.str());
+         });
 }
 
 bool measure(const std::string& file, const Options& options)
@@ -155,7 +165,9 @@ bool measure(const std::string& file, const Options& options)
   const auto begin = [&](const std::string& mu) {
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"gamma\":" << options.gamma << ",\"mu\":" << mu;
   };
-  const auto give_up = [&](const std::string& reason) { std::cout << ",\"status\":" << quoted(reason) << "}" << std::endl; };
+  const auto give_up = [&](const std::string& reason) {
+    std::cout << ",\"status\":" << quoted(reason) << "}" << std::endl;
+  };
   if(!read_triangles(file, mesh)) {
     begin("null");
     give_up("no mesh");
@@ -163,15 +175,17 @@ bool measure(const std::string& file, const Options& options)
   }
   const Distance distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distance, *mesh.vertices().begin());
-  bool written = options.prefix.empty()
-              || BS::write_file(options.prefix + "_mesh.ply", [&](std::ostream& out) { return CGAL::IO::write_PLY(out, mesh); });
+  bool written = options.prefix.empty() || BS::write_file(options.prefix + "_mesh.ply", [&](std::ostream& out) {
+                   return CGAL::IO::write_PLY(out, mesh);
+                 });
   for(double mu : options.mus) {
     std::ostringstream number;
     number << mu;
     begin(number.str());
     BS::Energy_weights weights;
     weights.mu = mu;
-    const Uniform_shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(options.gamma).energy_weights(weights));
+    const Uniform_shell shell = CGAL::bspline_shell_3(
+      mesh, BS::parameters::resolution(options.gamma).energy_weights(weights));
     if(!shell) {
       give_up(message(shell.status()));
       continue;
@@ -204,9 +218,8 @@ int main(int argc, char** argv)
     else if(arg == "--mu" && i + 1 < argc) {
       options.mus.clear();
       std::istringstream list(argv[++i]);
-      for(std::string m; std::getline(list, m, ','); ) options.mus.push_back(std::atof(m.c_str()));
-    }
-    else if(arg == "--points" && i + 1 < argc) options.points = std::size_t(std::atoll(argv[++i]));
+      for(std::string m; std::getline(list, m, ',');) options.mus.push_back(std::atof(m.c_str()));
+    } else if(arg == "--points" && i + 1 < argc) options.points = std::size_t(std::atoll(argv[++i]));
     else if(arg == "--thickness" && i + 1 < argc) options.thickness = std::atof(argv[++i]);
     else if(arg == "--output" && i + 1 < argc) options.prefix = argv[++i];
     else files.push_back(arg);
@@ -214,7 +227,8 @@ int main(int argc, char** argv)
   const auto is_positive = [](double x) { return x > 0; };
   if(!(options.gamma > 0 && options.points > 0 && options.thickness > 0 && (options.prefix.empty() || files.size() == 1)
        && std::all_of(options.mus.begin(), options.mus.end(), is_positive))) {
-    std::cerr << "Usage: weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] [MESH ...]\n"
+    std::cerr << "Usage: weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] "
+                 "[MESH ...]\n"
                  "With --output, there is one MESH.\n";
     return 2;
   }

@@ -1,5 +1,6 @@
-// What the times of run_all.sh are compared with, and no change of the package has an influence on: CGAL's edge collapse of a mesh, on one
-// core, and the closest points of random points on it, on all. Prints the seconds of both as a JSON object.
+// What the times of run_all.sh are compared with, and no change of the package has an influence on: CGAL's edge
+// collapse of a mesh, on one core, and the closest points of random points on it, on all. Prints the seconds of both as
+// a JSON object.
 //
 //   reference_computation [MESH]
 //
@@ -43,7 +44,8 @@ int main(int argc, char** argv)
   const double collapse = timer.time();
 
   timer.reset();
-  AABB_tree_of<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > tree(faces(mesh).begin(), faces(mesh).end(), mesh);
+  AABB_tree_of<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > tree(faces(mesh).begin(), faces(mesh).end(),
+                                                                             mesh);
   tree.build();
   tree.accelerate_distance_queries();
   CGAL::Random random(1);
@@ -51,11 +53,14 @@ int main(int argc, char** argv)
   for(int n = 0; n < 20000; ++n)
     points.emplace_back(random.get_double(box.xmin(), box.xmax()), random.get_double(box.ymin(), box.ymax()),
                         random.get_double(box.zmin(), box.zmax()));
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(points, [&](Kernel::Point_3& p) { p = tree.closest_point(p); return true; });
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(points, [&](Kernel::Point_3& p) {
+    p = tree.closest_point(p);
+    return true;
+  });
   const double closest = timer.time();
-  double sum = 0;       // keeps the compiler from leaving the points out
+  double sum = 0; // keeps the compiler from leaving the points out
   for(const Kernel::Point_3& p : points) sum += p.x();
-  std::cout << "{\"edge_collapse\":" << collapse << ",\"closest_points\":" << closest << ",\"facets\":" << simplified.number_of_faces()
-            << ",\"sum\":" << sum << "}" << std::endl;
+  std::cout << "{\"edge_collapse\":" << collapse << ",\"closest_points\":" << closest
+            << ",\"facets\":" << simplified.number_of_faces() << ",\"sum\":" << sum << "}" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -1,21 +1,24 @@
-// Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process that
-// dies: every mesh has a process of its own.
+// Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process
+// that dies: every mesh has a process of its own.
 //
-//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M] [--max-seconds S]
+//   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation]
+//       [--cone-margin M] [--max-seconds S]
 //     [--max-memory-mb M] [--write-shells DIR] [--surfaces]
 //
-// By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is asked
-// for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds. --paper: the paper's dense grid and energy.
+// By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is
+// asked for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds.
+// --paper: the paper's dense grid and energy.
 // --no-truncation: singular vertices are accepted, and left as they are; meshes only.
 // --max-seconds: the time limit; a mesh that takes a quarter more is given up.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // --surfaces: the inner and the outer surface of each shell are extracted. "surfaces" has their numbers of components
 // and their Euler characteristics, beside those of the mesh, and whether they are closed and 2-manifold.
 // Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
-// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets are those of the closed one;
-// or "proxy", with shares of the area, sampled, and the reason why there is no shell of the mesh itself. --no-proxy, and equal cells: meshes only,
-// also with singular vertices. The status is "certified", "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell"
-// (not even that is proved), or "refused".
+// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets
+// are those of the closed one; or "proxy", with shares of the area, sampled, and the reason why there is no shell of
+// the mesh itself. --no-proxy, and equal cells: meshes only, also with singular vertices. The status is "certified",
+// "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even that is proved),
+// or "refused".
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -57,7 +60,8 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 struct Options
 {
-  double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0, cone_margin = BS::Certified_shell_parameters().least_cone_margin;
+  double gamma = 0, thickness = 0.01, max_seconds = 0, max_memory_mb = 0,
+         cone_margin = BS::Certified_shell_parameters().least_cone_margin;
   bool paper = false, constant = false, proxy = true, truncation = true, surfaces = false;
   std::string directory;
 };
@@ -85,14 +89,18 @@ std::string list(const std::vector<std::size_t>& numbers)
 }
 
 // printed as null if it is not positive
-double if_positive(double x) { return x > 0 ? x : std::numeric_limits<double>::quiet_NaN(); }
+double if_positive(double x)
+{
+  return x > 0 ? x : std::numeric_limits<double>::quiet_NaN();
+}
 
 void print_refused(const std::string& file, const Options& options, const std::string& reason,
                    const BS::Offending_simplices& offenders, double seconds, double mb)
 {
-  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason) << ",\"gamma\":"
-            << if_positive(options.gamma) << ",\"offending\":{\"facets\":" << list(offenders.facets) << ",\"vertices\":"
-            << list(offenders.vertices) << "},\"seconds\":{\"total\":" << seconds << "},\"peak_mb\":" << mb << "}" << std::endl;
+  std::cout << "{\"mesh\":" << quoted(file) << ",\"status\":\"refused\",\"reason\":" << quoted(reason)
+            << ",\"gamma\":" << if_positive(options.gamma) << ",\"offending\":{\"facets\":" << list(offenders.facets)
+            << ",\"vertices\":" << list(offenders.vertices) << "},\"seconds\":{\"total\":" << seconds
+            << "},\"peak_mb\":" << mb << "}" << std::endl;
 }
 
 // the first places where a claim is not proved
@@ -104,13 +112,14 @@ std::string places(const BS::Certificate_report& certificate)
   bool first = true;
   for(const BS::Certificate_witness& w : certificate.witnesses) {
     if(++printed[int(w.claim)] > 3) continue;
-    out << (first ? "" : ",") << "{\"claim\":\"" << name(w.claim) << "\",\"verdict\":\"" << name(w.verdict) << "\",\"reason\":\""
-        << name(w.reason) << "\"";
+    out << (first ? "" : ",") << "{\"claim\":\"" << name(w.claim) << "\",\"verdict\":\"" << name(w.verdict)
+        << "\",\"reason\":\"" << name(w.reason) << "\"";
     if(w.facet != w.none) out << ",\"facet\":" << w.facet;
     if(w.cell != w.none) out << ",\"cell\":" << w.cell;
     if(w.component != w.none) out << ",\"component\":" << w.component;
     if(w.reason == w.CROSSINGS) out << ",\"count\":" << w.count;
-    if(w.reason == w.FACET && w.value.min <= w.value.max) out << ",\"value\":[" << w.value.min << "," << w.value.max << "]";
+    if(w.reason == w.FACET && w.value.min <= w.value.max)
+      out << ",\"value\":[" << w.value.min << "," << w.value.max << "]";
     out << ",\"point\":[" << w.point[0] << "," << w.point[1] << "," << w.point[2] << "]}";
     first = false;
   }
@@ -124,11 +133,11 @@ bool write_files(const std::string& file, const Options& options, const Shell& s
   if(options.directory.empty()) return true;
   const std::string prefix = options.directory + "/" + stem(file);
   return BS::write_shell(prefix + ".shell", shell) == BS::Shell_file_status::SUCCESS
-      && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
-      && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
-      && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
-           return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
-         });
+         && BS::write_shell(prefix + ".shell.txt", shell) == BS::Shell_file_status::SUCCESS
+         && BS::write_certificate(prefix + ".certificate.txt", shell, certificate)
+         && BS::write_file(prefix + ".mesh.off", [&](std::ostream& out) {
+              return CGAL::IO::write_OFF(out, certificate.examined_mesh(), CGAL::parameters::stream_precision(17));
+            });
 }
 
 struct Topology
@@ -220,20 +229,22 @@ std::string proxy_properties(const BS::Shell_of_soup_3& result)
   const double unit = result.shell().report().unit;
   const BS::Soup_shares shares = BS::sample_soup_shares(result.proxy->map());
   std::ostringstream out;
-  out << ",\"proxy\":{\"because\":" << quoted(result.mesh_message()) << ",\"alpha\":" << r.alpha / unit << ",\"offset\":" << r.offset / unit
-      << ",\"wraps\":" << r.wraps << ",\"carried\":" << shares.carried << ",\"continued\":" << shares.continued << ",\"hidden\":" << shares.hidden << "}";
+  out << ",\"proxy\":{\"because\":" << quoted(result.mesh_message()) << ",\"alpha\":" << r.alpha / unit
+      << ",\"offset\":" << r.offset / unit << ",\"wraps\":" << r.wraps << ",\"carried\":" << shares.carried
+      << ",\"continued\":" << shares.continued << ",\"hidden\":" << shares.hidden << "}";
   return out.str();
 }
 
 template <typename Shell>
-void print(const std::string& file, const char* kind, const Shell& shell, const BS::Certificate_report& certificate, bool certified,
-           std::string reason, double seconds, bool written, const std::string& more = "")
+void print(const std::string& file, const char* kind, const Shell& shell, const BS::Certificate_report& certificate,
+           bool certified, std::string reason, double seconds, bool written, const std::string& more = "")
 {
   const BS::Shell_report& r = shell.report();
   const BS::Certificate_statistics& s = certificate.statistics;
   if(reason.empty())
     for(int c = 0; c < 5; ++c)
-      if(certificate.verdicts[c] != BS::Verdict::PROVED) reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
+      if(certificate.verdicts[c] != BS::Verdict::PROVED)
+        reason += (reason.empty() ? "" : ", ") + std::string(name(BS::Claim(c)));
   if(!r.rounds.empty() && r.refinement != BS::Refinement_status::CERTIFIED)
     reason += (reason.empty() ? "" : ". ") + std::string(message(r.refinement));
   if(r.limit.resource != BS::Refinement_resource::NONE) reason += " " + message(r.limit);
@@ -243,31 +254,37 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
     return out.str();
   };
   const BS::Level_range thresholds = threshold_range(shell);
-  const double certify = Shell::Threshold::is_constant ? s.seconds : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
+  const double certify = Shell::Threshold::is_constant ? s.seconds
+                                                       : r.seconds[std::size_t(BS::Shell_step::CERTIFICATE)];
   std::cout << "{\"mesh\":" << quoted(file) << ",\"kind\":\"" << kind << "\"" << more
-            << ",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets << ",\"triangles\":" << r.closing.triangles
-            << ",\"least_offset\":" << r.closing.least_offset / r.unit << "}" << truncation(r) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
+            << ",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets
+            << ",\"triangles\":" << r.closing.triangles << ",\"least_offset\":" << r.closing.least_offset / r.unit
+            << "}" << truncation(r) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
             << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
-            << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":"
-            << r.rounds.size() << ",\"partial_rounds\":"
-            << std::count_if(r.rounds.begin(), r.rounds.end(), [](const auto& round) { return round.partial; }) << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
-            << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
-            << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
-            << ",\"min_cone_margin\":" << certificate.least_cone_margin
+            << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels)
+            << ",\"rounds\":" << r.rounds.size() << ",\"partial_rounds\":"
+            << std::count_if(r.rounds.begin(), r.rounds.end(), [](const auto& round) { return round.partial; })
+            << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"eps1\":" << thresholds.min / r.unit
+            << ",\"eps2\":" << thresholds.max / r.unit << ",\"thickness\":" << shell.relative_thickness()
+            << ",\"narrowed_area\":" << r.narrowed_area << ",\"min_cone_margin\":" << certificate.least_cone_margin
             << ",\"singular_vertices\":" << certificate.singular_vertices.size() << ",\"certificate\":{";
   for(int c = 0; c < 5; ++c)
     std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdicts[c]) << "\"";
   std::cout << "},\"violations\":{";
   for(int c = 0; c < 5; ++c)
-    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":" << certificate.number_of_witnesses[std::size_t(c)];
-  std::cout << "},\"places\":" << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient << ",\"displacement\":"
-            << if_positive(certificate.displacement_bound / r.unit)
+    std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c))
+              << "\":" << certificate.number_of_witnesses[std::size_t(c)];
+  std::cout << "},\"places\":" << places(certificate) << ",\"least_gradient\":" << certificate.least_gradient
+            << ",\"displacement\":" << if_positive(certificate.displacement_bound / r.unit)
             << ",\"least_angle\":" << certificate.least_angle << ",\"tiers\":{\"containment\":" << tier(s.containment)
-            << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells << ",\"excluded\":"
-            << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes << ",\"critical\":" << s.critical_boxes << ",\"undecided\":" << s.undecided_boxes
-            << ",\"depth\":" << s.deepest_box << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
-            << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << certify << ",\"total\":"
-            << seconds << "},\"peak_mb\":" << peak_mb() << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;
+            << ",\"transversality\":" << tier(s.transversality) << ",\"gradient\":{\"cells\":" << s.cover_cells
+            << ",\"excluded\":" << s.excluded_boxes << ",\"monotone\":" << s.monotone_boxes
+            << ",\"critical\":" << s.critical_boxes << ",\"undecided\":" << s.undecided_boxes
+            << ",\"depth\":" << s.deepest_box
+            << "}},\"seconds\":{\"distance\":" << r.seconds[std::size_t(BS::Shell_step::DISTANCE)]
+            << ",\"fit\":" << r.seconds[std::size_t(BS::Shell_step::FIT)] << ",\"certify\":" << certify
+            << ",\"total\":" << seconds << "},\"peak_mb\":" << peak_mb()
+            << (written ? "" : ",\"files\":\"cannot be written\"") << "}" << std::endl;
 }
 
 void certify(const std::string& file, const Options& options)
@@ -277,14 +294,15 @@ void certify(const std::string& file, const Options& options)
   const auto refuse = [&](BS::Shell_status status, const BS::Offending_simplices& offenders) {
     print_refused(file, options, message(status), offenders, timer.time(), peak_mb());
   };
-  const double limit = options.max_memory_mb > 0 ? options.max_memory_mb * 1024 * 1024
-                                                 : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  const double limit = options.max_memory_mb > 0
+                         ? options.max_memory_mb * 1024 * 1024
+                         : 0.8 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
   const double max_seconds = options.max_seconds > 0 ? options.max_seconds : std::numeric_limits<double>::infinity();
   const auto parameters = BS::parameters::relative_thickness(options.thickness)
-                                         .time_limit(max_seconds)
-                                         .constant_thresholds(options.constant)
-                                         .memory_limit(limit)
-                                         .least_cone_margin(options.cone_margin);
+                            .time_limit(max_seconds)
+                            .constant_thresholds(options.constant)
+                            .memory_limit(limit)
+                            .least_cone_margin(options.cone_margin);
   BS::Offending_simplices offenders;
   if(options.gamma == 0 && options.proxy && options.truncation) {
     BS::Polygon_soup soup;
@@ -295,8 +313,8 @@ void certify(const std::string& file, const Options& options)
     if(!result) return refuse(result.status(), result.offending_simplices);
     BS::Shell_certificate_3 certificate(result.shell());
     if(!options.directory.empty() || options.surfaces) certificate.verify(result.mesh());
-    print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "", seconds,
-          write_files(file, options, result.shell(), certificate),
+    print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "",
+          seconds, write_files(file, options, result.shell(), certificate),
           proxy_properties(result) + surfaces(options, result.shell(), certificate));
     return;
   }
@@ -305,22 +323,27 @@ void certify(const std::string& file, const Options& options)
   const BS::Shell_status read = BS::read_polygon_mesh(file, mesh, offenders);
   if(read != BS::Shell_status::SUCCESS) return refuse(read, offenders);
   if(options.gamma == 0) {
-    const auto shell = CGAL::certified_bspline_shell_3(mesh, parameters.allow_singular_vertices(true).truncate(options.truncation));
+    const auto shell = CGAL::certified_bspline_shell_3(
+      mesh, parameters.allow_singular_vertices(true).truncate(options.truncation));
     if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
     const double seconds = timer.time();
     BS::Shell_certificate_3 certificate(shell);
     if(!options.directory.empty() || options.surfaces) certificate.verify(mesh);
-    print(file, shell.closing() ? "virtually closed" : shell.truncation() ? "truncated" : "closed", shell, shell.report().certificate, shell.is_certified(), "", seconds,
+    print(file,
+          shell.closing()      ? "virtually closed"
+          : shell.truncation() ? "truncated"
+                               : "closed",
+          shell, shell.report().certificate, shell.is_certified(), "", seconds,
           write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
     return;
   }
-  const auto shell = CGAL::bspline_shell_3(mesh,
-    BS::parameters::resolution(options.gamma)
-                   .dense_grid(options.paper)
-                   .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
-                   .allow_singular_vertices(true)
-                   .allow_open_shell(true)
-                   .memory_limit(limit));
+  const auto shell = CGAL::bspline_shell_3(
+    mesh, BS::parameters::resolution(options.gamma)
+            .dense_grid(options.paper)
+            .energy_weights(options.paper ? BS::Energy_weights::paper() : BS::Energy_weights())
+            .allow_singular_vertices(true)
+            .allow_open_shell(true)
+            .memory_limit(limit));
   if(!shell) return refuse(shell.status(), shell.report().offending_simplices);
   BS::Shell_certificate_3<> certificate(shell);
   certificate.verify(mesh);
@@ -340,12 +363,13 @@ void certify_apart(const std::string& file, const Options& options)
   std::cout.flush();
   const pid_t child = fork();
   if(child == 0) {
-    constexpr double late = 1.25;       // limits hold but for some passes of CGAL
+    constexpr double late = 1.25; // limits hold but for some passes of CGAL
     if(options.max_seconds > 0) alarm(static_cast<unsigned int>(std::ceil(late * options.max_seconds)));
     try {
       certify(file, options);
     } catch(const std::exception& e) {
-      print_refused(file, options, std::string("exception: ") + e.what(), BS::Offending_simplices(), timer.time(), peak_mb());
+      print_refused(file, options, std::string("exception: ") + e.what(), BS::Offending_simplices(), timer.time(),
+                    peak_mb());
     }
     _exit(0);
   }
@@ -357,7 +381,8 @@ void certify_apart(const std::string& file, const Options& options)
   }
   if(WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  print_refused(file, options, late ? "time limit reached" : "the process ended with signal " + std::to_string(WTERMSIG(status)),
+  print_refused(file, options,
+                late ? "time limit reached" : "the process ended with signal " + std::to_string(WTERMSIG(status)),
                 BS::Offending_simplices(), timer.time(), usage.ru_maxrss / 1024.);
 }
 
@@ -392,7 +417,8 @@ int main(int argc, char** argv)
   }
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
-    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation] [--cone-margin M]"
+    std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] "
+                 "[--no-truncation] [--cone-margin M]"
                  " [--max-seconds S] [--max-memory-mb M] [--write-shells DIR] [--surfaces]\n";
     return 2;
   }

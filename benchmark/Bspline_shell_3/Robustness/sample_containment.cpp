@@ -1,5 +1,5 @@
-// The paper's check (Section 5.2) beside the proof: W is the share of Poisson-disk samples on the mesh that lie between the
-// levels. Where containment is proved, W must be one. One JSON object a line.
+// The paper's check (Section 5.2) beside the proof: W is the share of Poisson-disk samples on the mesh that lie between
+// the levels. Where containment is proved, W must be one. One JSON object a line.
 //
 //   sample_containment [--gamma G[,G...]] [--samples N] FILE...
 #include "../json.h"
@@ -33,7 +33,7 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 std::vector<Point_3> poisson_disk_samples(const Mesh& mesh, std::size_t size)
 {
   const double radius = 0.75 * std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(size));
-  const double cell = radius / std::sqrt(3.);      // holds one sample at most
+  const double cell = radius / std::sqrt(3.); // holds one sample at most
   std::unordered_map<std::uint64_t, std::size_t> grid;
   const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     constexpr std::uint64_t mask = (1u << 21) - 1;
@@ -43,8 +43,11 @@ std::vector<Point_3> poisson_disk_samples(const Mesh& mesh, std::size_t size)
   for(unsigned int round = 0; round < 40 && kept.size() < size; ++round) {
     std::vector<Point_3> darts;
     CGAL::Polygon_mesh_processing::sample_triangle_mesh(mesh, std::back_inserter(darts),
-      CGAL::parameters::use_random_uniform_sampling(true).number_of_points_on_faces(size).do_sample_vertices(false)
-                       .do_sample_edges(false).random_seed(round + 1));
+                                                        CGAL::parameters::use_random_uniform_sampling(true)
+                                                          .number_of_points_on_faces(size)
+                                                          .do_sample_vertices(false)
+                                                          .do_sample_edges(false)
+                                                          .random_seed(round + 1));
     for(const Point_3& p : darts) {
       const std::int64_t i = std::int64_t(std::floor(p.x() / cell)), j = std::int64_t(std::floor(p.y() / cell)),
                          k = std::int64_t(std::floor(p.z() / cell));
@@ -74,9 +77,8 @@ int main(int argc, char** argv)
     if(arg == "--gamma" && i + 1 < argc) {
       gammas.clear();
       std::istringstream list(argv[++i]);
-      for(std::string g; std::getline(list, g, ','); ) gammas.push_back(std::atof(g.c_str()));
-    }
-    else if(arg == "--samples" && i + 1 < argc) size = std::size_t(std::atol(argv[++i]));
+      for(std::string g; std::getline(list, g, ',');) gammas.push_back(std::atof(g.c_str()));
+    } else if(arg == "--samples" && i + 1 < argc) size = std::size_t(std::atol(argv[++i]));
     else files.push_back(arg);
   }
   if(files.empty()) {
@@ -89,8 +91,8 @@ int main(int argc, char** argv)
     if(BS::read_triangle_mesh(file, mesh) != BS::Shell_status::SUCCESS) continue;
     std::vector<Point_3> samples;
     for(double gamma : gammas) {
-      const auto shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(gamma).allow_open_shell(true)
-                                                                    .allow_singular_vertices(true));
+      const auto shell = CGAL::bspline_shell_3(
+        mesh, BS::parameters::resolution(gamma).allow_open_shell(true).allow_singular_vertices(true));
       if(!shell) continue;
       BS::Shell_certificate_3<> certificate(shell);
       certificate.verify(mesh);
@@ -102,8 +104,9 @@ int main(int argc, char** argv)
         contained += f && *f >= shell.inner_level() && *f <= shell.outer_level();
       }
       const double w = double(contained) / double(samples.size());
-      std::cout << "{\"mesh\":" << quoted(file) << ",\"gamma\":" << gamma << ",\"samples\":" << samples.size() << ",\"W\":" << w
-                << ",\"containment\":\"" << name(certificate.verdict(BS::Claim::CONTAINMENT)) << "\"}" << std::endl;
+      std::cout << "{\"mesh\":" << quoted(file) << ",\"gamma\":" << gamma << ",\"samples\":" << samples.size()
+                << ",\"W\":" << w << ",\"containment\":\"" << name(certificate.verdict(BS::Claim::CONTAINMENT)) << "\"}"
+                << std::endl;
       if(proved && contained < samples.size()) exit_code = EXIT_FAILURE;
     }
   }

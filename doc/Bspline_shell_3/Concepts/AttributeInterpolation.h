@@ -2,7 +2,8 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `AttributeInterpolation` describes how an attribute is computed in a facet from its values at the three corners.
+The concept `AttributeInterpolation` describes how an attribute is computed in a facet from its values at the three
+corners.
 
 \cgalHasModel `CGAL::Bspline_shells::Barycentric_interpolation`
 
@@ -12,9 +13,9 @@ The concept `AttributeInterpolation` describes how an attribute is computed in a
 class AttributeInterpolation
 {
 public:
-
-  /// The value at a location, from those at the corners and barycentric coordinates, whose sum is one. They are not negative, but for
-  /// `transfer_corner_attribute()`, which extrapolates across seams. Called from one thread at a time.
+  /// The value at a location, from those at the corners and barycentric coordinates, whose sum is one. They are not
+  /// negative, but for `transfer_corner_attribute()`, which extrapolates across seams. Called from one thread at a
+  /// time.
   template <typename T>
   T operator()(const std::array<T, 3>& values, const std::array<double, 3>& barycentric) const;
 };

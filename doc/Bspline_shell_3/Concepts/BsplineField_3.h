@@ -2,8 +2,8 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that make
-up its domain, a tricubic polynomial. Bounds, shells and level sets know a field by its cells only: by their boxes,
+The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that
+make up its domain, a tricubic polynomial. Bounds, shells and level sets know a field by its cells only: by their boxes,
 their Bernstein coefficients and their neighbors. They do not know how the coefficients came about.
 
 Const member functions may be called from several threads at once. Models are default constructible (a field without
@@ -19,9 +19,8 @@ cells), copyable and movable.
 class BsplineField_3
 {
 public:
-
-/// \name Types
-/// @{
+  /// \name Types
+  /// @{
 
   /// A tag for the geometry of the field, usually a \cgal kernel.
   typedef unspecified_type Geom_traits;
@@ -45,10 +44,10 @@ public:
   /// The number of no cell.
   static constexpr Cell_index npos;
 
-/// @}
+  /// @}
 
-/// \name Cells
-/// @{
+  /// \name Cells
+  /// @{
 
   /// the number of cells
   std::size_t number_of_cells() const;
@@ -60,14 +59,14 @@ public:
   /// closed: a point on a common face may get either cell.
   Cell_index locate(const Point_3& p) const;
 
-  /// whether corners of cells are exact, also those of cells halved up to eight times: `corner()[a] + i * width() / 256` is
-  /// computed without rounding for 0 <= i <= 256, and gives the same `double`s for all cells that have the corner. Nothing is
-  /// proved for a field without.
+  /// whether corners of cells are exact, also those of cells halved up to eight times: `corner()[a] + i * width() /
+  /// 256` is computed without rounding for 0 <= i <= 256, and gives the same `double`s for all cells that have the
+  /// corner. Nothing is proved for a field without.
   bool has_exact_cells() const;
 
-  /// calls `visit(n)` for every cell that has a part of a face of `c` in common, the one that is orthogonal to an axis (0, 1 or
-  /// 2), on the side of larger (`positive`) or smaller coordinates; returns whether there is any. If a part of the face is on the
-  /// boundary of the domain, all of it is.
+  /// calls `visit(n)` for every cell that has a part of a face of `c` in common, the one that is orthogonal to an axis
+  /// (0, 1 or 2), on the side of larger (`positive`) or smaller coordinates; returns whether there is any. If a part of
+  /// the face is on the boundary of the domain, all of it is.
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const;
 
@@ -81,14 +80,15 @@ public:
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
   /// the cells as cells of lattices, under the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
-  /// fits, `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do not.
+  /// fits, `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do
+  /// not.
   const unspecified_type& cells() const;
 
-/// @}
+  /// @}
 
-/// \name Evaluation
-/// What is asked for outside the domain is empty. Derivatives are per user unit.
-/// @{
+  /// \name Evaluation
+  /// What is asked for outside the domain is empty. Derivatives are per user unit.
+  /// @{
 
   /// the value
   std::optional<FT> value(const Point_3& p) const;
@@ -99,5 +99,5 @@ public:
   /// the matrix of second derivatives
   std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const;
 
-/// @}
+  /// @}
 };

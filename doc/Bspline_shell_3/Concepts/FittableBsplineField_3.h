@@ -2,11 +2,13 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `FittableBsplineField_3` describes a field that an energy can be fitted to: a linear function of its *free* coefficients, the
-unknowns. On a lattice of each level, the field has coefficients at *points*; those at points without a free coefficient
-depend linearly on the free ones. On each leaf cell, the 64 coefficients at the points around it make the polynomial.
+The concept `FittableBsplineField_3` describes a field that an energy can be fitted to: a linear function of its *free*
+coefficients, the unknowns. On a lattice of each level, the field has coefficients at *points*; those at points without
+a free coefficient depend linearly on the free ones. On each leaf cell, the 64 coefficients at the points around it make
+the polynomial.
 
-Points of all levels are numbered together, level by level, and so are free coefficients. Numbers are of type `Cell_index`.
+Points of all levels are numbered together, level by level, and so are free coefficients. Numbers are of type
+`Cell_index`.
 
 \cgalRefines `BsplineField_3`
 
@@ -19,9 +21,8 @@ Points of all levels are numbered together, level by level, and so are free coef
 class FittableBsplineField_3
 {
 public:
-
-/// \name Points and Coefficients
-/// @{
+  /// \name Points and Coefficients
+  /// @{
 
   /// the number of levels of cells
   int number_of_levels() const;
@@ -47,10 +48,10 @@ public:
   /// for each of the sixteen rows of four consecutive points around a leaf cell, the number of its first point
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const;
 
-/// @}
+  /// @}
 
-/// \name Coefficients at All Points
-/// @{
+  /// \name Coefficients at All Points
+  /// @{
 
   /// the coefficients at all points, from the free ones: a linear map
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const;
@@ -58,14 +59,15 @@ public:
   /// the transposed map
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const;
 
-/// @}
+  /// @}
 
-/// \name Modification
-/// @{
+  /// \name Modification
+  /// @{
 
-  /// replaces the free coefficients, in user units. \pre `x.size() == number_of_coefficients()`
+  /// replaces the free coefficients, in user units.
+  /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag>
   void set_coefficients(Eigen::VectorXd x);
 
-/// @}
+  /// @}
 };

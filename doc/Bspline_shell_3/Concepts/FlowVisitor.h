@@ -2,7 +2,8 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `FlowVisitor` describes what is told how many of many points have been moved along their curves, and may stop the rest.
+The concept `FlowVisitor` describes what is told how many of many points have been moved along their curves, and may
+stop the rest.
 
 \cgalHasModel `CGAL::Bspline_shells::Default_flow_visitor`
 
@@ -11,8 +12,8 @@ The concept `FlowVisitor` describes what is told how many of many points have be
 class FlowVisitor
 {
 public:
-
-  /// Called from the calling thread, after every 16384 points and at the end; the points are not dealt with in the order in which they are
-  /// given. `false` stops: the points that are left have no image, and the status `CGAL::Bspline_shells::Flow_status::CANCELED`.
+  /// Called from the calling thread, after every 16384 points and at the end; the points are not dealt with in the
+  /// order in which they are given. `false` stops: the points that are left have no image, and the status
+  /// `CGAL::Bspline_shells::Flow_status::CANCELED`.
   bool advance(std::size_t done, std::size_t total);
 };

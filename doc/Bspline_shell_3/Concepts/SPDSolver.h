@@ -17,9 +17,8 @@ that is passed by value is copied before its first use.
 class SPDSolver
 {
 public:
-
-/// \name Operations
-/// @{
+  /// \name Operations
+  /// @{
 
   /// takes, and may factorize, a matrix. `lower` holds the lower triangle alone, in compressed columns with ascending
   /// rows. It stays as it is until the last call to `solve()`, so that the solver may refer to it.
@@ -35,11 +34,11 @@ public:
   /// must have the size of `b`, and \f$|b - Ax| \le |b| / 10\f$: `CGAL::Bspline_shells::Any_spd_solver` checks both.
   CGAL::Bspline_shells::Solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
-/// @}
+  /// @}
 
-/// \name Queries
-/// for reports; of the last call to `solve()`, and whatever before the first
-/// @{
+  /// \name Queries
+  /// for reports; of the last call to `solve()`, and whatever before the first
+  /// @{
 
   /// the number of iterations; 1 for a direct solver
   std::size_t iterations() const;
@@ -47,5 +46,5 @@ public:
   /// the relative residual \f$|b - Ax| / |b|\f$
   double residual() const;
 
-/// @}
+  /// @}
 };

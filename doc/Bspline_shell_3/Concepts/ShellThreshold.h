@@ -3,7 +3,8 @@
 \cgalConcept
 
 The concept `ShellThreshold` describes a bound of a shell: a number, or a function that is tricubic on the leaf cells of
-the field that it bounds. Predicates and certificate know it by its range on a cell and its difference to the field only.
+the field that it bounds. Predicates and certificate know it by its range on a cell and its difference to the field
+only.
 
 \cgalHasModel `CGAL::Bspline_shells::Constant_threshold`
 \cgalHasModel `CGAL::Bspline_shells::Spline_threshold`
@@ -13,7 +14,6 @@ the field that it bounds. Predicates and certificate know it by its range on a c
 class ShellThreshold
 {
 public:
-
   /// whether the threshold is the same everywhere; if so, `level()` is there, and comparisons with it are exact
   static constexpr bool is_constant;
 
@@ -38,7 +38,8 @@ public:
   /// encloses the threshold on a leaf cell
   CGAL::Bspline_shells::Level_range range(std::uint32_t cell) const;
 
-  /// encloses a function on a leaf cell minus the threshold, as a polynomial over the cell with a radius that covers all
-  /// rounding
-  CGAL::Bspline_shells::Enclosed_tricubic difference(const CGAL::Bspline_shells::Enclosed_tricubic& f, std::uint32_t cell) const;
+  /// encloses a function on a leaf cell minus the threshold, as a polynomial over the cell with a radius that covers
+  /// all rounding
+  CGAL::Bspline_shells::Enclosed_tricubic difference(const CGAL::Bspline_shells::Enclosed_tricubic& f,
+                                                     std::uint32_t cell) const;
 };

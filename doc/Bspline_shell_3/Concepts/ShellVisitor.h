@@ -2,7 +2,8 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `ShellVisitor` describes objects that are told how far the construction of a shell has come, and may stop it.
+The concept `ShellVisitor` describes objects that are told how far the construction of a shell has come, and may stop
+it.
 
 A visitor need not be copyable if it is passed with `std::ref()`; one that is passed by value is copied before its first
 use, so that its state is lost.
@@ -15,13 +16,12 @@ use, so that its state is lost.
 class ShellVisitor
 {
 public:
-
-/// \name Operations
-/// @{
+  /// \name Operations
+  /// @{
 
   /// called when a step begins, by the thread that called `CGAL::bspline_shell_3()`. The steps come in the order of
-  /// `CGAL::Bspline_shells::Shell_step`; where the shell runs out of the cells and more are added, those from `CELLS` on
-  /// are repeated, and those from `DISTANCE` on in each round of refinement.
+  /// `CGAL::Bspline_shells::Shell_step`; where the shell runs out of the cells and more are added, those from `CELLS`
+  /// on are repeated, and those from `DISTANCE` on in each round of refinement.
   /// \return whether to go on; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool start_step(CGAL::Bspline_shells::Shell_step step);
 
@@ -30,5 +30,5 @@ public:
   ///         `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool go_on();
 
-/// @}
+  /// @}
 };

@@ -1,12 +1,15 @@
 // Writes what the figures of the manual show; make_figures.sh says which.
 //
 //   figure_data rounds  MESH PREFIX THICKNESS           the shell after each round of refinement
-//   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves between them
+//   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves
+//                       between them
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
 //   figure_data open    MESH PREFIX THICKNESS FACETS    what closes an open mesh, and a simplified mesh
-//   figure_data sides  MESH PREFIX THICKNESS            colors of the two sides of a bowl, carried by the closest point and by the map
+//   figure_data sides  MESH PREFIX THICKNESS            colors of the two sides of a bowl, carried by the closest point
+//                      and by the map
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
-//   figure_data soup    PREFIX                          polygons that intersect each other, and a simplified proxy with their texture coordinates
+//   figure_data soup    PREFIX                          polygons that intersect each other, and a simplified proxy with
+//                       their texture coordinates
 #include "../../../examples/Bspline_shell_3/broken_models.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -66,27 +69,31 @@ Mesh simplified(Mesh mesh, const Shell& shell, std::size_t facets)
 // the field and the thresholds, exactly; points where the claim on the gradient fails; and numbers
 void write_state(const std::string& prefix, const Shell& shell, double thickness)
 {
-  for(const auto& [name, field] : { std::pair("field", &shell.field()), std::pair("inner", &shell.inner_threshold().field()),
-                                    std::pair("outer", &shell.outer_threshold().field()) })
-    require(BS::write_VTU(prefix + "_" + name + ".vtu", *field) == BS::Shell_file_status::SUCCESS, "A field cannot be written.");
+  for(const auto& [name, field] :
+      { std::pair("field", &shell.field()), std::pair("inner", &shell.inner_threshold().field()),
+        std::pair("outer", &shell.outer_threshold().field()) })
+    require(BS::write_VTU(prefix + "_" + name + ".vtu", *field) == BS::Shell_file_status::SUCCESS,
+            "A field cannot be written.");
   std::ofstream failures(prefix + "_failures.txt"), numbers(prefix + "_numbers.txt");
   for(const BS::Certificate_witness& w : shell.report().certificate.witnesses)
     if(w.claim == BS::Claim::GRADIENT) failures << w.point[0] << " " << w.point[1] << " " << w.point[2] << "\n";
   const BS::Refinement_round& last = shell.report().rounds.back();
-  numbers << last.cells << " " << last.thick_cells << " " << last.undecided_cells << " " << thickness * shell.report().unit << "\n";
+  numbers << last.cells << " " << last.thick_cells << " " << last.undecided_cells << " "
+          << thickness * shell.report().unit << "\n";
   require(failures.flush() && numbers.flush(), "A round cannot be written.");
 }
 
-// A limit of memory between what two rounds need ends the construction after the first of them. It expects 2000 bytes for a cell and 5000 for a
-// lattice point, of which there are at least as many as unknowns.
+// A limit of memory between what two rounds need ends the construction after the first of them. It expects 2000 bytes
+// for a cell and 5000 for a lattice point, of which there are at least as many as unknowns.
 void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
 {
   const Shell shell = certified_shell(mesh, thickness);
   const std::vector<BS::Refinement_round>& rounds = shell.report().rounds;
   for(std::size_t n = 1; n < rounds.size(); ++n) {
-    const double growth = double(rounds[n].cells) / double(rounds[n-1].cells);
-    const double limit = growth * (2000. * double(rounds[n-1].cells) + 5000. * double(rounds[n-1].unknowns)) - 1;
-    const Shell state = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
+    const double growth = double(rounds[n].cells) / double(rounds[n - 1].cells);
+    const double limit = growth * (2000. * double(rounds[n - 1].cells) + 5000. * double(rounds[n - 1].unknowns)) - 1;
+    const Shell state = CGAL::certified_bspline_shell_3(
+      mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
     require(bool(state), state.message());
     require(state.report().rounds.size() == n, "The limit of memory does not end the construction after this round.");
     write_state(prefix + "_" + std::to_string(n), state, thickness);
@@ -94,14 +101,16 @@ void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
   write_state(prefix + "_" + std::to_string(rounds.size()), shell, thickness);
 }
 
-// The part in the shell of the integral curve through a point, in steps by which the field grows, shorter ones at the ends.
+// The part in the shell of the integral curve through a point, in steps by which the field grows, shorter ones at the
+// ends.
 std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p, double step)
 {
   std::vector<Point> points = { p };
   for(double direction : { -1., 1. }) {
-    for(double s = step; s > 1e-3 * step; ) {
+    for(double s = step; s > 1e-3 * step;) {
       const auto arrival = flow.trace(points.back(), *flow.shell().field().value(points.back()) + direction * s);
-      if(arrival && flow.shell().bounded_side(arrival.point) != CGAL::ON_UNBOUNDED_SIDE) points.push_back(arrival.point);
+      if(arrival && flow.shell().bounded_side(arrival.point) != CGAL::ON_UNBOUNDED_SIDE)
+        points.push_back(arrival.point);
       else s /= 2;
     }
     if(direction < 0) std::reverse(points.begin(), points.end());
@@ -109,8 +118,8 @@ std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p,
   return points;
 }
 
-// Curves through the vertices of the mesh, and through the points where its edges meet the plane through the middle of its box, across its shortest
-// side; and where they meet both meshes.
+// Curves through the vertices of the mesh, and through the points where its edges meet the plane through the middle of
+// its box, across its shortest side; and where they meet both meshes.
 void write_curves(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
 {
   const Shell shell = certified_shell(mesh, thickness);
@@ -151,7 +160,8 @@ void remesh(Mesh mesh, const std::string& prefix, double thickness, double edges
   const Shell shell = certified_shell(mesh, thickness);
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, sharp);
-  const auto report = BS::remesh_in_shell(mesh, shell.report().unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
+  const auto report = BS::remesh_in_shell(mesh, shell.report().unit / edges, shell,
+                                          BS::parameters::edge_is_constrained_map(sharp));
   require(bool(report), message(report.status));
   mesh.collect_garbage();
   require(write_mesh(prefix + "_remeshed.ply", mesh), "A mesh cannot be written.");
@@ -165,7 +175,8 @@ void close(const Mesh& mesh, const std::string& prefix, double thickness, std::s
   std::vector<Mesh::Vertex_index> v;
   for(const auto& p : shell.closing()->points()) v.push_back(closing.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
   for(const auto& t : shell.closing()->triangles()) closing.add_face(v[t[0]], v[t[1]], v[t[2]]);
-  require(write_mesh(prefix + "_closing.ply", closing) && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
+  require(write_mesh(prefix + "_closing.ply", closing)
+            && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
           "A mesh cannot be written.");
 }
 
@@ -176,7 +187,8 @@ void truncate(const Mesh& mesh, const std::string& prefix, double thickness, std
   Mesh truncated = mesh;
   shell.truncation()->apply(truncated, truncated.points());
   truncated.collect_garbage();
-  require(write_mesh(prefix + "_truncated.ply", truncated) && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
+  require(write_mesh(prefix + "_truncated.ply", truncated)
+            && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
           "A mesh cannot be written.");
 }
 
@@ -191,7 +203,8 @@ void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinat
   require(bool(out.flush()), "A textured mesh cannot be written.");
 }
 
-// around the vertical axis through the middle of the box, and along it; facets across the seam behind are on one side of it
+// around the vertical axis through the middle of the box, and along it; facets across the seam behind are on one side
+// of it
 void transfer_texture(Mesh mesh, const std::string& prefix, double thickness, std::size_t facets)
 {
   const Shell shell = certified_shell(mesh, thickness);
@@ -203,7 +216,8 @@ void transfer_texture(Mesh mesh, const std::string& prefix, double thickness, st
     double first = 0;
     for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f))) {
       const Kernel::Point_3& p = mesh.point(mesh.target(h));
-      double u = std::atan2(p.x() - (box.xmin() + box.xmax()) / 2, p.z() - (box.zmin() + box.zmax()) / 2) / (2 * CGAL_PI);
+      double u = std::atan2(p.x() - (box.xmin() + box.xmax()) / 2, p.z() - (box.zmin() + box.zmax()) / 2)
+                 / (2 * CGAL_PI);
       if(h == mesh.halfedge(f)) first = u;
       u += std::nearbyint(first - u);
       uv[h] = Kernel::Point_2(u, (p.y() - box.ymin()) / (box.ymax() - box.ymin()));
@@ -236,19 +250,21 @@ void write_proxy(const std::string& prefix)
       uv[h] = Kernel::Point_2(t[0], t[1]);
     }
     const BS::Soup_point p = shares.facets[f];
-    color[f] = p == BS::Soup_point::CARRIED ? CGAL::IO::Color(90, 170, 90)
-             : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60) : CGAL::IO::Color(170, 170, 170);
+    color[f] = p == BS::Soup_point::CARRIED     ? CGAL::IO::Color(90, 170, 90)
+               : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60)
+                                                : CGAL::IO::Color(170, 170, 170);
   }
   // the map refers to the soup's mesh in the proxy, which has the same facets
   auto uv_of = boost::make_function_property_map<Mesh::Halfedge_index>([&](Mesh::Halfedge_index h) { return uv[h]; });
   require(bool(BS::transfer_corner_attribute(map, uv_of, uv_on_coarse)), "Some facets have no texture coordinates.");
   write_textured(prefix + "_before.txt", soup, uv);
   write_textured(prefix + "_after.txt", coarse, uv_on_coarse);
-  require(write_mesh(prefix + "_shares.ply", soup) && write_mesh(prefix + "_proxy.ply", proxy.mesh()), "A mesh cannot be written.");
+  require(write_mesh(prefix + "_shares.ply", soup) && write_mesh(prefix + "_proxy.ply", proxy.mesh()),
+          "A mesh cannot be written.");
 }
 
-// A bowl around the origin is simplified and gets a color inside and one outside. These are carried back: each of 16 parts of a facet of the bowl
-// has the color of the facet to which its middle is mapped.
+// A bowl around the origin is simplified and gets a color inside and one outside. These are carried back: each of 16
+// parts of a facet of the bowl has the color of the facet to which its middle is mapped.
 void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -258,7 +274,8 @@ void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
   auto color = coarse.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   for(Mesh::Face_index f : coarse.faces()) {
     const Kernel::Vector_3 from_center = coarse.point(coarse.source(coarse.halfedge(f))) - CGAL::ORIGIN;
-    color[f] = PMP::compute_face_normal(f, coarse) * from_center < 0 ? CGAL::IO::Color(250, 200, 80) : CGAL::IO::Color(51, 107, 217);
+    color[f] = PMP::compute_face_normal(f, coarse) * from_center < 0 ? CGAL::IO::Color(250, 200, 80)
+                                                                     : CGAL::IO::Color(51, 107, 217);
   }
   require(write_mesh(prefix + "_painted.ply", coarse), "A mesh cannot be written.");
 
@@ -285,8 +302,10 @@ void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
     }
     require(write_mesh(file, carried), "A mesh cannot be written.");
   };
-  const CGAL::AABB_tree<BS::internal::AABB_traits_3<Kernel, Primitive> > tree(faces(coarse).begin(), faces(coarse).end(), coarse);
-  write_carried(prefix + "_closest_point.ply", [&](const Kernel::Point_3& p) { return tree.closest_point_and_primitive(p).second; });
+  const CGAL::AABB_tree<BS::internal::AABB_traits_3<Kernel, Primitive> > tree(faces(coarse).begin(),
+                                                                              faces(coarse).end(), coarse);
+  write_carried(prefix + "_closest_point.ply",
+                [&](const Kernel::Point_3& p) { return tree.closest_point_and_primitive(p).second; });
   const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, coarse);
   write_carried(prefix + "_shell_map.ply", [&](const Kernel::Point_3& p) {
     const auto image = map.to_target()(p);

@@ -1,6 +1,6 @@
-// Neo_hookean_solid.h of the examples: what is known in closed form comes out, derivatives are those of the energy, and Newton's method does what
-// it promises. Meshes, and the closed forms, are made here.
-#include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h"      // first: it must bring what it needs
+// Neo_hookean_solid.h of the examples: what is known in closed form comes out, derivatives are those of the energy, and
+// Newton's method does what it promises. Meshes, and the closed forms, are made here.
+#include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h" // first: it must bring what it needs
 
 #include <catch2/catch.hpp>
 
@@ -29,7 +29,8 @@ struct Tetrahedra
   std::vector<std::array<std::size_t, 4> > cells;
 };
 
-// a box of unit cubes, each cut into six tetrahedra around a diagonal; points inside are moved at random, by so little that none is inverted
+// a box of unit cubes, each cut into six tetrahedra around a diagonal; points inside are moved at random, by so little
+// that none is inverted
 Tetrahedra box(std::size_t nx, std::size_t ny, std::size_t nz, double jitter)
 {
   Tetrahedra result;
@@ -56,7 +57,8 @@ Tetrahedra box(std::size_t nx, std::size_t ny, std::size_t nz, double jitter)
             cell[i + 1] = number(at[0], at[1], at[2]);
           }
           const auto& p = result.points;
-          if((p[cell[1]] - p[cell[0]]).cross(p[cell[2]] - p[cell[0]]).dot(p[cell[3]] - p[cell[0]]) < 0) std::swap(cell[2], cell[3]);
+          if((p[cell[1]] - p[cell[0]]).cross(p[cell[2]] - p[cell[0]]).dot(p[cell[3]] - p[cell[0]]) < 0)
+            std::swap(cell[2], cell[3]);
           result.cells.push_back(cell);
         } while(std::next_permutation(axes.begin(), axes.end()));
       }
@@ -86,11 +88,16 @@ Solid::Result bend(const Solid& solid, double length, double angle, const Solid:
                    const Eigen::Matrix3d& turned = Eigen::Matrix3d::Identity())
 {
   const auto ends = hold(solid, [&](const Vector& p) { return p.x() == 0 || p.x() == length; });
-  return solid.solve(ends, [&](std::size_t n, double t) -> Vector {
-    const Vector p = solid.node(n), pivot(length, 0, 0);
-    const Vector moved = p.x() == 0 ? p : Vector(pivot + Eigen::AngleAxisd(t * angle, Vector::UnitY()) * (p - pivot) + t * Vector(-0.3, 0, 0.5));
-    return turned * moved - p;
-  }, options);
+  return solid.solve(
+    ends,
+    [&](std::size_t n, double t) -> Vector {
+      const Vector p = solid.node(n), pivot(length, 0, 0);
+      const Vector moved = p.x() == 0 ? p
+                                      : Vector(pivot + Eigen::AngleAxisd(t * angle, Vector::UnitY()) * (p - pivot)
+                                               + t * Vector(-0.3, 0, 0.5));
+      return turned * moved - p;
+    },
+    options);
 }
 
 } // namespace
@@ -106,10 +113,10 @@ TEST_CASE("An affine motion of the boundary is reproduced inside")
     REQUIRE(solid.is_valid());
     const auto boundary = hold(solid, [](const Vector& p) { return p.minCoeff() == 0 || p.maxCoeff() == 3; });
     Solid::Options options;
-    options.start = random_displacements(solid, 0.05);      // so that there is something to do
-    const auto result = solid.solve(boundary, [&](std::size_t n, double t) -> Vector {
-      return t * (A * solid.node(n) + b - solid.node(n));
-    }, options);
+    options.start = random_displacements(solid, 0.05); // so that there is something to do
+    const auto result = solid.solve(
+      boundary, [&](std::size_t n, double t) -> Vector { return t * (A * solid.node(n) + b - solid.node(n)); },
+      options);
     REQUIRE(result);
     CHECK(result.load == 1);
 
@@ -122,7 +129,8 @@ TEST_CASE("An affine motion of the boundary is reproduced inside")
       if(is_held[n] == 0) inside.push_back(int(n));
     const Eigen::MatrixXd H = Eigen::MatrixXd(solid.hessian(result.displacements))(inside, inside);
     const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
-    const double tolerance = 2 * result.residuals.back() / eigenvalues[0] + 10 * epsilon * eigenvalues.tail(1)[0] / eigenvalues[0];
+    const double tolerance = 2 * result.residuals.back() / eigenvalues[0]
+                             + 10 * epsilon * eigenvalues.tail(1)[0] / eigenvalues[0];
     CHECK(tolerance < 1e-8);
     double farthest = 0;
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
@@ -142,12 +150,13 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC })
     for(double stretch : { 0.5, 1.1, 2.5 }) {
       const Solid solid(mesh.points, mesh.cells, order, material);
-      std::vector<Solid::Condition> conditions;       // symmetry on three sides, and the other end moves along the bar
+      std::vector<Solid::Condition> conditions; // symmetry on three sides, and the other end moves along the bar
       for(std::size_t n = 0; n < solid.number_of_nodes(); ++n) {
         const Vector& p = solid.node(n);
         conditions.push_back({ n, { p.x() == 0 || p.x() == 4, p.y() == 0, p.z() == 0 } });
       }
-      const auto result = solid.solve(conditions, [&](std::size_t n, double t) { return Vector(t * (stretch - 1) * solid.node(n).x(), 0, 0); });
+      const auto result = solid.solve(
+        conditions, [&](std::size_t n, double t) { return Vector(t * (stretch - 1) * solid.node(n).x(), 0, 0); });
       REQUIRE(result);
 
       // mu (s - 1/s) + lambda ln(stretch s^2) / s = 0, which increases with s, once multiplied by it
@@ -160,30 +169,37 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
         const Vector& p = solid.node(n);
         CHECK((p + result.displacements.col(n) - Vector(stretch * p.x(), low * p.y(), low * p.z())).norm() < 1e-8);
       }
-      const double stress = material.mu * (stretch - 1 / stretch) + material.lambda * std::log(stretch * low * low) / stretch;
+      const double stress = material.mu * (stretch - 1 / stretch)
+                            + material.lambda * std::log(stretch * low * low) / stretch;
       const Vectors forces = solid.gradient(result.displacements);
       double reaction = 0;
       for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
         if(solid.node(n).x() == 4) reaction += forces(0, n);
-      CHECK(reaction == Approx(4 * stress).epsilon(1e-8));      // on a section of area four
+      CHECK(reaction == Approx(4 * stress).epsilon(1e-8)); // on a section of area four
     }
 }
 
 TEST_CASE("The gradient is that of the energy, and the Hessian that of the gradient")
 {
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
-  const double h = std::cbrt(epsilon);        // of the order that is best for central differences
+  const double h = std::cbrt(epsilon); // of the order that is best for central differences
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
     const Solid solid(mesh.points, mesh.cells, order, material);
     const Vectors u = random_displacements(solid, 0.08), v = random_displacements(solid, 1).rowwise().reverse();
     const auto state = solid.state(u);
     REQUIRE(state.least_jacobian > 0);
-    // a central difference is off by a third of its difference from that of twice the width, but for higher orders, and by rounding
-    const auto slope = [&](double width) { return (solid.state(u + width * v).energy - solid.state(u - width * v).energy) / (2 * width); };
+    // a central difference is off by a third of its difference from that of twice the width, but for higher orders, and
+    // by rounding
+    const auto slope = [&](double width) {
+      return (solid.state(u + width * v).energy - solid.state(u - width * v).energy) / (2 * width);
+    };
     const Vectors gradient = solid.gradient(u);
-    CHECK(std::abs(slope(h) - gradient.cwiseProduct(v).sum()) <= std::abs(slope(2 * h) - slope(h)) + state.rounding / h);
+    CHECK(std::abs(slope(h) - gradient.cwiseProduct(v).sum())
+          <= std::abs(slope(2 * h) - slope(h)) + state.rounding / h);
 
-    const auto change = [&](double width) -> Vectors { return (solid.gradient(u + width * v) - solid.gradient(u - width * v)) / (2 * width); };
+    const auto change = [&](double width) -> Vectors {
+      return (solid.gradient(u + width * v) - solid.gradient(u - width * v)) / (2 * width);
+    };
     const Eigen::VectorXd product = solid.hessian(u) * v.reshaped();
     const Vectors first = change(h), second = change(2 * h);
     CHECK((first.reshaped() - product).norm() <= (second - first).norm() + epsilon * solid.force_unit() / h);
@@ -201,7 +217,8 @@ TEST_CASE("Newton's method ends with quadratic convergence")
     const auto result = bend(solid, 4, 0.5, options);
     REQUIRE(result);
     CHECK(result.load_steps == 1);
-    // What one step leaves of the forces, from half as far away, is a quarter, up to an error of the order of the distance.
+    // What one step leaves of the forces, from half as far away, is a quarter, up to an error of the order of the
+    // distance.
     Vectors v = random_displacements(solid, 1);
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
       if(solid.node(n).x() == 0 || solid.node(n).x() == 4) v.col(n).setZero();
@@ -210,7 +227,8 @@ TEST_CASE("Newton's method ends with quadratic convergence")
       return bend(solid, 4, 0.5, options).residuals.at(1);
     };
     const double h = 2e-4;
-    const double forces = forces_after_a_step(h), half = forces_after_a_step(h / 2), quarter = forces_after_a_step(h / 4);
+    const double forces = forces_after_a_step(h), half = forces_after_a_step(h / 2),
+                 quarter = forces_after_a_step(h / 4);
     CHECK(forces / half == Approx(4).epsilon(10 * h));
     CHECK(half / quarter == Approx(4).epsilon(10 * h));
   }
@@ -240,7 +258,8 @@ TEST_CASE("A solid that is turned has the same energy, turned forces and the tur
     // no force is left but where the ends are held
     const Vectors forces = solid.gradient(result.displacements);
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
-      if(nodes(0, n) > 0 && nodes(0, n) < 4) CHECK(forces.col(n).norm() <= Solid::Options().tolerance * solid.force_unit());
+      if(nodes(0, n) > 0 && nodes(0, n) < 4)
+        CHECK(forces.col(n).norm() <= Solid::Options().tolerance * solid.force_unit());
   }
 }
 
@@ -262,9 +281,8 @@ TEST_CASE("A solid of which all nodes are held follows the motion")
   const Tetrahedra mesh = box(1, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
     const Solid solid(mesh.points, mesh.cells, order, material);
-    const auto result = solid.solve(hold(solid, [](const Vector&) { return true; }), [&](std::size_t n, double t) -> Vector {
-      return -0.5 * t * solid.node(n);
-    });
+    const auto result = solid.solve(hold(solid, [](const Vector&) { return true; }),
+                                    [&](std::size_t n, double t) -> Vector { return -0.5 * t * solid.node(n); });
     REQUIRE(result);
     CHECK(result.least_jacobian == Approx(0.125));
   }
@@ -279,16 +297,16 @@ TEST_CASE("What cannot be solved is refused, with the reason")
     const Solid solid(mesh.points, mesh.cells, order, material);
     Solid::Options options;
     options.start = Vectors::Zero(3, solid.number_of_nodes());
-    options.start.col(13) = Vector(3, 0, 0);      // the point in the middle leaves the box
+    options.start.col(13) = Vector(3, 0, 0); // the point in the middle leaves the box
     const auto inverted = solid.solve(hold(solid, ends), nothing, options);
     CHECK(inverted.status == Solid_status::INVERTED_STATE);
     CHECK(inverted.least_jacobian < 0);
     CHECK(std::isinf(solid.state(options.start).energy));
 
     // one end through the other
-    const auto crossed = solid.solve(hold(solid, [](const Vector& p) { return p.x() == 0 || p.x() == 2; }), [&](std::size_t n, double t) -> Vector {
-      return t * Vector(-2 * solid.node(n).x(), 0, 0);
-    });
+    const auto crossed = solid.solve(
+      hold(solid, [](const Vector& p) { return p.x() == 0 || p.x() == 2; }),
+      [&](std::size_t n, double t) -> Vector { return t * Vector(-2 * solid.node(n).x(), 0, 0); });
     CHECK(crossed.status != Solid_status::SUCCESS);
     CHECK(crossed.load < 0.5);
     CHECK(crossed.least_jacobian > 0);
@@ -315,7 +333,8 @@ TEST_CASE("Displacements on facets are those of the shape functions")
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
     const Solid solid(mesh.points, mesh.cells, order, material);
     const auto function = [&](const Vector& p) -> Vector {
-      return order == Element_order::LINEAR ? Vector(1 + p.x(), p.y() - 2 * p.z(), 3) : Vector(p.x() * p.y(), p.squaredNorm(), p.z() - 1);
+      return order == Element_order::LINEAR ? Vector(1 + p.x(), p.y() - 2 * p.z(), 3)
+                                            : Vector(p.x() * p.y(), p.squaredNorm(), p.z() - 1);
     };
     Vectors u(3, solid.number_of_nodes());
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n) u.col(n) = function(solid.node(n));
@@ -323,7 +342,8 @@ TEST_CASE("Displacements on facets are those of the shape functions")
     const std::array<double, 3> w{ 0.2, 0.3, 0.5 };
     Vector p = Vector::Zero();
     for(int i = 0; i < 3; ++i) p += w[i] * mesh.points[corners[i]];
-    CHECK((solid.displacement(u, corners, w) - function(p)).norm() < 20 * epsilon);      // sums of a dozen terms of size one
+    // sums of a dozen terms of size one
+    CHECK((solid.displacement(u, corners, w) - function(p)).norm() < 20 * epsilon);
   }
 }
 } // namespace test_Neo_hookean_solid

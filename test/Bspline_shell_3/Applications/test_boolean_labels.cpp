@@ -1,4 +1,5 @@
-// operand_labels.h and curve_filter.h of the examples: labels of facets that go through Boolean operations are judged by where the facets are.
+// operand_labels.h and curve_filter.h of the examples: labels of facets that go through Boolean operations are judged
+// by where the facets are.
 #include "../../../examples/Bspline_shell_3/curve_filter.h"
 #include "../../../examples/Bspline_shell_3/operand_labels.h"
 #include "test_meshes.h"
@@ -82,8 +83,8 @@ struct Numbered_solids
     return { convert(t[0]), convert(t[1]), convert(t[2]) };
   }
 
-  // How many corners of facets of a result are not in the triangle whose label the facet has. Coordinates are smaller than two, and were rounded so
-  // many times; as the distance from a triangle is a convex function, errors add up.
+  // How many corners of facets of a result are not in the triangle whose label the facet has. Coordinates are smaller
+  // than two, and were rounded so many times; as the distance from a triangle is a convex function, errors add up.
   std::size_t misplaced(Mesh& mesh, int roundings) const
   {
     const Labels labels = labels_of(mesh);
@@ -99,13 +100,14 @@ struct Numbered_solids
   }
 
   std::vector<Mesh> meshes;
-  std::vector<std::size_t> solid;                   // of each label
+  std::vector<std::size_t> solid; // of each label
   std::vector<Exact::Triangle_3> triangles;
 };
 
 } // namespace
 
-TEST_CASE("Facets of Booleans of two boxes have the labels of the sides that they are in, and the areas that these leave")
+TEST_CASE(
+  "Facets of Booleans of two boxes have the labels of the sides that they are in, and the areas that these leave")
 {
   const Point_3 low_0(0, 0, 0), high_0(1, 1, 1), low_1(0.5, 0.25, 0.125), high_1(1.5, 1.25, 1.125);
   Mesh first = box(low_0, high_0), second = box(low_1, high_1);
@@ -115,7 +117,7 @@ TEST_CASE("Facets of Booleans of two boxes have the labels of the sides that the
       labels[f] = mesh == &first ? side(corners(first, f), low_0, high_0) : 6 + side(corners(second, f), low_1, high_1);
   }
   // three sides of each box reach into the other, as far as the boxes overlap
-  const double x = 0.5, y = 0.75, z = 0.875, inside = x*y + y*z + z*x;
+  const double x = 0.5, y = 0.75, z = 0.875, inside = x * y + y * z + z * x;
   for(Boolean operation : operations) {
     Mesh mesh;
     REQUIRE(compute(operation, first, second, mesh));
@@ -135,7 +137,8 @@ TEST_CASE("Facets of Booleans of two boxes have the labels of the sides that the
   }
 }
 
-TEST_CASE("Facets of Booleans of solids in general position are parts of the facets whose labels they have, on the right side of the other solid")
+TEST_CASE("Facets of Booleans of solids in general position are parts of the facets whose labels they have, on the "
+          "right side of the other solid")
 {
   const Precise_rounding rounding;
   const Kernel::Aff_transformation_3 turn(0.36, -0.48, 0.8, 0.3, 0.8, 0.6, 0, 0.2, -0.48, 0.64, 0.6, 0.1);
@@ -196,8 +199,9 @@ TEST_CASE("Simplified along the curve, facets keep their labels, and the curve s
     Mesh coarse = mesh;
     const double distance = 0.001 * shell.report().unit;
     const Curve_filter filter(coarse, curve_of(coarse), distance);
-    const auto result = BS::simplify_in_shell(coarse, shell, BS::parameters::edge_is_constrained_map(curve_of(coarse)).protect_constraints(false)
-                                                                           .filter(std::cref(filter)));
+    const auto result = BS::simplify_in_shell(
+      coarse, shell,
+      BS::parameters::edge_is_constrained_map(curve_of(coarse)).protect_constraints(false).filter(std::cref(filter)));
     REQUIRE(result);
     coarse.collect_garbage();
     CHECK(result.constrained_edges < curve_edges);

@@ -1,5 +1,5 @@
 // tetrahedralize.h of the examples: what it accepts as the filling of a mesh.
-#include "../../../examples/Bspline_shell_3/tetrahedralize.h"       // first: it must bring what it needs
+#include "../../../examples/Bspline_shell_3/tetrahedralize.h" // first: it must bring what it needs
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -18,7 +18,8 @@ TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by fa
   Surface mesh;
   for(const Tetrahedra::Point& p : tetrahedra.points) mesh.add_vertex(p);
   const auto add = [&](unsigned int a, unsigned int b, unsigned int c) {
-    REQUIRE(mesh.add_face(Surface::Vertex_index(a), Surface::Vertex_index(b), Surface::Vertex_index(c)) != Surface::null_face());
+    REQUIRE(mesh.add_face(Surface::Vertex_index(a), Surface::Vertex_index(b), Surface::Vertex_index(c))
+            != Surface::null_face());
   };
   for(unsigned int a = 0; a < 3; ++a) {
     add(a, (a + 1) % 3, 3);
@@ -27,34 +28,41 @@ TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by fa
   REQUIRE(CGAL::is_closed(mesh));
   CHECK(conforms(tetrahedra, mesh));
 
-  SECTION("points inside and further tetrahedra there do not matter") {
+  SECTION("points inside and further tetrahedra there do not matter")
+  {
     tetrahedra.points.emplace_back(0.2, 0.3, 0.5);
     tetrahedra.cells = { { 0, 2, 1, 4 }, { 0, 1, 2, 5 }, { 0, 1, 5, 3 }, { 1, 2, 5, 3 }, { 2, 0, 5, 3 } };
     CHECK(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is missing") {
+  SECTION("a tetrahedron is missing")
+  {
     tetrahedra.cells.pop_back();
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is there twice") {
+  SECTION("a tetrahedron is there twice")
+  {
     tetrahedra.cells.push_back(tetrahedra.cells[0]);
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is outside") {
+  SECTION("a tetrahedron is outside")
+  {
     tetrahedra.points.emplace_back(2, 2, 2);
     tetrahedra.cells.push_back({ 1, 2, 3, 5 });
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a facet of the mesh is cut") {
+  SECTION("a facet of the mesh is cut")
+  {
     tetrahedra.points.emplace_back(0.5, 0, 0);
     tetrahedra.cells = { { 0, 5, 2, 3 }, { 5, 1, 2, 3 }, { 0, 2, 1, 4 } };
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a point is moved by rounding") {
+  SECTION("a point is moved by rounding")
+  {
     tetrahedra.points[3] = Tetrahedra::Point(0.2, 0.3, std::nextafter(1., 2.));
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is turned over, which is put right") {
+  SECTION("a tetrahedron is turned over, which is put right")
+  {
     std::swap(tetrahedra.cells[1][0], tetrahedra.cells[1][1]);
     CHECK_FALSE(conforms(tetrahedra, mesh));
     CHECK(checked(tetrahedra, mesh));

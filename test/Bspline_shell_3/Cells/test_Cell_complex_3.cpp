@@ -26,7 +26,10 @@ typedef std::array<double, 3> Point;
 const double inf = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-bool is_double(const Rational& x) { return Rational(CGAL::to_double(x)) == x; }
+bool is_double(const Rational& x)
+{
+  return Rational(CGAL::to_double(x)) == x;
+}
 
 CGAL::Bbox_3 random_box(CGAL::Random& random, double distance)
 {
@@ -47,7 +50,8 @@ void check_corners(const Lattice& lattice, const CGAL::Bbox_3& box)
     for(int i : { first, first + (last - first) / 3, 0, last - 1, last }) {
       CHECK(Rational(lattice.coordinate(a, i)) == origin + i * spacing);
       const int halved = 1 << Lattice::finest_level;
-      for(int k : { 1, 2, 3, halved / 3, halved / 2, halved - 1 }) CHECK(is_double(origin + i * spacing + k * spacing / halved));
+      for(int k : { 1, 2, 3, halved / 3, halved / 2, halved - 1 })
+        CHECK(is_double(origin + i * spacing + k * spacing / halved));
     }
   }
 }
@@ -111,7 +115,7 @@ TEST_CASE("lattices: all corners are doubles, also those of cells halved twelve 
       CHECK(std::abs(lattice.spacing() - spacing) <= spacing / (distance < 10 ? 1 << 19 : 1 << 4));
       CHECK(std::floor(std::ldexp(lattice.spacing(), 20 - std::ilogb(lattice.spacing()) - 1))
             == std::ldexp(lattice.spacing(), 20 - std::ilogb(lattice.spacing()) - 1));
-      for(int a = 0; a < 3; ++a)      // and the lattice begins at the middle of the box
+      for(int a = 0; a < 3; ++a) // and the lattice begins at the middle of the box
         CHECK(std::abs(lattice.origin()[a] - (box.min(a) + box.max(a)) / 2) <= spacing);
     }
 }
@@ -123,15 +127,17 @@ TEST_CASE("lattices: one that says it is exact is, whatever the distance; hopele
     const double distance = std::ldexp(1.2345, e);
     const CGAL::Bbox_3 box(distance, -distance, 0, distance + 1, -distance + 1, 1);
     const Lattice lattice(box, 0.37);
-    if(lattice.is_exact()) { ++exact; check_corners(lattice, box); }
-    else ++hopeless;
+    if(lattice.is_exact()) {
+      ++exact;
+      check_corners(lattice, box);
+    } else ++hopeless;
   }
-  CHECK(exact > 30);          // 2^30 cells away there are bits for a spacing of ten
+  CHECK(exact > 30); // 2^30 cells away there are bits for a spacing of ten
   CHECK(hopeless > 20);
   CHECK_FALSE(Lattice(CGAL::Bbox_3(1e15, 0, 0, 1e15 + 1, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(0, 0, 0, inf, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(-1e308, 0, 0, 1e308, 1, 1), 1e-3).is_exact());
-  CHECK_FALSE(Lattice(CGAL::Bbox_3(-1.7e308, 0, 0, 1.7e308, 1, 1), 1e308).is_exact());      // no room for a cell more
+  CHECK_FALSE(Lattice(CGAL::Bbox_3(-1.7e308, 0, 0, 1.7e308, 1, 1), 1e308).is_exact()); // no room for a cell more
   CHECK_FALSE(Lattice(CGAL::Bbox_3(0, 0, 0, 1e-310, 1e-310, 1e-310), 1e-321).is_exact());
   CHECK_FALSE(Lattice().is_exact());
   const CGAL::Bbox_3 huge(-1e308, 0, 0, 1e308, 1e300, 1), tiny(0, 0, 0, 1e-300, 1e-301, 1e-300);
@@ -156,16 +162,19 @@ TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned 
       box = CGAL::Bbox_3(lower, box.ymin(), box.zmin(), 2 * middle - lower, box.ymax(), box.zmax());
     }
     const Lattice lattice(box, spacing);
-    const Lattice mirrored(CGAL::Bbox_3(-box.xmax(), box.ymin(), box.zmin(), -box.xmin(), box.ymax(), box.zmax()), spacing);
+    const Lattice mirrored(CGAL::Bbox_3(-box.xmax(), box.ymin(), box.zmin(), -box.xmin(), box.ymax(), box.zmax()),
+                           spacing);
     CHECK(mirrored.spacing() == lattice.spacing());
     CHECK(mirrored.origin() == Point{ -lattice.origin()[0], lattice.origin()[1], lattice.origin()[2] });
     // (x, y, z) to (-y, x, z)
-    const Lattice turned(CGAL::Bbox_3(-box.ymax(), box.xmin(), box.zmin(), -box.ymin(), box.xmax(), box.zmax()), spacing);
+    const Lattice turned(CGAL::Bbox_3(-box.ymax(), box.xmin(), box.zmin(), -box.ymin(), box.xmax(), box.zmax()),
+                         spacing);
     CHECK(turned.spacing() == lattice.spacing());
     CHECK(turned.origin() == Point{ -lattice.origin()[1], lattice.origin()[0], lattice.origin()[2] });
     for(double s : { 0.125, 1024. }) {
-      const Lattice scaled(CGAL::Bbox_3(s * box.xmin(), s * box.ymin(), s * box.zmin(),
-                                        s * box.xmax(), s * box.ymax(), s * box.zmax()), s * spacing);
+      const Lattice scaled(
+        CGAL::Bbox_3(s * box.xmin(), s * box.ymin(), s * box.zmin(), s * box.xmax(), s * box.ymax(), s * box.zmax()),
+        s * spacing);
       CHECK(scaled.spacing() == s * lattice.spacing());
       for(int a = 0; a < 3; ++a) CHECK(scaled.origin()[a] == s * lattice.origin()[a]);
     }
@@ -186,7 +195,8 @@ TEST_CASE("lattices: cells may be halved until the next corner would not be a do
       for(int a = 0; a < 3; ++a) {
         first[a] = lattice.interval(a, box.min(a));
         last[a] = lattice.interval(a, box.max(a));
-        furthest = (std::max)({ furthest, std::abs(lattice.coordinate(a, first[a])), std::abs(lattice.coordinate(a, last[a] + 1)) });
+        furthest = (std::max)(
+          { furthest, std::abs(lattice.coordinate(a, first[a])), std::abs(lattice.coordinate(a, last[a] + 1)) });
       }
       const int halvings = lattice.number_of_halvings(first, last);
       CHECK(halvings >= Lattice::finest_level);
@@ -199,7 +209,7 @@ TEST_CASE("lattices: cells may be halved until the next corner would not be a do
             once_more = once_more && is_double(Rational(lattice.coordinate(a, i)) + Rational(k) * part / 2)
                         && is_double(Rational(lattice.coordinate(a, i + 1)) - part / 2);
           }
-      tight += !once_more;        // one or two halvings are given away where the origin has more bits than the spacing
+      tight += !once_more; // one or two halvings are given away where the origin has more bits than the spacing
     }
   CHECK(tight > 20);
   CHECK(Lattice().number_of_halvings({ 0, 0, 0 }, { 0, 0, 0 }) == 0);
@@ -208,18 +218,19 @@ TEST_CASE("lattices: cells may be halved until the next corner would not be a do
 TEST_CASE("lattices: one that is made of its origin and spacing is exact if all corners are")
 {
   const auto is_exact = [](double origin, double spacing, int first, int last) {
-    return Lattice::from_origin({ 0, origin, 0 }, spacing, Lattice_point{ 0, first, 0 }, Lattice_point{ 0, last, 0 }).is_exact();
+    return Lattice::from_origin({ 0, origin, 0 }, spacing, Lattice_point{ 0, first, 0 }, Lattice_point{ 0, last, 0 })
+      .is_exact();
   };
   const double bit = std::ldexp(1., -19);
   CHECK(is_exact(0, 1, 0, 0));
   CHECK(is_exact(-3.5, 0.75, -100, 100));
   CHECK(is_exact(0, 1 + bit, -1000, 1000));
-  CHECK_FALSE(is_exact(0, 1 + bit / 2, 0, 0));             // 21 bits
+  CHECK_FALSE(is_exact(0, 1 + bit / 2, 0, 0)); // 21 bits
   CHECK_FALSE(is_exact(0, 0.1, 0, 0));
-  CHECK_FALSE(is_exact(0.1, 1, 0, 1000));                  // 0.1 + 1000 is rounded
-  CHECK(is_exact(std::ldexp(1., 40), 1, 0, 0));            // 2^40 + 2^-12 has 53 bits
+  CHECK_FALSE(is_exact(0.1, 1, 0, 1000));       // 0.1 + 1000 is rounded
+  CHECK(is_exact(std::ldexp(1., 40), 1, 0, 0)); // 2^40 + 2^-12 has 53 bits
   CHECK_FALSE(is_exact(std::ldexp(1., 41), 1, 0, 0));
-  CHECK_FALSE(is_exact(0, std::numeric_limits<double>::denorm_min(), 0, 0));      // cells could not be halved
+  CHECK_FALSE(is_exact(0, std::numeric_limits<double>::denorm_min(), 0, 0)); // cells could not be halved
   CHECK(is_exact(0, std::ldexp(1., -1074 + 12), 0, 0));
   CHECK_FALSE(is_exact(0, std::ldexp(1., -1074 + 11), 0, 0));
   for(double x : { not_a_number, inf }) {
@@ -229,7 +240,7 @@ TEST_CASE("lattices: one that is made of its origin and spacing is exact if all 
   }
   CHECK_FALSE(is_exact(0, 0, 0, 0));
   CHECK_FALSE(is_exact(0, -1, 0, 0));
-  CHECK_FALSE(is_exact(0, std::ldexp(1., 1023), 0, 2));    // corners beyond all doubles
+  CHECK_FALSE(is_exact(0, std::ldexp(1., 1023), 0, 2)); // corners beyond all doubles
 
   // lattices that the other constructor makes are among them, with all the cells that a shell may have
   CGAL::Random random(19);
@@ -276,9 +287,11 @@ TEST_CASE("lattices: intervals are between rounded planes where planes are no do
 {
   CGAL::Random random(32);
   for(int n = 0; n < 2000; ++n) {
-    const double spacing = random.get_double(0.1, 1) / 3, origin = random.get_double(-1, 1) * std::ldexp(1., n % 20) / 3;
+    const double spacing = random.get_double(0.1, 1) / 3,
+                 origin = random.get_double(-1, 1) * std::ldexp(1., n % 20) / 3;
     const int i = random.get_int(-1000, 1001);
-    const Lattice lattice = Lattice::from_origin({ origin, origin, origin }, spacing, { -1001, -1001, -1001 }, { 1001, 1001, 1001 });
+    const Lattice lattice = Lattice::from_origin({ origin, origin, origin }, spacing, { -1001, -1001, -1001 },
+                                                 { 1001, 1001, 1001 });
     REQUIRE_FALSE(lattice.is_exact());
     const double x = lattice.coordinate(n % 3, i);
     CHECK(lattice.interval(n % 3, x) == i);
@@ -290,12 +303,12 @@ TEST_CASE("lattices: intervals are between rounded planes where planes are no do
 TEST_CASE("lattice keys: there and back, sorted like (k, j, i)")
 {
   const int m = Key::max_coordinate;
-  std::vector<Lattice_point> points = { { -m, -m, -m }, { m, -m, -m }, { -m, 0, -m }, { 0, 0, 0 }, { 1, 0, 0 },
-                                        { -1, 1, 0 }, { -m, m, 0 }, { m, m, 0 }, { -m, -m, 1 }, { m, m, m } };
+  std::vector<Lattice_point> points = { { -m, -m, -m }, { m, -m, -m }, { -m, 0, -m }, { 0, 0, 0 },   { 1, 0, 0 },
+                                        { -1, 1, 0 },   { -m, m, 0 },  { m, m, 0 },   { -m, -m, 1 }, { m, m, m } };
   for(std::size_t n = 0; n < points.size(); ++n) {
     const Lattice_point& p = points[n];
     CHECK(Key::decode(Key::encode(p[0], p[1], p[2])) == p);
-    if(n > 0) CHECK(Key::encode(points[n-1][0], points[n-1][1], points[n-1][2]) < Key::encode(p[0], p[1], p[2]));
+    if(n > 0) CHECK(Key::encode(points[n - 1][0], points[n - 1][1], points[n - 1][2]) < Key::encode(p[0], p[1], p[2]));
     for(int a = 0; a < 3; ++a) {
       Lattice_point next = p;
       ++next[a];
@@ -368,7 +381,10 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
           const std::vector<Cells::Index> expected = cells_at(cells, p);
           const Cells::Index c = cells.locate(p);
           CAPTURE(i, j, k);
-          if(expected.empty()) { CHECK(c == Cells::npos); continue; }
+          if(expected.empty()) {
+            CHECK(c == Cells::npos);
+            continue;
+          }
           CHECK(std::count(expected.begin(), expected.end(), c) == 1);
           const auto half = [](int n) { return int(std::floor(n / 2.)); };
           const Cells::Index upper = cells.cell({ half(i), half(j), half(k) });
@@ -382,7 +398,11 @@ TEST_CASE("cells: a point one bit outside the domain is outside; so is one that 
   const Cells cells(quarters, { Key::encode(0, 0, 0) });
   const Point inside = { 0.1, 0.1, 0.1 };
   for(int a = 0; a < 3; ++a) {
-    const auto at = [&](double x) { Point p = inside; p[a] = x; return cells.locate(p); };
+    const auto at = [&](double x) {
+      Point p = inside;
+      p[a] = x;
+      return cells.locate(p);
+    };
     CHECK(at(0) == 0);
     CHECK(at(0.25) == 0);
     CHECK(at(std::nextafter(0, -1)) == Cells::npos);
@@ -407,7 +427,10 @@ TEST_CASE("cells: neighbors differ by one step along one axis, and see each othe
         p[a] += positive ? 1 : -1;
         const Cells::Index n = cells.neighbor(c, a, positive);
         CHECK((n != Cells::npos) == (sparse.points.count(p) == 1));
-        if(n == Cells::npos) { ++ends; continue; }
+        if(n == Cells::npos) {
+          ++ends;
+          continue;
+        }
         ++neighbors;
         CHECK(cells.lattice_point(n) == p);
         CHECK(cells.neighbor(n, a, !positive) == c);
@@ -429,7 +452,7 @@ TEST_CASE("cells: a box meets the cells that a search finds, and is covered if a
     // which multiples of a quarter of a cell divide a box: one point of each part decides.
     constexpr int reach = 12;
     const auto unit = [](int i) { return i * 0.0625; };
-    bool covered[2*reach + 1][2*reach + 1][2*reach + 1];
+    bool covered[2 * reach + 1][2 * reach + 1][2 * reach + 1];
     for(int k = -reach; k <= reach; ++k)
       for(int j = -reach; j <= reach; ++j)
         for(int i = -reach; i <= reach; ++i)
@@ -437,10 +460,11 @@ TEST_CASE("cells: a box meets the cells that a search finds, and is covered if a
     for(int n = 0; n < 1500; ++n) {
       int first[3], last[3];
       for(int a = 0; a < 3; ++a) {
-        first[a] = 2 * random.get_int(-reach/2, reach/2 + 1);
-        last[a] = (std::min)(reach, first[a] + 2 * random.get_int(0, 4));      // may be flat, or a point
+        first[a] = 2 * random.get_int(-reach / 2, reach / 2 + 1);
+        last[a] = (std::min)(reach, first[a] + 2 * random.get_int(0, 4)); // may be flat, or a point
       }
-      const CGAL::Bbox_3 box(unit(first[0]), unit(first[1]), unit(first[2]), unit(last[0]), unit(last[1]), unit(last[2]));
+      const CGAL::Bbox_3 box(unit(first[0]), unit(first[1]), unit(first[2]), unit(last[0]), unit(last[1]),
+                             unit(last[2]));
       bool all_covered = true;
       for(int k = first[2]; k <= last[2]; ++k)
         for(int j = first[1]; j <= last[1]; ++j)
@@ -459,8 +483,11 @@ TEST_CASE("cells: a box meets the cells that a search finds, and is covered if a
       CHECK(visited == expected);
       CHECK(answer == all_covered);
       covered_boxes += answer;
-      for(int a = 0; a < 3; ++a)      // flat, between two layers of cells
-        if(answer && first[a] == last[a] && first[a] % 4 == 0) { ++flat_covered_boxes; break; }
+      for(int a = 0; a < 3; ++a) // flat, between two layers of cells
+        if(answer && first[a] == last[a] && first[a] % 4 == 0) {
+          ++flat_covered_boxes;
+          break;
+        }
     }
   }
   CHECK(covered_boxes > 100);

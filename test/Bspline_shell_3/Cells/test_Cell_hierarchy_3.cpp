@@ -81,7 +81,9 @@ Split_cells least_split_cells(const Hierarchy& cells, const std::vector<Index>& 
     const std::pair<int, Lattice_point> cell = stack.back();
     stack.pop_back();
     if(cell.first > 0)
-      for_each_around(cell.second, 3, [&](const Lattice_point& p) { if(has_root(cells, cell.first, p)) insert(cell.first - 1, parent(p)); });
+      for_each_around(cell.second, 3, [&](const Lattice_point& p) {
+        if(has_root(cells, cell.first, p)) insert(cell.first - 1, parent(p));
+      });
   }
   return split;
 }
@@ -93,7 +95,10 @@ bool meets(const Hierarchy& cells, Index c, const CGAL::Bbox_3& box)
   return true;
 }
 
-CGAL::Bbox_3 box_at(const Point& p) { return CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]); }
+CGAL::Bbox_3 box_at(const Point& p)
+{
+  return CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+}
 
 std::vector<Index> leaves_that_meet(const Hierarchy& cells, const CGAL::Bbox_3& box)
 {
@@ -239,7 +244,11 @@ TEST_CASE("hierarchies: a point is found in a closed leaf that contains it")
       }
       const std::vector<Index> expected = leaves_that_meet(cells, box_at(p));
       const Index c = cells.locate(p);
-      if(expected.empty()) { ++outside; CHECK(c == Hierarchy::npos); continue; }
+      if(expected.empty()) {
+        ++outside;
+        CHECK(c == Hierarchy::npos);
+        continue;
+      }
       ++inside;
       on_several += expected.size() > 1;
       CHECK(std::count(expected.begin(), expected.end(), c) == 1);
@@ -251,7 +260,8 @@ TEST_CASE("hierarchies: a point is found in a closed leaf that contains it")
   }
 }
 
-TEST_CASE("hierarchies: a box meets the leaves that a search finds, each once, and is covered if the root cells cover it")
+TEST_CASE(
+  "hierarchies: a box meets the leaves that a search finds, each once, and is covered if the root cells cover it")
 {
   for(unsigned seed = 13; seed <= 15; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -263,7 +273,8 @@ TEST_CASE("hierarchies: a box meets the leaves that a search finds, each once, a
       Point least, most;
       for(int a = 0; a < 3; ++a) {
         // ends in planes between cells, and between them; flat boxes, segments, points
-        const int i = random.get_int(2 * smallest.first()[a] - 2, 2 * smallest.last()[a] + 4), w = random.get_int(0, 12);
+        const int i = random.get_int(2 * smallest.first()[a] - 2, 2 * smallest.last()[a] + 4),
+                  w = random.get_int(0, 12);
         least[a] = lattice.origin()[a] + i * unit;
         most[a] = least[a] + (n % 3 == 0 ? 0 : w) * unit;
         if(n % 5 == 0) most[a] = std::nextafter(most[a], inf);
@@ -280,12 +291,14 @@ TEST_CASE("hierarchies: a box meets the leaves that a search finds, each once, a
     CHECK(covered_boxes > 200);
     CHECK(uncovered_boxes > 100);
     CHECK(flat_boxes > 50);
-    for(const CGAL::Bbox_3& box : { CGAL::Bbox_3(-inf, -inf, -inf, inf, inf, inf), CGAL::Bbox_3(-1e300, -1e300, -1e300, 1e300, 1e300, 1e300) }) {
+    for(const CGAL::Bbox_3& box :
+        { CGAL::Bbox_3(-inf, -inf, -inf, inf, inf, inf), CGAL::Bbox_3(-1e300, -1e300, -1e300, 1e300, 1e300, 1e300) }) {
       bool covered;
       CHECK(visited(cells, box, covered).size() == cells.number_of_cells());
       CHECK_FALSE(covered);
     }
-    for(const CGAL::Bbox_3& box : { CGAL::Bbox_3(), CGAL::Bbox_3(not_a_number, 0, 0, 1, 1, 1), CGAL::Bbox_3(inf, 0, 0, inf, 1, 1) }) {
+    for(const CGAL::Bbox_3& box :
+        { CGAL::Bbox_3(), CGAL::Bbox_3(not_a_number, 0, 0, 1, 1, 1), CGAL::Bbox_3(inf, 0, 0, inf, 1, 1) }) {
       bool covered;
       CHECK(visited(cells, box, covered).empty());
       CHECK_FALSE(covered);
@@ -321,8 +334,11 @@ TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, a
           const std::vector<Index> found = neighbors(cells, c, a, positive, any);
           wrong += found != std::vector<Index>(expected.begin(), expected.end());
           wrong += any != !expected.empty();
-          wrong += outside && any;      // a face is inside or at the end of the domain as a whole
-          if(!any) { ++ends; continue; }
+          wrong += outside && any; // a face is inside or at the end of the domain as a whole
+          if(!any) {
+            ++ends;
+            continue;
+          }
           for(Index n : found) {
             ++(cells.level(n) == cells.level(c) ? same : cells.level(n) > cells.level(c) ? smaller : larger);
             const std::vector<Index> back = neighbors(cells, n, a, !positive, any);
@@ -350,32 +366,39 @@ TEST_CASE("hierarchies: corners of the smallest leaves are doubles, also those o
     CHECK(cells.number_of_levels() == cells.max_level() + 1);
     CHECK(cells.max_level() >= 4);
     std::size_t wrong = 0;
-    for(Index c = 0; c < cells.number_of_cells(); c += cells.level(c) > 3 ? 1 : 7) {
+    for(Index c = 0; c< cells.number_of_cells(); c += cells.level(c) > 3 ? 1 : 7) {
       const double w = cells.width(c);
       wrong += Rational(w) != Rational(around.spacing()) / (1 << cells.level(c));
       for(int a = 0; a < 3; ++a) {
         const Rational exact = Rational(around.origin()[a]) + Rational(w) * cells.lattice_point(c)[a];
         wrong += Rational(cells.corner(c)[a]) != exact;
-        for(int i : { 1, 85, 255, 256 }) wrong += Rational(cells.corner(c)[a] + i * (w / 256)) != exact + i * Rational(w) / 256;
+        for(int i : { 1, 85, 255, 256 })
+          wrong += Rational(cells.corner(c)[a] + i * (w / 256)) != exact + i * Rational(w) / 256;
       }
     }
     CHECK(wrong == 0);
     CHECK(cells.level(cells.locate(p)) == cells.max_level());
   }
   CHECK(levels.front() == 10);
-  CHECK(levels.back() < 10);      // where coordinates are large, there are bits for fewer
+  CHECK(levels.back() < 10); // where coordinates are large, there are bits for fewer
 }
 
-TEST_CASE("hierarchies: leaves of the last level stay as they are; far from the lattice's origin there are fewer levels")
+TEST_CASE(
+  "hierarchies: leaves of the last level stay as they are; far from the lattice's origin there are fewer levels")
 {
   CGAL::Random random(20);
   const BS::Lattice_3 integers(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
   for(int at : { 0, 1 << 8, -(1 << 14), 1 << 17, 1 << 19, -BS::Lattice_key::max_coordinate }) {
     const Point p = { at + 0.3, 0.3, at + 0.7 };
-    Hierarchy cells = refined_at(Hierarchy(some_cells(random, integers, { at - 1, -1, at - 1 }, { at + 1, 1, at + 1 })), p, 12);
+    Hierarchy cells = refined_at(Hierarchy(some_cells(random, integers, { at - 1, -1, at - 1 }, { at + 1, 1, at + 1 })),
+                                 p, 12);
     CAPTURE(at);
     CHECK(cells.number_of_levels() == cells.max_level() + 1);
-    CHECK(cells.max_level() == (std::abs(at) < 1 << 9 ? 10 : std::abs(at) <= 1 << 14 ? 5 : std::abs(at) == 1 << 17 ? 2 : 0));
+    CHECK(cells.max_level()
+          == (std::abs(at) < 1 << 9     ? 10
+              : std::abs(at) <= 1 << 14 ? 5
+              : std::abs(at) == 1 << 17 ? 2
+                                        : 0));
     const Index c = cells.locate(p);
     REQUIRE(c != Hierarchy::npos);
     CHECK(cells.level(c) == cells.max_level());
@@ -409,7 +432,8 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.3);
   std::size_t wrong = 0, accepted = 0, exchanged = 0;
   for(int n = 0; n < 20; ++n) {
-    const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 4 }, 0.8), 1 + n % 5, 2);
+    const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 4 }, 0.8),
+                                             1 + n % 5, 2);
     Leaves leaves(std::size_t(cells.number_of_levels()));
     for(Index c = 0; c < cells.number_of_cells(); ++c) {
       const Lattice_point& p = cells.lattice_point(c);
@@ -417,8 +441,9 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
     }
     const std::optional<Hierarchy> again = Hierarchy::from_leaves(lattice, leaves);
     REQUIRE(again);
-    wrong += again->number_of_cells() != cells.number_of_cells() || again->number_of_levels() != cells.number_of_levels()
-          || again->max_level() != cells.max_level() || again->roots().number_of_cells() != cells.roots().number_of_cells();
+    wrong += again->number_of_cells() != cells.number_of_cells()
+             || again->number_of_levels() != cells.number_of_levels() || again->max_level() != cells.max_level()
+             || again->roots().number_of_cells() != cells.roots().number_of_cells();
     for(Index c = 0; c < cells.number_of_cells(); ++c)
       wrong += again->lattice_point(c) != cells.lattice_point(c) || again->level(c) != cells.level(c);
     // refined alike: what is split is known, too
@@ -433,14 +458,14 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
       Leaves overlapping = leaves;
       Lattice_point p = BS::Lattice_key::decode(leaves[l][0]);
       for(int& i : p) i = (i - (i & 1)) / 2;
-      overlapping[l-1].push_back(BS::Lattice_key::encode(p[0], p[1], p[2]));
-      BS::sort_unique(overlapping[l-1]);
+      overlapping[l - 1].push_back(BS::Lattice_key::encode(p[0], p[1], p[2]));
+      BS::sort_unique(overlapping[l - 1]);
       accepted += Hierarchy::from_leaves(lattice, overlapping).has_value();
       // that parent in place of a leaf of its level: as many leaves of each level as there should be
-      if(l > 1 && !leaves[l-1].empty()) {
+      if(l > 1 && !leaves[l - 1].empty()) {
         Leaves in_place = leaves;
-        in_place[l-1].front() = BS::Lattice_key::encode(p[0], p[1], p[2]);
-        BS::sort_unique(in_place[l-1]);
+        in_place[l - 1].front() = BS::Lattice_key::encode(p[0], p[1], p[2]);
+        BS::sort_unique(in_place[l - 1]);
         accepted += Hierarchy::from_leaves(lattice, in_place).has_value();
         ++exchanged;
       }
@@ -458,7 +483,8 @@ TEST_CASE("hierarchies: their leaves are all that they are made of; other sets o
   }
   level[0].push_back(BS::Lattice_key::encode(1, 0, 0));
   CHECK_FALSE(Hierarchy::from_leaves(lattice, { level[0], level[1], level[2] }));
-  CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));      // alone, it has no neighbors that would have to be
+  // alone, it has no neighbors that would have to be
+  CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));
   // smaller than any leaf may be
   CHECK_FALSE(Hierarchy::from_leaves(lattice, Leaves(20, { BS::Lattice_key::encode(0, 0, 0) })));
   CHECK(Hierarchy::from_leaves(lattice, {})->number_of_cells() == 0);

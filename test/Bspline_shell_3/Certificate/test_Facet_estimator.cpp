@@ -28,12 +28,15 @@ typedef std::array<Point_3, 3> Triangle;
 constexpr double pi = 3.141592653589793;
 
 // of the balls of radii 0.7 and 0.8
-CGAL::Bspline_shell_3<Uniform_field> ball_shell() { return shell_of(uniform_field(squared_distance), 0.49, 0.64); }
+CGAL::Bspline_shell_3<Uniform_field> ball_shell()
+{
+  return shell_of(uniform_field(squared_distance), 0.49, 0.64);
+}
 
 Facet_estimate estimate(const Bounds& bounds, const Triangle& t)
 {
   const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-  const std::array<Bounds::Sample, 3> corners = {{ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }};
+  const std::array<Bounds::Sample, 3> corners = { { bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) } };
   return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] });
 }
 
@@ -45,7 +48,7 @@ Triangle random_triangle(std::mt19937& random, double size)
   Triangle t;
   for(Point_3& p : t) {
     const double a = x + size * unit(random), b = y + size * unit(random), c = z + size * unit(random);
-    const double scale = radius(random) / std::sqrt(a*a + b*b + c*c);
+    const double scale = radius(random) / std::sqrt(a * a + b * b + c * c);
     p = Point_3(scale * a, scale * b, scale * c);
   }
   return t;
@@ -53,7 +56,8 @@ Triangle random_triangle(std::mt19937& random, double size)
 
 } // namespace
 
-TEST_CASE("Estimates: of random triangles, what is cleared is proved, and what is rejected is not, and little is left in doubt")
+TEST_CASE(
+  "Estimates: of random triangles, what is cleared is proved, and what is rejected is not, and little is left in doubt")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -66,7 +70,8 @@ TEST_CASE("Estimates: of random triangles, what is cleared is proved, and what i
       ++number[std::size_t(found)];
       const Placement_verdict proved = oracle(t[0], t[1], t[2]);
       if(found == Facet_estimate::CLEAR) CHECK(proved == Placement_verdict::ACCEPTED);
-      if(found == Facet_estimate::LEAVES_SHELL || found == Facet_estimate::FACES_AWAY) CHECK(proved != Placement_verdict::ACCEPTED);
+      if(found == Facet_estimate::LEAVES_SHELL || found == Facet_estimate::FACES_AWAY)
+        CHECK(proved != Placement_verdict::ACCEPTED);
     }
   CHECK(number[std::size_t(Facet_estimate::CLEAR)] > 1000);
   CHECK(number[std::size_t(Facet_estimate::LEAVES_SHELL)] > 1000);
@@ -84,9 +89,10 @@ TEST_CASE("Estimates: middles of edges that are known are used, and change nothi
   for(int n = 0; n < 1000; ++n) {
     const Triangle t = random_triangle(random, 0.1 * (1 + n % 8));
     const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-    const std::array<Bounds::Sample, 3> corners = {{ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }};
+    const std::array<Bounds::Sample, 3> corners = { { bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) } };
     const auto with = [&](const Estimator::Samples& middles) {
-      return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] }, middles);
+      return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] },
+                                                                       middles);
     };
     const Facet_estimate expected = with({});
     ++number[std::size_t(expected)];
@@ -109,11 +115,12 @@ TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middl
   const Oracle oracle(ball);
   const double r = 0.79;
   const auto at = [&](double polar, double degrees) {
-    return Point_3(r * std::sin(polar) * std::cos(degrees * pi / 180), r * std::sin(polar) * std::sin(degrees * pi / 180), r * std::cos(polar));
+    return Point_3(r * std::sin(polar) * std::cos(degrees * pi / 180),
+                   r * std::sin(polar) * std::sin(degrees * pi / 180), r * std::cos(polar));
   };
   // the plane of the corners is at distance r cos(polar) from the center, the middles of edges are farther
   const double polar = std::acos(0.699 / r);
-  const Triangle t = {{ at(polar, 0), at(polar, 120), at(polar, 240) }};
+  const Triangle t = { { at(polar, 0), at(polar, 120), at(polar, 240) } };
   for(int v = 0; v < 3; ++v) {
     const auto middle = CGAL::midpoint(t[v], t[(v + 1) % 3]);
     REQUIRE(CGAL::squared_distance(middle, Point_3(0, 0, 0)) > 0.49);
@@ -122,7 +129,8 @@ TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middl
   // the slope of horizontal facets is 2 x^2 less a hair
   const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
   const Oracle of_slope(shell);
-  CHECK(estimate(*of_slope.bounds(), {{ Point_3(0.31, 0, 0.1), Point_3(-0.47, -0.4, 0.1), Point_3(0.83, -0.4, 0.1) }}) != Facet_estimate::CLEAR);
+  CHECK(estimate(*of_slope.bounds(), { { Point_3(0.31, 0, 0.1), Point_3(-0.47, -0.4, 0.1), Point_3(0.83, -0.4, 0.1) } })
+        != Facet_estimate::CLEAR);
 }
 
 TEST_CASE("Estimates: an oracle that proves what is doubtful says of fans what one says that proves all")
@@ -136,7 +144,8 @@ TEST_CASE("Estimates: an oracle that proves what is doubtful says of fans what o
     std::vector<Point_3> link;
     for(int k = 0; k < 6; ++k) {
       const double r = radius(random), polar = angle(random), longitude = k * pi / 3;
-      link.push_back(Point_3(r * std::sin(polar) * std::cos(longitude), r * std::sin(polar) * std::sin(longitude), r * std::cos(polar)));
+      link.push_back(Point_3(r * std::sin(polar) * std::cos(longitude), r * std::sin(polar) * std::sin(longitude),
+                             r * std::cos(polar)));
     }
     Oracle::Memory memory, other_memory;
     const Point_3 p(0, 0, radius(random));

@@ -26,8 +26,9 @@ typedef BS::Verdict Verdict;
 Field cube_field(const Point_3& center = CGAL::ORIGIN, double scale = 1)
 {
   const double h = 4 * scale;
-  const BS::Lattice_3 lattice(CGAL::Bbox_3(center.x() - h, center.y() - h, center.z() - h,
-                                           center.x() + h, center.y() + h, center.z() + h), scale);
+  const BS::Lattice_3 lattice(
+    CGAL::Bbox_3(center.x() - h, center.y() - h, center.z() - h, center.x() + h, center.y() + h, center.z() + h),
+    scale);
   std::vector<std::uint64_t> keys;
   for(int k = -4; k < 4; ++k)
     for(int j = -4; j < 4; ++j)
@@ -51,7 +52,7 @@ void set(Field& field, const Function& f, double scale = 1)
 Field linear_field(double a, double b, double c)
 {
   Field field = cube_field();
-  set(field, [=](double x, double y, double z) { return a*x + b*y + c*z; });
+  set(field, [=](double x, double y, double z) { return a * x + b * y + c * z; });
   return field;
 }
 
@@ -113,14 +114,14 @@ TEST_CASE("Predicates: a peak inside a facet is seen, where the edges are lower"
 {
   // f = -(x^2 + y^2): coefficients -(i^2 + j^2) + 2/3
   Field field = cube_field();
-  set(field, [](double x, double y, double) { return -(x*x + y*y) + 2. / 3; });
+  set(field, [](double x, double y, double) { return -(x * x + y * y) + 2. / 3; });
   const Predicates predicates(field);
   const Triangle t = { Point_3(-1, -1, .1), Point_3(1.5, -1, .1), Point_3(0, 2, .1) };
   double edges = -inf;
   for(int e = 0; e < 3; ++e)
     for(int n = 0; n <= 100; ++n) {
-      const Point_3 p = t[e] + n / 100. * (t[(e+1) % 3] - t[e]);
-      edges = (std::max)(edges, -(p.x()*p.x() + p.y()*p.y()));
+      const Point_3 p = t[e] + n / 100. * (t[(e + 1) % 3] - t[e]);
+      edges = (std::max)(edges, -(p.x() * p.x() + p.y() * p.y()));
     }
   REQUIRE(edges < -0.3);
   BS::Witness witness;
@@ -139,8 +140,9 @@ TEST_CASE("Predicates: answers agree with exact values at random points of rando
     CGAL::Random random(seed);
     for(int n = 0; n < 12; ++n) {
       Triangle t = { random_point(random, 3.9), random_point(random, 3.9), random_point(random, 3.9) };
-      if(n % 3 == 1) t[2] = t[0] + 0.3 * (t[2] - t[0]) / 8;                    // small and needle-like
-      if(n % 3 == 2) for(Point_3& p : t) p = Point_3(p.x(), p.y(), 1);         // in a lattice plane
+      if(n % 3 == 1) t[2] = t[0] + 0.3 * (t[2] - t[0]) / 8; // small and needle-like
+      if(n % 3 == 2)
+        for(Point_3& p : t) p = Point_3(p.x(), p.y(), 1); // in a lattice plane
       // exact values on a barycentric lattice
       Rational least(1000), most(-1000);
       for(int i = 0; i <= 6; ++i)
@@ -158,7 +160,10 @@ TEST_CASE("Predicates: answers agree with exact values at random points of rando
         BS::Witness witness;
         const Verdict verdict = predicates.values_within(t, levels, &witness);
         const bool holds_at_samples = least >= Rational(levels.min) && most <= Rational(levels.max);
-        if(verdict == Verdict::PROVED) { ++proved; CHECK(holds_at_samples); }
+        if(verdict == Verdict::PROVED) {
+          ++proved;
+          CHECK(holds_at_samples);
+        }
         if(!holds_at_samples) CHECK(verdict == Verdict::REFUTED);
         if(verdict == Verdict::REFUTED) {
           ++refuted;
@@ -201,7 +206,7 @@ TEST_CASE("Predicates: a needle of width 1e-12 keeps its own normal")
   // whatever rounding has made of the third vertex: the sign of the exact normal's z decides
   const auto up_part = [&](const Point_3& r) -> Rational {
     return (Rational(q.x()) - Rational(p.x())) * (Rational(r.y()) - Rational(p.y()))
-         - (Rational(q.y()) - Rational(p.y())) * (Rational(r.x()) - Rational(p.x()));
+           - (Rational(q.y()) - Rational(p.y())) * (Rational(r.x()) - Rational(p.x()));
   };
   REQUIRE(up_part(up) > 0);
   CHECK(predicates.crosses_upwards({ p, q, up }) == Verdict::PROVED);
@@ -224,13 +229,14 @@ TEST_CASE("Predicates: what lies outside the domain is not within any levels")
   const Field field = linear_field(1, 0, 0);
   const Predicates predicates(field);
   BS::Witness witness;
-  CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(9, 0, 0), Point_3(0, 1, 0) }, { -100, 100 }, &witness)
-        == Verdict::REFUTED);
+  CHECK(
+    predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(9, 0, 0), Point_3(0, 1, 0) }, { -100, 100 }, &witness)
+    == Verdict::REFUTED);
   CHECK(witness.outside);
   CHECK(predicates.values_within(Triangle{ Point_3(20, 0, 0), Point_3(21, 0, 0), Point_3(20, 1, 0) }, { -100, 100 })
         == Verdict::REFUTED);
   CHECK(predicates.values_within(Triangle{ Point_3(4, 0, 0), Point_3(4, 1, 0), Point_3(4, 0, 1) }, { 3, 5 })
-        != Verdict::REFUTED);      // on the boundary, which belongs to the domain
+        != Verdict::REFUTED); // on the boundary, which belongs to the domain
   // in no time, whatever the size
   for(double far : { 1e9, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
     CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(far, 0, 0), Point_3(0, far, 0) }, { -100, 100 })
@@ -238,8 +244,9 @@ TEST_CASE("Predicates: what lies outside the domain is not within any levels")
     CHECK(predicates.increases({ Point_3(0, 0, 0), Point_3(far, 0, 0) }) != Verdict::PROVED);
   }
   const Field nowhere;
-  CHECK(Predicates(nowhere).values_within(Triangle{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) }, { -100, 100 })
-        == Verdict::REFUTED);
+  CHECK(
+    Predicates(nowhere).values_within(Triangle{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) }, { -100, 100 })
+    == Verdict::REFUTED);
 }
 
 TEST_CASE("Predicates: a long needle costs its length, not its length squared")
@@ -249,10 +256,11 @@ TEST_CASE("Predicates: a long needle costs its length, not its length squared")
   BS::Predicate_statistics statistics;
   const Triangle needle = { Point_3(-3.9, -3.7, 1), Point_3(3.9, 3.8, 1.5), Point_3(3.9, 3.8 + 1e-9, 1.5) };
   CHECK(predicates.values_within(needle, { 0.9, 1.6 }, nullptr, &statistics) == Verdict::PROVED);
-  CHECK(statistics.by_cell + statistics.by_form < 200); 
+  CHECK(statistics.by_cell + statistics.by_form < 200);
 }
 
-TEST_CASE("Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
+TEST_CASE(
+  "Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
 {
   // two layers of cells; waves that are higher on the cells than on the facet between them
   constexpr int half = 80;
@@ -341,7 +349,10 @@ TEST_CASE("Predicates: segments along which the field increases")
       increases = increases && f > last;
       last = f;
     }
-    if(verdict == Verdict::PROVED) { ++proved; CHECK(increases); }
+    if(verdict == Verdict::PROVED) {
+      ++proved;
+      CHECK(increases);
+    }
     if(!increases) CHECK(verdict == Verdict::REFUTED);
     CHECK(predicates.increases({ q, p }) != Verdict::PROVED);
   }
@@ -351,7 +362,7 @@ TEST_CASE("Predicates: segments along which the field increases")
 TEST_CASE("Predicates: between thresholds that vary, answers agree with exact values for either of them")
 {
   typedef BS::Spline_threshold<Field> Varying;
-  std::array<int, 2> beyond_it = {}, refuted = {};       // of the inner threshold, the outer one
+  std::array<int, 2> beyond_it = {}, refuted = {}; // of the inner threshold, the outer one
   int within = 0;
   for(unsigned seed = 60; seed < 64; ++seed) {
     const Field field = random_field(seed);
@@ -367,10 +378,13 @@ TEST_CASE("Predicates: between thresholds that vary, answers agree with exact va
     for(int n = 0; n < 60; ++n) {
       const double size = std::ldexp(4., -(n % 5));
       const Point_3 p = random_point(random, 2);
-      const Triangle t = { p, p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN), p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN) };
+      const Triangle t = { p, p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN),
+                           p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN) };
       const std::array<Point_3, 2> edge = { t[0], t[1] };
       // how far beyond each threshold the field is at most
-      const auto beyond = [&](int side, const Point_3& x) { return (side == 0 ? -1 : 1) * (*field.value(x) - *level[side].value(x)); };
+      const auto beyond = [&](int side, const Point_3& x) {
+        return (side == 0 ? -1 : 1) * (*field.value(x) - *level[side].value(x));
+      };
       std::array<double, 2> on_facet = { -inf, -inf }, on_edge = on_facet;
       for(int i = 0; i <= 12; ++i)
         for(int j = 0; i + j <= 12; ++j)
@@ -391,7 +405,8 @@ TEST_CASE("Predicates: between thresholds that vary, answers agree with exact va
           x[a] = 0;
           for(std::size_t v = 0; v < simplex.size(); ++v) x[a] += Rational(witness.barycentric[v]) * simplex[v][a];
         }
-        const Rational f = exact_value(field, x), low = f - exact_value(level[0], x), high = exact_value(level[1], x) - f;
+        const Rational f = exact_value(field, x), low = f - exact_value(level[0], x),
+                       high = exact_value(level[1], x) - f;
         const int side = low < 0 ? 0 : 1;
         CHECK((side == 0 ? low : high) < 0);
         CHECK(witness.value.max < 0);
@@ -427,7 +442,10 @@ TEST_CASE("Predicates: the field increases above a threshold that varies where i
     const Predicates predicates(field);
     const Varying threshold(level);
     for(int n = 0; n < 40; ++n) {
-      const Point_3 p = random_point(random, 3), q = p + Vector_3(random.get_double(-0.2, 0.2), random.get_double(-0.2, 0.2), random.get_double(0.02, 0.9));
+      const Point_3 p = random_point(random, 3),
+                    q = p
+                        + Vector_3(random.get_double(-0.2, 0.2), random.get_double(-0.2, 0.2),
+                                   random.get_double(0.02, 0.9));
       const auto increases = [&](bool above) {
         bool result = true;
         Rational last;
@@ -498,7 +516,8 @@ TEST_CASE("Predicates: far from the origin, slack of 1e-12 of the box decides wh
 
 namespace {
 
-// cells of width one around the z-axis: three of the four at each height; `missing` has the bits of the signs of x and y
+// cells of width one around the z-axis: three of the four at each height; `missing` has the bits of the signs of x and
+// y
 Field bent_field(int missing)
 {
   std::vector<std::uint64_t> keys;
@@ -522,7 +541,8 @@ double thirds(CGAL::Random& random, bool up)
 
 } // namespace
 
-TEST_CASE("Predicates: what leaves the domain between its corners is not proved, also if it does so by less than rounding")
+TEST_CASE(
+  "Predicates: what leaves the domain between its corners is not proved, also if it does so by less than rounding")
 {
   CGAL::Random random(41);
   for(int missing = 0; missing < 4; ++missing)
@@ -530,7 +550,7 @@ TEST_CASE("Predicates: what leaves the domain between its corners is not proved,
       CAPTURE(missing, n);
       const Field field = bent_field(missing);
       const Predicates predicates(field);
-      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the cells that are missing
       // a quarter of the way, the segment is off the axis by what three times a number is rounded by, on that side
       const double x = thirds(random, true), y = thirds(random, false);
       const Point_3 p(-sx * x, sy * y, 0.1), q(sx * 3 * x, -sy * 3 * y, 0.1), away(-sx, -sy, 0.5);
@@ -600,7 +620,8 @@ TEST_CASE("Predicates: the bound of the slope is that of the least steep part")
   CHECK(proved > 20);
 }
 
-TEST_CASE("Predicates: a needle sees what sticks out of the levels in any cell that it passes, however its normal is rounded")
+TEST_CASE(
+  "Predicates: a needle sees what sticks out of the levels in any cell that it passes, however its normal is rounded")
 {
   CGAL::Random random(53);
   int seen = 0;
@@ -621,7 +642,8 @@ TEST_CASE("Predicates: a needle sees what sticks out of the levels in any cell t
     if(n < 20) CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 1.01 }) == Verdict::PROVED);
   }
   CHECK(seen == 200);
-  // so thin that rounded differences of the corners give any normal, or so; the facet leaves the levels a little before its highest point
+  // so thin that rounded differences of the corners give any normal, or so; the facet leaves the levels a little before
+  // its highest point
   const Field field = random_field(17);
   const Predicates predicates(field);
   CGAL::Random other(17);
@@ -643,7 +665,8 @@ Field diagonal_field(int length)
   std::vector<std::uint64_t> keys;
   for(int k = -1; k < 1; ++k)
     for(int j = 0; j < length; ++j)
-      for(int i = (std::max)(j - 1, 0); i < (std::min)(j + 2, length); ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
+      for(int i = (std::max)(j - 1, 0); i < (std::min)(j + 2, length); ++i)
+        keys.push_back(BS::Lattice_key::encode(i, j, k));
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, -1 }, { length - 1, length - 1, 0 });
   return Field(BS::Cell_complex_3(lattice, keys));
 }
@@ -696,7 +719,8 @@ TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness 
   }
 }
 
-TEST_CASE("Predicates: a facet is said to be in flagged cells only if it enters no other, not even by less than rounding")
+TEST_CASE(
+  "Predicates: a facet is said to be in flagged cells only if it enters no other, not even by less than rounding")
 {
   typedef CGAL::Simple_cartesian<Rational> Exact;
   const Field field = cube_field();
@@ -707,7 +731,8 @@ TEST_CASE("Predicates: a facet is said to be in flagged cells only if it enters 
   for(int n = 0; n < 128; ++n) {
     // small facets about the origin, where eight cells meet, but for rounding
     const double size = std::ldexp(1. / 3, -4 - n % 16);
-    const Vector_3 p = size * (random_point(random, 1) - CGAL::ORIGIN), q = size * (random_point(random, 1) - CGAL::ORIGIN), r = -(p + q);
+    const Vector_3 p = size * (random_point(random, 1) - CGAL::ORIGIN),
+                   q = size * (random_point(random, 1) - CGAL::ORIGIN), r = -(p + q);
     const Exact::Point_3 a(p.x(), p.y(), p.z()), b(q.x(), q.y(), q.z()), c(r.x(), r.y(), r.z());
     const Exact::Vector_3 normal = CGAL::cross_product(b - a, c - a);
     const Rational offset = normal * (a - CGAL::ORIGIN);
@@ -716,7 +741,9 @@ TEST_CASE("Predicates: a facet is said to be in flagged cells only if it enters 
     const auto sign = [&](int i) { return normal[i] * offset > 0 ? 1 : -1; };
     const Exact::Vector_3 diagonal(sign(0), sign(1), sign(2));
     const Exact::Point_3 x = CGAL::ORIGIN + offset / (normal * diagonal) * diagonal;
-    const auto faces = [&](const Exact::Point_3& u, const Exact::Point_3& v) { return normal * CGAL::cross_product(v - u, x - u) > 0; };
+    const auto faces = [&](const Exact::Point_3& u, const Exact::Point_3& v) {
+      return normal * CGAL::cross_product(v - u, x - u) > 0;
+    };
     if(!(faces(a, b) && faces(b, c) && faces(c, a))) continue;
     ++entered;
     std::vector<char> flagged(field.number_of_cells(), 1);
@@ -739,14 +766,16 @@ TEST_CASE("Thresholds: differences to them and their ranges on cells")
   const BS::Constant_threshold constant(0.37);
   for(Field::Cell_index c = 0; c < field.number_of_cells(); c += 37) {
     const auto cell = field.cell(c);
-    const BS::Enclosed_tricubic f = BS::enclosed_value(cell), above = varying.difference(f, c), above_constant = constant.difference(f, c);
+    const BS::Enclosed_tricubic f = BS::enclosed_value(cell), above = varying.difference(f, c),
+                                above_constant = constant.difference(f, c);
     const BS::Level_range range = varying.range(c), one = constant.range(c);
     CHECK(one.min <= 0.37);
     CHECK(one.max >= 0.37);
     CHECK(one.max - one.min < 1e-12);
     for(int n = 0; n < 10; ++n) {
       Point_3 p = CGAL::ORIGIN + 0.01 * (random_point(random, 1) - CGAL::ORIGIN);
-      p = Point_3(cell.corner()[0] + 0.5 + 40 * p.x(), cell.corner()[1] + 0.5 + 40 * p.y(), cell.corner()[2] + 0.5 + 40 * p.z());
+      p = Point_3(cell.corner()[0] + 0.5 + 40 * p.x(), cell.corner()[1] + 0.5 + 40 * p.y(),
+                  cell.corner()[2] + 0.5 + 40 * p.z());
       const Rational value = exact_value(field, exact(p)), at = exact_value(level, exact(p));
       CHECK((at >= Rational(range.min) && at <= Rational(range.max)));
       const auto encloses = [&](const BS::Enclosed_tricubic& d, const Rational& x) {
@@ -765,11 +794,12 @@ TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not roun
   constexpr double scale = 0x1p300;
   int known = 0;
   for(int n = 0; n < 60; ++n) {
-    const double slope = std::ldexp(1.1, -700 - n);       // per cell
+    const double slope = std::ldexp(1.1, -700 - n); // per cell
     Field field = cube_field(CGAL::ORIGIN, scale);
     set(field, [&](double, double, double z) { return slope * z; });
     double bound = 0;
-    const Triangle t = { Point_3(0, 0, 0.25 * scale), Point_3(scale, 0, 0.25 * scale), Point_3(0, scale, 0.25 * scale) };
+    const Triangle t = { Point_3(0, 0, 0.25 * scale), Point_3(scale, 0, 0.25 * scale),
+                         Point_3(0, scale, 0.25 * scale) };
     CHECK(Predicates(field).crosses_upwards(t, nullptr, nullptr, &bound) == Verdict::PROVED);
     CHECK(Rational(bound) * Rational(scale) <= Rational(slope));
     known += bound > 0;
@@ -791,7 +821,8 @@ TEST_CASE("Predicates: near the ends of the range of numbers, answers are those 
     const Predicates of_scaled(scaled);
     for(int n = 0; n < 4; ++n) {
       const Point_3 p = random_point(random, 3.5);
-      const Triangle t = { p, p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN), p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN) };
+      const Triangle t = { p, p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN),
+                           p + 0.02 * (random_point(random, 1) - CGAL::ORIGIN) };
       double slope = 0;
       const Verdict scaled_verdict = of_scaled.crosses_upwards(t, nullptr, nullptr, &slope);
       if(scaled_verdict != Verdict::UNDECIDED) CHECK(scaled_verdict == predicates.crosses_upwards(t));
@@ -823,14 +854,16 @@ TEST_CASE("Predicates: answers and slopes are those of a field that is scaled by
     for(int n = 0; n < 40; ++n) {
       const Point_3 p = random_point(random, 3.5);
       const double size = n % 2 ? 0.3 : 0.02;
-      const Triangle t = { p, p + size * (random_point(random, 1) - CGAL::ORIGIN), p + size * (random_point(random, 1) - CGAL::ORIGIN) };
+      const Triangle t = { p, p + size * (random_point(random, 1) - CGAL::ORIGIN),
+                           p + size * (random_point(random, 1) - CGAL::ORIGIN) };
       double slope = 0, scaled_slope = 0;
       const Verdict verdict = predicates.crosses_upwards(t, nullptr, nullptr, &slope);
       CHECK(of_scaled.crosses_upwards(t, nullptr, nullptr, &scaled_slope) == verdict);
       CHECK(scaled_slope == std::ldexp(slope, exponent));
       CHECK(of_scaled.increases({ t[0], t[1] }) == predicates.increases({ t[0], t[1] }));
       CHECK(of_scaled.increases_above({ t[0], t[1] }, above) == predicates.increases_above({ t[0], t[1] }, threshold));
-      const double level = *field.value(t[0]) + random.get_double(-0.1, 0.1), scaled_level = std::ldexp(level, exponent);
+      const double level = *field.value(t[0]) + random.get_double(-0.1, 0.1),
+                   scaled_level = std::ldexp(level, exponent);
       CHECK(of_scaled.values_within(t, { scaled_level, inf }) == predicates.values_within(t, { level, inf }));
       proved += verdict == Verdict::PROVED;
       refuted += verdict == Verdict::REFUTED;

@@ -1,5 +1,5 @@
-// Second_order_bounds_3.h: what is proved holds, at every sample, by closed forms and by the predicates; what is wrong by a hair is not
-// proved; and most of what is true is.
+// Second_order_bounds_3.h: what is proved holds, at every sample, by closed forms and by the predicates; what is wrong
+// by a hair is not proved; and most of what is true is.
 #include "exact_spline.h"
 #include "polynomial_fields.h"
 #include "random_hierarchies.h"
@@ -39,13 +39,17 @@ template <typename AnyBounds>
 typename AnyBounds::Facet_bounds examine(const AnyBounds& bounds, const Triangle& t, std::size_t most_bisections = many,
                                          double wanted_slope = 0)
 {
-  return bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) }, BS::facet_normal(t[0], t[1], t[2]),
-                        most_bisections, wanted_slope);
+  return bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) },
+                        BS::facet_normal(t[0], t[1], t[2]), most_bisections, wanted_slope);
 }
 
-Bounds between(const Uniform_field& field, double inner, double outer) { return Bounds(field, Constant(inner), Constant(outer)); }
+Bounds between(const Uniform_field& field, double inner, double outer)
+{
+  return Bounds(field, Constant(inner), Constant(outer));
+}
 
-bool is_contained(const Uniform_field& field, double inner, double outer, const Triangle& t, std::size_t most_bisections = many)
+bool is_contained(const Uniform_field& field, double inner, double outer, const Triangle& t,
+                  std::size_t most_bisections = many)
 {
   return examine(between(field, inner, outer), t, most_bisections).is_contained;
 }
@@ -54,7 +58,8 @@ Vector_3 normal(const Triangle& t)
 {
   // of any size
   double size = 0;
-  for(const Vector_3& d : { t[1] - t[0], t[2] - t[0] }) size = (std::max)({ size, std::abs(d.x()), std::abs(d.y()), std::abs(d.z()) });
+  for(const Vector_3& d : { t[1] - t[0], t[2] - t[0] })
+    size = (std::max)({ size, std::abs(d.x()), std::abs(d.y()), std::abs(d.z()) });
   const Vector_3 n = CGAL::cross_product((t[1] - t[0]) / size, (t[2] - t[0]) / size);
   return n / std::sqrt(n.squared_length());
 }
@@ -71,14 +76,20 @@ void for_each_sample(const Triangle& t, const Visitor& visit, int parts = 16)
 struct Extrema
 {
   double lowest = inf, highest = -inf;
-  void include(double x) { lowest = (std::min)(lowest, x); highest = (std::max)(highest, x); }
+  void include(double x)
+  {
+    lowest = (std::min)(lowest, x);
+    highest = (std::max)(highest, x);
+  }
 };
 
 template <typename Field>
 Extrema values(const Field& field, const Triangle& t)
 {
   Extrema e;
-  for_each_sample(t, [&](const Point_3& p) { if(const auto f = field.value(p)) e.include(*f); });
+  for_each_sample(t, [&](const Point_3& p) {
+    if(const auto f = field.value(p)) e.include(*f);
+  });
   return e;
 }
 
@@ -87,7 +98,9 @@ double least_slope(const Field& field, const Triangle& t)
 {
   Extrema e;
   const Vector_3 n = normal(t);
-  for_each_sample(t, [&](const Point_3& p) { if(const auto g = field.gradient(p)) e.include(*g * n); });
+  for_each_sample(t, [&](const Point_3& p) {
+    if(const auto g = field.gradient(p)) e.include(*g * n);
+  });
   return e.lowest;
 }
 
@@ -180,7 +193,8 @@ TEST_CASE("Second-order bounds: what is proved holds at all samples, up to thres
   CHECK(missed <= proved / 20);
 }
 
-TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds that vary, what is proved holds at all samples")
+TEST_CASE(
+  "Second-order bounds: on cells of different sizes, between thresholds that vary, what is proved holds at all samples")
 {
   int proved = 0, transversal = 0;
   for(int seed = 1; seed < 9; ++seed) {
@@ -196,7 +210,7 @@ TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds 
     const BS::Field_predicates_3<Hierarchical_field> predicates(field);
     for(int n = 0; n < 60; ++n) {
       Triangle t = random_triangle(random, n);
-      if(n % 2 == 0)      // where leaves are smallest
+      if(n % 2 == 0) // where leaves are smallest
         for(Point_3& p : t) {
           const auto cell = field.cell(field.locate(p)).bbox();
           p = CGAL::midpoint(p, Point_3(cell.xmin(), cell.ymin(), cell.zmin()));
@@ -208,7 +222,7 @@ TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds 
         double least = inf;
         for_each_sample(t, [&](const Point_3& p) {
           const auto c = field.locate(p);
-          if(c == Hierarchical_field::npos) return;     // at the end of the domain, by rounding
+          if(c == Hierarchical_field::npos) return; // at the end of the domain, by rounding
           const double f = field.cell(c).value(p);
           least = (std::min)({ least, f - inner.cell(c).value(p), outer.cell(c).value(p) - f });
         });
@@ -230,25 +244,35 @@ TEST_CASE("Second-order bounds: on cells of different sizes, between thresholds 
 TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a hair; what curves away costs nothing")
 {
   const Uniform_field field = uniform_field(dome);
-  const Triangle around_peak = horizontal(0.2, 0.1), across_edge = { Point_3(-0.2, 0, 0.1), Point_3(0.2, 0, 0.1), Point_3(0, 0.2, 0.1) };
+  const Triangle around_peak = horizontal(0.2, 0.1),
+                 across_edge = { Point_3(-0.2, 0, 0.1), Point_3(0.2, 0, 0.1), Point_3(0, 0.2, 0.1) };
   for(const Triangle& t : { around_peak, across_edge })
     for(double hair : { 1e-12, 1e-5 }) {
       CHECK_FALSE(is_contained(field, -1, -hair, t));
       if(hair > 1e-9) CHECK(is_contained(field, -1, hair, t));
     }
   // the bound is the least one of its kind: it is attained in the middle of an equilateral triangle in one cell
-  const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1), Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
+  const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1),
+                               Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
                                Point_3(0.125 - 0.03125, 0.125 - 0.0625 * std::sqrt(0.75), 0.1) };
-  const Uniform_field centered = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 0.25, { 1, 0, 0 } }, { 0.25, { 0, 1, 0 } },
-                                                 { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
-  const double peak = 0.03125;        // at (1/8, 1/8, 1/10)
+  const Uniform_field centered = uniform_field({ { -1, { 2, 0, 0 } },
+                                                 { -1, { 0, 2, 0 } },
+                                                 { 0.25, { 1, 0, 0 } },
+                                                 { 0.25, { 0, 1, 0 } },
+                                                 { 1, { 0, 0, 1 } },
+                                                 { -0.1, { 0, 0, 0 } } });
+  const double peak = 0.03125; // at (1/8, 1/8, 1/10)
   CHECK(is_contained(centered, -1, peak + 1e-12, in_a_cell, 0));
   CHECK_FALSE(is_contained(centered, -1, peak - 1e-12, in_a_cell));
-  const Uniform_field pit = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { -0.25, { 1, 0, 0 } }, { -0.25, { 0, 1, 0 } },
-                                             { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
+  const Uniform_field pit = uniform_field({ { 1, { 2, 0, 0 } },
+                                            { 1, { 0, 2, 0 } },
+                                            { -0.25, { 1, 0, 0 } },
+                                            { -0.25, { 0, 1, 0 } },
+                                            { 1, { 0, 0, 1 } },
+                                            { -0.1, { 0, 0, 0 } } });
   CHECK(is_contained(pit, -peak - 1e-12, 1, in_a_cell, 0));
   CHECK_FALSE(is_contained(pit, -peak + 1e-12, 1, in_a_cell));
-  for(double share : { 0.1, 0.2, 0.4 }) {       // of the difference to the corners
+  for(double share : { 0.1, 0.2, 0.4 }) { // of the difference to the corners
     CHECK_FALSE(is_contained(centered, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
     CHECK_FALSE(is_contained(pit, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
   }
@@ -260,7 +284,8 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
   CHECK_FALSE(is_contained(field, at_corners + 1e-12, 1, large));
 }
 
-TEST_CASE("Second-order bounds: a facet that rises from a threshold may bend towards it by much more than the least distance")
+TEST_CASE(
+  "Second-order bounds: a facet that rises from a threshold may bend towards it by much more than the least distance")
 {
   // x^2 + z: where z is 0.1, by 0.001 above the inner threshold where x is 0, and by 0.04 more at the other end
   constexpr double low = 0.001;
@@ -273,9 +298,11 @@ TEST_CASE("Second-order bounds: a facet that rises from a threshold may bend tow
   CHECK(is_contained(uniform_field(sinking), 0.1 - low, 1, t));
 }
 
-TEST_CASE("Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
+TEST_CASE(
+  "Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
 {
-  // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4: the largest curvature is nearly twice the mean one
+  // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4: the largest curvature is nearly twice the mean
+  // one
   constexpr double at = 0.23, radius = 0.015;
   const Triangle corner = { Point_3(at + radius, at, 0.1), Point_3(at - radius / 2, at + radius * std::sqrt(0.75), 0.1),
                             Point_3(at - radius / 2, at - radius * std::sqrt(0.75), 0.1) };
@@ -290,9 +317,14 @@ TEST_CASE("Second-order bounds: peaks are seen where a cell is most curved, and 
       return sign > 0 ? is_contained(field, -1, e.highest + share * size, t, bisections)
                       : is_contained(field, e.lowest - share * size, 1, t, bisections);
     };
-    const Polynomial cubic = { { -sign, { 3, 0, 0 } }, { -sign, { 0, 3, 0 } }, { 3 * sign * at * at, { 1, 0, 0 } },
-                               { 3 * sign * at * at, { 0, 1, 0 } }, { 1, { 0, 0, 1 } } };
-    const Polynomial mixed = { { sign, { 1, 1, 1 } }, { -sign * top * 0.12, { 1, 0, 0 } }, { -sign * top * 0.12, { 0, 1, 0 } },
+    const Polynomial cubic = { { -sign, { 3, 0, 0 } },
+                               { -sign, { 0, 3, 0 } },
+                               { 3 * sign * at * at, { 1, 0, 0 } },
+                               { 3 * sign * at * at, { 0, 1, 0 } },
+                               { 1, { 0, 0, 1 } } };
+    const Polynomial mixed = { { sign, { 1, 1, 1 } },
+                               { -sign * top * 0.12, { 1, 0, 0 } },
+                               { -sign * top * 0.12, { 0, 1, 0 } },
                                { 1, { 0, 0, 1 } } };
     for(const auto& problem : { std::make_pair(cubic, corner), std::make_pair(mixed, ridge) }) {
       for(double share : { -0.03, -0.1, -0.2 }) CHECK_FALSE(contained(problem.first, problem.second, share, 0));
@@ -335,7 +367,8 @@ TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold n
 TEST_CASE("Second-order bounds: what a facet's own plane does not show costs nothing")
 {
   // steep and curved across the facet, linear in its plane
-  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } }, { 0.9, { 0, 0, 2 } }, { 0.7, { 0, 0, 3 } }, { 0.2, { 1, 0, 0 } } });
+  const Uniform_field field = uniform_field(
+    { { 1, { 0, 0, 1 } }, { 0.9, { 0, 0, 2 } }, { 0.7, { 0, 0, 3 } }, { 0.2, { 1, 0, 0 } } });
   const Triangle t = { Point_3(-0.3, -0.2, 0.3), Point_3(0.3, -0.2, 0.3), Point_3(0, 0.3, 0.3) };
   const Extrema e = values(field, t);
   const auto found = examine(between(field, e.lowest - 1e-12, e.highest + 1e-12), t, 0, 100);
@@ -346,7 +379,8 @@ TEST_CASE("Second-order bounds: what a facet's own plane does not show costs not
   CHECK(examine(between(field, -1, 2), t, many, 100).slope > 0.9 * slope);
 }
 
-TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, wherever it is on a facet, and in a threshold as well")
+TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, wherever it is on a facet, and in a "
+          "threshold as well")
 {
   CGAL::Random random(3);
   Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 1));
@@ -372,7 +406,8 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
                  size = (n % 2 ? 1.3 : 0.3) + random.get_double(0, 0.05);
     Triangle t = { top + Vector_3(x - 0.6 * size, y - 0.4 * size, 0), top + Vector_3(x + 0.5 * size, y - 0.5 * size, 0),
                    top + Vector_3(x, y + 0.6 * size, 0) };
-    for(Point_3& p : t) p = Point_3((std::min)((std::max)(p.x(), -0.95), 0.95), (std::min)((std::max)(p.y(), -0.95), 0.95), p.z());
+    for(Point_3& p : t)
+      p = Point_3((std::min)((std::max)(p.x(), -0.95), 0.95), (std::min)((std::max)(p.y(), -0.95), 0.95), p.z());
     if(!(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).z() > 0)) continue;
     const auto with_bump = [&](Hierarchical_field f, double bump) {
       Eigen::VectorXd c = f.coefficients();
@@ -385,11 +420,13 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
     for(double sign : { 1., -1. }) {
       const double bump = sign * 0.2 / peak;
       const Hierarchical_field too_high = with_bump(field, 1.125 * bump), high = with_bump(field, 0.875 * bump);
-      const Hierarchical_field &narrow = sign > 0 ? outer : inner;
+      const Hierarchical_field& narrow = sign > 0 ? outer : inner;
       const Varying too_narrow(with_bump(narrow, -1.125 * bump)), less_narrow(with_bump(narrow, -0.875 * bump));
       const bool is_met = [&] {
         double farthest = 0;
-        for_each_sample(t, [&](const Point_3& p) { farthest = (std::max)(farthest, sign * (too_high.value(p).value_or(0) - p.z())); }, 100);
+        for_each_sample(
+          t, [&](const Point_3& p) { farthest = (std::max)(farthest, sign * (too_high.value(p).value_or(0) - p.z())); },
+          100);
         return farthest > 0.2;
       }();
       const auto contained = [&](const Hierarchical_field& f, const Varying& i, const Varying& o) {
@@ -397,19 +434,22 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
       };
       if(is_met) {
         CHECK_FALSE(contained(too_high, Varying(inner), Varying(outer)));
-        CHECK_FALSE((sign > 0 ? contained(field, Varying(inner), too_narrow) : contained(field, too_narrow, Varying(outer))));
+        CHECK_FALSE(
+          (sign > 0 ? contained(field, Varying(inner), too_narrow) : contained(field, too_narrow, Varying(outer))));
         CHECK_FALSE(examine(Varying_bounds(too_high, Varying(inner), Varying(outer)), t).is_transversal);
       }
       if(n % 3 == 0) {
         CHECK(contained(high, Varying(inner), Varying(outer)));
-        CHECK((sign > 0 ? contained(field, Varying(inner), less_narrow) : contained(field, less_narrow, Varying(outer))));
+        CHECK(
+          (sign > 0 ? contained(field, Varying(inner), less_narrow) : contained(field, less_narrow, Varying(outer))));
       }
     }
   }
   CHECK(bumps == 7);
 }
 
-TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a hair's breadth, and the slope is that of the closed form")
+TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a hair's breadth, and the slope is that of "
+          "the closed form")
 {
   const Uniform_field field = uniform_field(height);
   const Bounds flat = between(field, -2, 2);
@@ -432,7 +472,7 @@ TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a ha
   const Triangle around = { Point_3(-0.5, -0.3, 0.1), Point_3(0.5, -0.3, 0.1), Point_3(0, 0.5, 0.1) };
   for(double hair : { 1e-12, 1e-3 }) {
     for(double sign : { 1., -1. }) {
-      const double least = sign * hair;       // at x = 0
+      const double least = sign * hair; // at x = 0
       const Uniform_field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
       const auto found = examine(between(turned, -5, 5), around, many, 100);
       if(sign < 0) CHECK_FALSE(found.is_transversal);
@@ -442,7 +482,8 @@ TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a ha
   }
 }
 
-TEST_CASE("Second-order bounds: needles, and facets in planes of cell faces and with corners at corners of cells, are ordinary")
+TEST_CASE(
+  "Second-order bounds: needles, and facets in planes of cell faces and with corners at corners of cells, are ordinary")
 {
   const Uniform_field field = uniform_field(height);
   const Bounds bounds = between(field, -0.95, 0.95);
@@ -452,7 +493,8 @@ TEST_CASE("Second-order bounds: needles, and facets in planes of cell faces and 
   CHECK(examine(bounds, { p, q, up }).is_contained);
   CHECK_FALSE(examine(bounds, { q, p, up }).is_transversal);
   for(double size : { 0.25, 0.5, 1.25 }) {
-    const Triangle t = { Point_3(-0.5, -0.5, 0.25), Point_3(-0.5 + size, -0.5, 0.25), Point_3(-0.5, -0.5 + size, 0.25) };
+    const Triangle t = { Point_3(-0.5, -0.5, 0.25), Point_3(-0.5 + size, -0.5, 0.25),
+                         Point_3(-0.5, -0.5 + size, 0.25) };
     const auto found = examine(bounds, t, 0, 100);
     if(size <= 0.5) CHECK((found.is_contained && found.is_transversal));
     CHECK(examine(bounds, t).is_contained);
@@ -460,7 +502,7 @@ TEST_CASE("Second-order bounds: needles, and facets in planes of cell faces and 
     CHECK(is_contained(field, 0.25 - 1e-12, 0.25 + 1e-12, t));
     CHECK_FALSE(is_contained(field, 0.25 + 1e-12, 1, t));
     CHECK_FALSE(is_contained(field, -1, 0.25 - 1e-12, t));
-    CHECK_FALSE(is_contained(field, 0.25, 1, t));       // no bound tells that they touch
+    CHECK_FALSE(is_contained(field, 0.25, 1, t)); // no bound tells that they touch
   }
 }
 
@@ -492,10 +534,12 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
     CHECK(proves_all({ Point_3(-1 + 1e-9, -1 + 1e-9, z), Point_3(1 - 1e-9, -1 + 1e-9, z), Point_3(0, 0.2, z) }));
   }
   CHECK_FALSE(proves_any({ Point_3(0, 0, 1 + 1e-9), Point_3(0.2, 0, 0.9), Point_3(0, -0.2, 0.9) }));
-  for(double far : { 1e9, 1e300 }) CHECK_FALSE(proves_any({ Point_3(0, 0, 0), Point_3(0.1, 0, far), Point_3(0, 0.1, 0) }));
+  for(double far : { 1e9, 1e300 })
+    CHECK_FALSE(proves_any({ Point_3(0, 0, 0), Point_3(0.1, 0, far), Point_3(0, 0.1, 0) }));
   for(double far : { 1e300, inf, not_a_number }) {
     const auto at = [&](double x, double y) { return bounds.sample(Point_3(x, y, 0)); };
-    const auto found = bounds.examine({ at(0, 0), at(far, 0), at(0, far) }, BS::Facet_normal{ { 0, 0, 1 }, 1e-15 }, many);
+    const auto found = bounds.examine({ at(0, 0), at(far, 0), at(0, far) }, BS::Facet_normal{ { 0, 0, 1 }, 1e-15 },
+                                      many);
     CHECK_FALSE((found.is_contained || found.is_transversal || found.leaves_shell || found.faces_away));
   }
   const Uniform_field nowhere;
@@ -504,7 +548,8 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
   CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_transversal);
 }
 
-TEST_CASE("Second-order bounds: nothing is proved where the field or a threshold is no number; elsewhere all is as ever")
+TEST_CASE(
+  "Second-order bounds: nothing is proved where the field or a threshold is no number; elsewhere all is as ever")
 {
   Hierarchical_field field = hierarchical_field(height);
   Hierarchical_field inner = field, outer = field;
@@ -515,7 +560,7 @@ TEST_CASE("Second-order bounds: nothing is proved where the field or a threshold
   for(double bad : { not_a_number, inf, -inf, 1.7e308, -1.7e308 })
     for(int which = 0; which < 3; ++which)
       for(int n = 0; n < 3; ++n) {
-        std::array<Hierarchical_field, 3> f = {{ field, inner, outer }};
+        std::array<Hierarchical_field, 3> f = { { field, inner, outer } };
         Eigen::VectorXd x = f[which].coefficients();
         // one of small cells, or of large ones
         x[n == 0 ? random.get_int(0, int(x.size()) / 2) : int(x.size()) - 1 - random.get_int(0, 600)] = bad;
@@ -531,7 +576,7 @@ TEST_CASE("Second-order bounds: nothing is proved where the field or a threshold
             if(c == Hierarchical_field::npos) return;
             const double* b = f[which].cell(c).coefficients();
             meets = meets || !std::isfinite(f[which].cell(c).error_radius())
-                 || std::any_of(b, b + 64, [](double value) { return !(std::abs(value) < 1e300); });
+                    || std::any_of(b, b + 64, [](double value) { return !(std::abs(value) < 1e300); });
           });
           spoilt += meets;
           if(meets) CHECK_FALSE((found.is_contained && found.is_transversal));
@@ -583,7 +628,8 @@ TEST_CASE("Second-order bounds: rounding proves nothing where values are large c
   CHECK(turned > 10);
 }
 
-TEST_CASE("Second-order bounds: the answers are the same at any scale that is a power of two, and what is wrong is proved at none")
+TEST_CASE("Second-order bounds: the answers are the same at any scale that is a power of two, and what is wrong is "
+          "proved at none")
 {
   const Triangle t = horizontal(0.2, 0.1);
   const auto fields = [](double scale) {
@@ -591,14 +637,17 @@ TEST_CASE("Second-order bounds: the answers are the same at any scale that is a 
     frame.scale = scale;
     return uniform_field({ { 1, { 0, 0, 1 } }, { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } } }, frame);
   };
-  for(int exponent : { -1000, -700, -565, -520, -511, -505, -300, 0, 60, 480, 511, 513, 514, 515, 518, 520, 530, 565, 700, 900 }) {
+  for(int exponent :
+      { -1000, -700, -565, -520, -511, -505, -300, 0, 60, 480, 511, 513, 514, 515, 518, 520, 530, 565, 700, 900 }) {
     CAPTURE(exponent);
     const double scale = std::ldexp(1., exponent);
     const Uniform_field field = fields(scale);
     for(double size : { 1., 0.5, 0.125, std::ldexp(1., -10) }) {
       // the peak 0.1 is in the middle
-      const Triangle here = scaled({ Point_3(size * t[0].x(), size * t[0].y(), 0.1), Point_3(size * t[1].x(), size * t[1].y(), 0.1),
-                                     Point_3(size * t[2].x(), size * t[2].y(), 0.1) }, scale);
+      const Triangle here = scaled({ Point_3(size * t[0].x(), size * t[0].y(), 0.1),
+                                     Point_3(size * t[1].x(), size * t[1].y(), 0.1),
+                                     Point_3(size * t[2].x(), size * t[2].y(), 0.1) },
+                                   scale);
       const double drop = size * size * 0.04;
       CHECK_FALSE(is_contained(field, -scale, (0.1 - 0.01 * drop) * scale, here));
       CHECK_FALSE(examine(between(field, -scale, scale), { here[1], here[0], here[2] }).is_transversal);
@@ -707,10 +756,12 @@ TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, near
     std::size_t proved = 0, by_predicates = 0;
     for(auto f : mesh.faces()) {
       const auto h = mesh.halfedge(f);
-      const Triangle t = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
+      const Triangle t = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                           mesh.point(mesh.target(mesh.next(h))) };
       const auto found = examine(bounds, t, 64);
       proved += found.is_contained && found.is_transversal;
-      by_predicates += predicates.values_within(t, { 0.3, 0.66 }) == Verdict::PROVED && predicates.crosses_upwards(t) == Verdict::PROVED;
+      by_predicates += predicates.values_within(t, { 0.3, 0.66 }) == Verdict::PROVED
+                       && predicates.crosses_upwards(t) == Verdict::PROVED;
     }
     CHECK(by_predicates == mesh.number_of_faces());
     CHECK(proved >= by_predicates * 99 / 100);
@@ -730,7 +781,8 @@ TEST_CASE("Second-order bounds: near the origin, where places have no errors, ro
       const Point_3 p = CGAL::ORIGIN + random_vector(random, 1e-9);
       const auto g = field.gradient(p);
       // from the corner, all of the facet is lower, or higher
-      const Vector_3 along = (1e-9 / std::sqrt(g->squared_length())) * *g, u = 0.1 * CGAL::cross_product(along, Vector_3(0.36, 0.48, 0.8)),
+      const Vector_3 along = (1e-9 / std::sqrt(g->squared_length())) * *g,
+                     u = 0.1 * CGAL::cross_product(along, Vector_3(0.36, 0.48, 0.8)),
                      v = 1e9 * CGAL::cross_product(along, u);
       // the number next to the field at the corner that is less, or larger
       double level = *field.value(p) + 1e-14;
@@ -755,7 +807,7 @@ TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for 
       mixed[0].power[a] = mixed[0].power[b] = 1;
       mixed[1].power[a] = 1;
       mixed[2].power[b] = 1;
-      mixed.push_back({ 1, { 0, 0, 0 } });       // faces along the third axis
+      mixed.push_back({ 1, { 0, 0, 0 } }); // faces along the third axis
       mixed[3].power[c] = 1;
       const auto point = [&](double x, double y) {
         std::array<double, 3> p;
@@ -770,8 +822,10 @@ TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for 
       const Extrema e = values(field, needle);
       const double size = e.highest - e.lowest;
       for(double share : { -0.03, -0.2, -0.4 })
-        CHECK_FALSE((sign > 0 ? is_contained(field, -1, e.highest + share * size, needle, 0) : is_contained(field, e.lowest - share * size, 1, needle, 0)));
-      CHECK((sign > 0 ? is_contained(field, -9, e.highest + 2 * size, needle) : is_contained(field, e.lowest - 2 * size, 9, needle)));
+        CHECK_FALSE((sign > 0 ? is_contained(field, -1, e.highest + share * size, needle, 0)
+                              : is_contained(field, e.lowest - share * size, 1, needle, 0)));
+      CHECK((sign > 0 ? is_contained(field, -9, e.highest + 2 * size, needle)
+                      : is_contained(field, e.lowest - 2 * size, 9, needle)));
     }
 }
 
@@ -795,7 +849,7 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
       for(double wanted : { 0., 1e-12 }) {
         const auto found = examine(bounds, t, many, wanted);
         CHECK_FALSE(found.is_transversal);
-        CHECK_FALSE(found.faces_away);      // neither does it face away
+        CHECK_FALSE(found.faces_away); // neither does it face away
       }
   }
   CHECK(inexact > 100);
@@ -804,7 +858,8 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
 TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
 {
   CGAL::Random random(71);
-  // The point at three sixteenths of the way from -x to y is on one side of zero; from rounded middles of middles, it is on the other.
+  // The point at three sixteenths of the way from -x to y is on one side of zero; from rounded middles of middles, it
+  // is on the other.
   const auto ends = [&](bool is_above) {
     for(;;) {
       const double x = random.get_double(0.1, 0.2) + std::ldexp(random.get_double(0, 1), -34), y = 13 * x / 3;
@@ -822,10 +877,11 @@ TEST_CASE("Second-order bounds: what leaves the domain between its corners by le
     Uniform_field field{ Root_cells(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys) };
     set_polynomial(field, height);
     const Bounds bounds = between(field, -5, 5);
-    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1;      // towards the cells that are missing
+    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the cells that are missing
     for(int n = 0; n < 16; ++n) {
       const auto x = ends(true), y = ends(false);
-      const Triangle t = { Point_3(-sx * x.first, sy * y.first, 0.1), Point_3(sx * x.second, -sy * y.second, 0.1), Point_3(-sx, -sy, 0.5) };
+      const Triangle t = { Point_3(-sx * x.first, sy * y.first, 0.1), Point_3(sx * x.second, -sy * y.second, 0.1),
+                           Point_3(-sx, -sy, 0.5) };
       for(const Triangle& turned : { t, Triangle{ t[1], t[0], t[2] } }) {
         const auto found = examine(bounds, turned);
         CHECK_FALSE(found.is_contained);
@@ -840,8 +896,8 @@ namespace {
 // Bernstein coefficients along one axis of a cell, or of their product over the cell
 typedef std::array<double, 4> Cubic;
 typedef std::array<double, 64> Tricubic;
-const Cubic one = { 1, 1, 1, 1 }, three_t = { 0, 1, 2, 3 }, rising = { -3, -1, 1, 3 };      // six times t - 1/2
-const Cubic parabola = { 3, -1, -1, 3 };      // 12 (t - 1/2)^2
+const Cubic one = { 1, 1, 1, 1 }, three_t = { 0, 1, 2, 3 }, rising = { -3, -1, 1, 3 }; // six times t - 1/2
+const Cubic parabola = { 3, -1, -1, 3 };                                               // 12 (t - 1/2)^2
 
 Tricubic product(const Cubic& x, const Cubic& y, const Cubic& z)
 {
@@ -868,12 +924,20 @@ public:
   typedef std::uint32_t Cell_index;
   typedef BS::Tricubic_cell_3 Cell;
   static constexpr Cell_index npos = Cell_index(-1);
-  struct Piece { std::array<double, 3> corner; double width; Tricubic coefficients; };
+  struct Piece
+  {
+    std::array<double, 3> corner;
+    double width;
+    Tricubic coefficients;
+  };
 
   Known_cells(std::vector<Piece> pieces, const CGAL::Bbox_3& covered, double radius = 0)
-    : m_pieces(std::move(pieces)), m_covered(covered), m_radius(radius) {}
+    : m_pieces(std::move(pieces)), m_covered(covered), m_radius(radius)
+  {}
   // the cell from 0 to 1
-  explicit Known_cells(const Tricubic& b, double radius = 0) : Known_cells({ { { 0, 0, 0 }, 1, b } }, CGAL::Bbox_3(0, 0, 0, 1, 1, 1), radius) {}
+  explicit Known_cells(const Tricubic& b, double radius = 0)
+    : Known_cells({ { { 0, 0, 0 }, 1, b } }, CGAL::Bbox_3(0, 0, 0, 1, 1, 1), radius)
+  {}
 
   std::size_t number_of_cells() const { return m_pieces.size(); }
   Cell cell(Cell_index c) const
@@ -909,11 +973,14 @@ struct Failing_cells : Known_cells
     if(failures-- > 0) throw std::runtime_error("no cell");
     return Known_cells::cell(c);
   }
-  mutable int failures = 0;       // that are left
+  mutable int failures = 0; // that are left
 };
 typedef BS::Second_order_bounds_3<Known_cells> Known_bounds;
 
-Known_bounds between(const Known_cells& field, double inner, double outer) { return Known_bounds(field, Constant(inner), Constant(outer)); }
+Known_bounds between(const Known_cells& field, double inner, double outer)
+{
+  return Known_bounds(field, Constant(inner), Constant(outer));
+}
 
 // the value of a function on the cell from 0 to 1, exact, or a derivative
 Rational exact_value(const Tricubic& b, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
@@ -933,7 +1000,8 @@ Point_3 with_axes(int a, double x, int b, double y, double z)
 
 } // namespace
 
-TEST_CASE("Second-order bounds: of a field known to within a radius, what is proved or refuted holds for all functions within it")
+TEST_CASE("Second-order bounds: of a field known to within a radius, what is proved or refuted holds for all functions "
+          "within it")
 {
   const Triangle small = { Point_3(0.5, 0.5, 0.5), Point_3(0.51, 0.5, 0.5), Point_3(0.5, 0.51, 0.5) };
   const auto found = [&](const Tricubic& b, double inner, double outer, const Triangle& t) {
@@ -961,7 +1029,8 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
     CHECK(steep.is_transversal);
     CHECK(steep.slope <= 60 - 6);
   }
-  SECTION("second derivatives: 6 x (x - 3) is within one of linear functions on each of three cells, and low in the middle")
+  SECTION(
+    "second derivatives: 6 x (x - 3) is within one of linear functions on each of three cells, and low in the middle")
   {
     std::vector<Known_cells::Piece> cells;
     for(int i = 0; i < 3; ++i) {
@@ -1027,7 +1096,8 @@ TEST_CASE("Second-order bounds: an exception of the field's passes through, and 
   CHECK(examine(bounds, t).is_contained);
 }
 
-TEST_CASE("Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
+TEST_CASE(
+  "Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
 {
   // the thresholds vary by less than a thousandth of the thickness
   const auto leaves = [](double value) {
@@ -1053,7 +1123,8 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
     // 3 z + phi(x), where phi' is near zero at the corners, and -72 halfway
     constexpr double radius = 1. / 16;
     const Known_cells field(product(one, one, three_t) + -48. * product({ 0, 0, 1, 1 }, one, one));
-    const Triangle t = { Point_3(0.03125, 0.25, 0.5), Point_3(0.96875, 0.25, 0.5 - 0.9375 * radius), Point_3(0.03125, 0.5, 0.5) };
+    const Triangle t = { Point_3(0.03125, 0.25, 0.5), Point_3(0.96875, 0.25, 0.5 - 0.9375 * radius),
+                         Point_3(0.03125, 0.5, 0.5) };
     const Known_bounds bounds = between(field, -1000, 1000);
     const auto found = bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) },
                                       BS::Facet_normal{ { 0, 0, 1 }, radius }, many);
@@ -1061,18 +1132,21 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
   }
   SECTION("cells that the facet reaches, but the plane across the middle one does not")
   {
-    // 3000 z^3 (2.875 - x) where z is negative, and zero above; and a function that is zero on the facet, and rises across it
+    // 3000 z^3 (2.875 - x) where z is negative, and zero above; and a function that is zero on the facet, and rises
+    // across it
     constexpr double radius = 0.25, end = 2.875;
     std::vector<Known_cells::Piece> cells;
     for(int i = 0; i < 3; ++i)
       for(int k : { 0, -1 }) {
-        const Tricubic across = product(three_t, one, one) + 4. * product(one, one, three_t) + (3 * i + 12 * k - 6.375) * product(one, one, one);
+        const Tricubic across = product(three_t, one, one) + 4. * product(one, one, three_t)
+                                + (3 * i + 12 * k - 6.375) * product(one, one, one);
         const double at = 3 * (end - i);
         const Tricubic wild = product({ at, at - 1, at - 2, at - 3 }, one, { -1, 0, 0, 0 });
         cells.push_back({ { double(i), 0, double(k) }, 1, across + (k < 0 ? 1000 : 0) * wild });
       }
     const Known_cells field(cells, CGAL::Bbox_3(0, 0, -1, 3, 1, 1));
-    const Triangle t = { Point_3(0.125, 0.5, 0.5), Point_3(end, 0.5, 0.5 - (end - 0.125) * radius), Point_3(0.125, 0.6, 0.5) };
+    const Triangle t = { Point_3(0.125, 0.5, 0.5), Point_3(end, 0.5, 0.5 - (end - 0.125) * radius),
+                         Point_3(0.125, 0.6, 0.5) };
     const Point_3 inside = CGAL::midpoint(t[1], CGAL::midpoint(t[1], CGAL::midpoint(t[0], t[1])));
     const double low = field.cell(field.locate(inside)).value(inside);
     REQUIRE(low < -0.5);
@@ -1099,8 +1173,10 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
       for(double sign : { 1., -1. }) {
         // 72 (x - 1/2)^2 (y - 1/2), rising along the third axis, and what makes the ends of a needle equally high
         const Tricubic curved = sign * along_axes(parabola, rising);
-        Triangle needle = { with_axes(a, 0.97, b, 0.03, 0.5), with_axes(a, 0.8, b, 0.97, 0.5), with_axes(a, 0.81, b, 0.97, 0.5) };
-        const double low = CGAL::to_double(exact_value(curved, exact(needle[0]))), high = CGAL::to_double(exact_value(curved, exact(needle[1])));
+        Triangle needle = { with_axes(a, 0.97, b, 0.03, 0.5), with_axes(a, 0.8, b, 0.97, 0.5),
+                            with_axes(a, 0.81, b, 0.97, 0.5) };
+        const double low = CGAL::to_double(exact_value(curved, exact(needle[0]))),
+                     high = CGAL::to_double(exact_value(curved, exact(needle[1])));
         const Tricubic f = curved + (low - high) / (3 * 0.94) * along_axes(one, three_t);
         const double ends = CGAL::to_double(exact_value(f, exact(needle[0]))),
                      middle = CGAL::to_double(exact_value(f, exact(CGAL::midpoint(needle[0], needle[1]))));
@@ -1109,16 +1185,19 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
         const Known_cells field(f + 100. * along_axes(one, one, rising));
         for(double share : { 0.4, 0.7, 0.95 }) {
           const double level = ends + share * (middle - ends);
-          CHECK_FALSE(examine(sign > 0 ? between(field, -100, level) : between(field, level, 100), needle, 0).is_contained);
+          CHECK_FALSE(
+            examine(sign > 0 ? between(field, -100, level) : between(field, level, 100), needle, 0).is_contained);
         }
         CHECK(examine(between(field, -100, 100), needle, 0).is_contained);
       }
       // 36 (x - 1/2)^2 y, and so on: the slope along an axis is least halfway along another
       for(double hair : { 1., 0.1 }) {
         const Known_cells field(along_axes(parabola, three_t) + -hair * along_axes(one, three_t));
-        Triangle t = { with_axes(a, 0.05, b, 0.5, 0.4), with_axes(a, 0.95, b, 0.5, 0.4), with_axes(a, 0.05, b, 0.5, 0.6) };
+        Triangle t = { with_axes(a, 0.05, b, 0.5, 0.4), with_axes(a, 0.95, b, 0.5, 0.4),
+                       with_axes(a, 0.05, b, 0.5, 0.6) };
         if(normal(t)[b] < 0) std::swap(t[0], t[1]);
-        for(std::size_t bisections : { std::size_t(0), many }) CHECK_FALSE(examine(between(field, -100, 100), t, bisections).is_transversal);
+        for(std::size_t bisections : { std::size_t(0), many })
+          CHECK_FALSE(examine(between(field, -100, 100), t, bisections).is_transversal);
         const Known_cells steeper(along_axes(parabola, three_t) + hair * along_axes(one, three_t));
         const auto found = examine(between(steeper, -100, 100), t);
         CHECK(found.is_transversal);
@@ -1127,11 +1206,14 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
     }
 }
 
-TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows to the middle of a facet, and then rises, is seen")
+TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows to the middle of a facet, and then "
+          "rises, is seen")
 {
-  // 3 z (phi(x) - hair), where phi is 3 |x| but near 0, in cells of an eighth: the bound is off by a 25th of what it allows
+  // 3 z (phi(x) - hair), where phi is 3 |x| but near 0, in cells of an eighth: the bound is off by a 25th of what it
+  // allows
   constexpr double h = 0.125;
-  const Cubic falls = { 3.25, 2.25, 1.25, 0.25 }, rises = { 0.25, 1.25, 2.25, 3.25 }, left = { 0.25, 0.125, 0, 0 }, right = { 0, 0, 0.125, 0.25 };
+  const Cubic falls = { 3.25, 2.25, 1.25, 0.25 }, rises = { 0.25, 1.25, 2.25, 3.25 }, left = { 0.25, 0.125, 0, 0 },
+              right = { 0, 0, 0.125, 0.25 };
   const Triangle t = { Point_3(-1.1, 0.03, 0.0625), Point_3(1.1, 0.03, 0.0625), Point_3(1.1, 0.06, 0.0625) };
   const auto field = [&](double least) {
     const auto piece = [&](double x, double width, Cubic phi) {
@@ -1146,14 +1228,16 @@ TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows t
   CHECK(examine(between(steep, -100, 100), t, 0).is_transversal);
 }
 
-TEST_CASE("Second-order bounds: far from the origin, a facet that is turned where its middle is rounded away is not proved to face upwards")
+TEST_CASE("Second-order bounds: far from the origin, a facet that is turned where its middle is rounded away is not "
+          "proved to face upwards")
 {
   // in a cell from 2^30 on; from its corner, the slope along z is 9 (x - 1/2)^2 / 2^17 - 12 (z - 1/2) + 3 ulp
   const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
   const Tricubic f = std::ldexp(1., -19) * product(parabola, one, three_t) + -0.5 * product(one, one, parabola)
-                   + ulp * product(one, one, three_t);
+                     + ulp * product(one, one, three_t);
   const Known_cells field({ { { 0, 0, far }, 1, f } }, CGAL::Bbox_3(0, 0, far, 1, 1, far + 1));
-  const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 + ulp), Point_3(0.5, 0.203125, far + 0.5 - 4 * ulp) };
+  const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 + ulp),
+                       Point_3(0.5, 0.203125, far + 0.5 - 4 * ulp) };
   const Exact_point middle = { Rational(0.5), Rational(0.2), Rational(0.5) + Rational(ulp) / 2 };
   const auto derivative = [&](int axis) {
     std::array<int, 3> order = { 0, 0, 0 };
@@ -1167,24 +1251,29 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that is turned wher
   CHECK_FALSE(examine(between(field, -100, 100), t).is_transversal);
 }
 
-TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a threshold where its middle is rounded away is not proved contained")
+TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a threshold where its middle is rounded away "
+          "is not proved contained")
 {
-  // in a cell from 2^30 on; from its corner, 12 (x - 1/2)^2 + 6 (z - 1/2), and for the outer threshold the first term taken away
+  // in a cell from 2^30 on; from its corner, 12 (x - 1/2)^2 + 6 (z - 1/2), and for the outer threshold the first term
+  // taken away
   const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
   for(double side : { 1., -1. }) {
     const Tricubic f = side * product(parabola, one, one) + product(one, one, rising);
     const Known_cells field({ { { 0, 0, far }, 1, f } }, CGAL::Bbox_3(0, 0, far, 1, 1, far + 1));
-    const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 - side * ulp), Point_3(0.5, 0.203125, far + 0.5 + side * 4 * ulp) };
+    const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 - side * ulp),
+                         Point_3(0.5, 0.203125, far + 0.5 + side * 4 * ulp) };
     // halfway between the exact middle of an edge, and where it is rounded to
     const double threshold = -side * 1.5 * ulp;
     const Exact_point middle = { Rational(0.5), Rational(0.2), Rational(0.5) - Rational(side * ulp) / 2 };
     REQUIRE(side * (exact_value(f, middle, { 0, 0, 0 }) - Rational(threshold)) < 0);
     REQUIRE(CGAL::midpoint(t[0], t[1]).z() == far + 0.5);
-    const auto found = side > 0 ? examine(between(field, threshold, 100), t) : examine(between(field, -100, threshold), t);
+    const auto found = side > 0 ? examine(between(field, threshold, 100), t)
+                                : examine(between(field, -100, threshold), t);
     CHECK_FALSE(found.is_contained);
     // what spoils the proof is the place: with a threshold a little farther away, there is one
     const double farther = threshold - side * 1e-3;
-    CHECK((side > 0 ? examine(between(field, farther, 100), t) : examine(between(field, -100, farther), t)).is_contained);
+    CHECK(
+      (side > 0 ? examine(between(field, farther, 100), t) : examine(between(field, -100, farther), t)).is_contained);
   }
 }
 
@@ -1192,7 +1281,8 @@ TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its c
 {
   // 600 (x - 1)^3 (y - 1/2) where x is larger than 1, and rising along z: zero at all corners, -11 on an edge
   const Tricubic rise = product(one, one, rising), wild = 100. * product({ 0, 0, 0, 1 }, rising, one);
-  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } }, CGAL::Bbox_3(0, 0, 0, 2, 1, 1));
+  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } },
+                          CGAL::Bbox_3(0, 0, 0, 2, 1, 1));
   const Triangle t = { Point_3(0.5, 0.1, 0.5), Point_3(1.9, 0.5, 0.5), Point_3(0.5, 0.5, 0.5) };
   for(int first : { 0, 1, 2 }) {
     const Triangle turned = { t[first], t[(first + 1) % 3], t[(first + 2) % 3] };

@@ -1,5 +1,5 @@
-// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are found
-// and named, and nothing is claimed that does not hold.
+// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are
+// found and named, and nothing is claimed that does not hold.
 #include "exact_spline.h"
 #include "test_meshes.h"
 
@@ -59,7 +59,7 @@ void set(Field& field, const Function& f)
 Field radial_field(double scale = 1)
 {
   Field field = cube_field(12, scale / 8);
-  set(field, [](double x, double y, double z) { return std::sqrt(x*x + y*y + z*z); });
+  set(field, [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); });
   return field;
 }
 
@@ -67,7 +67,7 @@ Field radial_field(double scale = 1)
 Field quadratic_field(double a, double b, double c)
 {
   Field field = cube_field(4, 1);
-  set(field, [=](double x, double y, double z) { return a*x*x + b*y*y + c*z*z - (a + b + c) / 3; });
+  set(field, [=](double x, double y, double z) { return a * x * x + b * y * y + c * z * z - (a + b + c) / 3; });
   return field;
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
   REQUIRE(shell);
   Certificate certificate(shell);
-  CHECK_FALSE(certificate);                 // nothing was verified yet
+  CHECK_FALSE(certificate); // nothing was verified yet
   for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
   REQUIRE(certificate.verify(mesh));
   CHECK(certificate);
@@ -141,7 +141,8 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   double least = 1e9, greatest = 0, least_angle = 1e9;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(mesh.next(h)));
     const Vector_3 n = CGAL::cross_product(q - p, r - p);
     for(const Point_3& s : { p, q, r, CGAL::centroid(p, q, r) }) {
       const Vector_3 g = shell.field().gradient(s).value();
@@ -168,7 +169,8 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
     const auto h = mesh.halfedge(f);
     double length = 0;
     for(double sign : { -1., 1. }) {
-      Point_3 p = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+      Point_3 p = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                 mesh.point(mesh.target(mesh.next(h))));
       const double step = shell.thickness() / 100;
       while(shell.bounded_side(p) == CGAL::ON_BOUNDED_SIDE) {
         const Vector_3 g = shell.field().gradient(p).value();
@@ -193,21 +195,23 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(other.verify(mesh));
 }
 
-TEST_CASE("Certificate: bounds hold for all of the shell, also where the field is steeper and the thresholds are wider than at its lowest cells")
+TEST_CASE("Certificate: bounds hold for all of the shell, also where the field is steeper and the thresholds are wider "
+          "than at its lowest cells")
 {
   const Mesh mesh = sphere(2);
   // ten times as steep above as below
   Field field = radial_field();
   set(field, [](double x, double y, double z) {
     const double t = (std::min)((std::max)(z / 0.8, 0.), 1.);
-    return std::sqrt(x*x + y*y + z*z) * (1 + 9 * t * t * (3 - 2 * t));
+    return std::sqrt(x * x + y * y + z * z) * (1 + 9 * t * t * (3 - 2 * t));
   });
   const Certificate certificate = certify(field, 0.5, 12, mesh);
   REQUIRE(certificate.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED);
   double least_angle = 10;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(mesh.next(h)));
     const Vector_3 n = CGAL::cross_product(q - p, r - p), g = *field.gradient(CGAL::centroid(p, q, r));
     least_angle = (std::min)(least_angle, std::asin(n * g / std::sqrt(n.squared_length() * g.squared_length())));
   }
@@ -245,8 +249,9 @@ TEST_CASE("Certificate: a fan that winds twice is a double cover, although all f
   const Mesh mesh = pentagram_bipyramid();
   const Field field = radial_field();
   const Certificate certificate = certify(field, 0.28, 1.1, mesh);
-  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED,
-                                                       Verdict::REFUTED });
+  CHECK(
+    verdicts(certificate)
+    == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED });
   REQUIRE(certificate.witnesses().size() == 1);
   CHECK(certificate.witnesses()[0].reason == Place::CROSSINGS);
   CHECK(certificate.witnesses()[0].count == 2);
@@ -282,8 +287,9 @@ TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their 
   CGAL::copy_face_graph(sphere(2, 1.1), mesh);
   const Field field = radial_field();
   const Certificate certificate = certify(field, 0.8, 1.2, mesh);
-  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED,
-                                                       Verdict::REFUTED });
+  CHECK(
+    verdicts(certificate)
+    == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::REFUTED });
   for(const Place& w : certificate.witnesses()) {
     if(w.claim == Claim::ONE_SHEET) {
       CHECK(w.reason == Place::TWO_SHEETS);
@@ -328,7 +334,8 @@ TEST_CASE("Certificate: where there are critical points, the count along one pat
   CHECK(said == 1);
 }
 
-TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond does no harm")
+TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond "
+          "does no harm")
 {
   // |x - c|^2, exactly; c is no corner of any box
   const Point_3 c(0.31, -0.13, 0.17);
@@ -340,7 +347,7 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
   const double highest = 4.001, lowest = 3;
   REQUIRE(certify(field, lowest, highest, mesh));
   CHECK(certify(field, 0.01, highest, mesh).verdict(Claim::GRADIENT) == Verdict::PROVED);
-  const double lowest_value = field.value(c).value();       // zero but for rounding
+  const double lowest_value = field.value(c).value(); // zero but for rounding
   REQUIRE(std::abs(lowest_value) < 1e-14);
   for(double inner : { -0.5, lowest_value }) {
     CAPTURE(inner);
@@ -352,7 +359,8 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
     bool named = false;
     for(const Place& w : certificate.witnesses())
       if(w.claim == Claim::GRADIENT && w.verdict == certificate.verdict(Claim::GRADIENT))
-        named = named || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
+        named = named
+                || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
     CHECK(named);
   }
   // at a corner of cells no polynomial is that of a whole neighborhood: it is found, but not proved
@@ -361,15 +369,17 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
 
 TEST_CASE("Certificate: a critical point that is not in the shell refutes nothing, however near it is")
 {
-  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10 with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond: convex, so that it has no critical
-  // point but its minimum, at x = c. Across the box of the cover that holds it, A'' changes by a factor: Newton's method with the second
-  // derivatives in the middle of the box ends as far from it as is seen in the values.
-  constexpr double c = 0.05 / 128, bend = 1.6e-4, slope = -(bend + c / 2) * c;       // A'(0) = slope
+  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10 with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond: convex, so
+  // that it has no critical point but its minimum, at x = c. Across the box of the cover that holds it, A'' changes by
+  // a factor: Newton's method with the second derivatives in the middle of the box ends as far from it as is seen in
+  // the values.
+  constexpr double c = 0.05 / 128, bend = 1.6e-4, slope = -(bend + c / 2) * c; // A'(0) = slope
   Field field = cube_field(4, 1);
   set(field, [=](double x, double y, double z) {
-    return (1 + bend) / 2 * x*x - std::abs(x) / 2 + slope * x + (std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2)) / 10 - 1. / 15;
+    return (1 + bend) / 2 * x * x - std::abs(x) / 2 + slope * x + (std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2)) / 10
+           - 1. / 15;
   });
-  const Rational least = exact_value(field, exact(Point_3(c, 0.31, -0.13)));          // at most this
+  const Rational least = exact_value(field, exact(Point_3(c, 0.31, -0.13))); // at most this
   const Mesh mesh = sphere(2, 1.5, Point_3(-0.3, 0.31, -0.13));
   for(int bit = 30; bit < 46; ++bit) {
     const double inner = CGAL::to_double(least) + std::ldexp(1., -bit);
@@ -383,12 +393,13 @@ TEST_CASE("Certificate: a critical point that is not in the shell refutes nothin
   CHECK(certify(field, CGAL::to_double(least) - 1e-3, 1.2, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
 }
 
-TEST_CASE("Certificate: a critical point in another component of the shell refutes nothing, even where both are in one cover")
+TEST_CASE(
+  "Certificate: a critical point in another component of the shell refutes nothing, even where both are in one cover")
 {
   // two wells along x, with a saddle between them
   Field field = cube_field(8, 0.5);
   set(field, [](double x, double y, double z) {
-    return std::pow(x*x - 1, 2) / 4 + 0.03 * x + std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2);
+    return std::pow(x * x - 1, 2) / 4 + 0.03 * x + std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2);
   });
   const auto critical_point = [&](double x, double end) {
     const auto slope = [&](double t) { return field.gradient(Point_3(t, 0.31, -0.13))->x(); };
@@ -402,8 +413,8 @@ TEST_CASE("Certificate: a critical point in another component of the shell refut
   REQUIRE(at_right < at_saddle - 0.05);
   const double inner = (at_left + at_right) / 2;
   const Mesh mesh = sphere(2, 0.3, left);
-  // A hair above the saddle, both wells are joined. A hair below it they are not, and that on the left has no critical point between
-  // the levels.
+  // A hair above the saddle, both wells are joined. A hair below it they are not, and that on the left has no critical
+  // point between the levels.
   CHECK(certify(field, inner, at_saddle + 0.01, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
   const Certificate certificate = certify(field, inner, at_saddle - 1e-7, mesh);
   CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
@@ -416,7 +427,8 @@ TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
 {
   // x^2 + y^2 - z^2 + linear terms, whose saddle is where no box has its corner
   Field field = cube_field(4, 1);
-  set(field, [](double x, double y, double z) { return x*x + y*y - z*z - 1. / 3 - 0.62 * x + 0.26 * y + 0.34 * z; });
+  set(field,
+      [](double x, double y, double z) { return x * x + y * y - z * z - 1. / 3 - 0.62 * x + 0.26 * y + 0.34 * z; });
   BS::Shell_cover_3<Field> cover(field, Constant(-0.3), Constant(0.3));
   CHECK(cover.flood<CGAL::Sequential_tag>(Point_3(0.31, -0.13, 0.17), 0) == 0);
   std::size_t proved = 0;
@@ -437,7 +449,7 @@ TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
 
 TEST_CASE("Certificate: what reaches the end of the domain is not in its interior")
 {
-  const Field field = radial_field();      // up to 1.5 along the axes
+  const Field field = radial_field(); // up to 1.5 along the axes
   const Mesh mesh = sphere(2);
   CHECK(certify(field, 0.9, 1.45, mesh));
   const Certificate certificate = certify(field, 0.9, 1.55, mesh);
@@ -458,8 +470,9 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a me
   const double highest = field.value(mesh.point(v)).value();
   CHECK(certify(field, 0.8, highest + 1e-12, mesh).verdict(Claim::CONTAINMENT) == Verdict::PROVED);
   const Certificate certificate = certify(field, 0.8, highest - 1e-12, mesh);
-  CHECK(verdicts(certificate) == std::vector<Verdict>{ Verdict::REFUTED, Verdict::PROVED, Verdict::UNDECIDED,
-                                                       Verdict::UNDECIDED, Verdict::UNDECIDED });
+  CHECK(verdicts(certificate)
+        == std::vector<Verdict>{ Verdict::REFUTED, Verdict::PROVED, Verdict::UNDECIDED, Verdict::UNDECIDED,
+                                 Verdict::UNDECIDED });
   CHECK(facets_named(certificate, Claim::CONTAINMENT) == facets_at(mesh, v));
   for(const Place& w : certificate.witnesses())
     if(w.claim != Claim::CONTAINMENT) CHECK(w.reason == Place::CONTAINMENT_NEEDED);
@@ -474,8 +487,13 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a me
       if(w.claim != Claim::CONTAINMENT) continue;
       const double far = (std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) });
       CHECK((w.reason == Place::OUTSIDE || w.reason == Place::FACET));
-      if(w.reason == Place::OUTSIDE) { ++outside; CHECK(far > 1.5); }
-      else { ++inside; CHECK(far <= 1.5); }
+      if(w.reason == Place::OUTSIDE) {
+        ++outside;
+        CHECK(far > 1.5);
+      } else {
+        ++inside;
+        CHECK(far <= 1.5);
+      }
     }
     CHECK(outside > 0);
     CHECK((inside > 0) == (center.z() == 0));
@@ -502,16 +520,19 @@ TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
   // split a facet at a point 1e-12 inside one of its edges, then lift nothing: two facets and a needle
   const auto f = *mesh.faces().begin();
   const auto h = mesh.halfedge(f);
-  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                &r = mesh.point(mesh.target(mesh.next(h)));
   const Point_3 inside = CGAL::midpoint(p, q) + 1e-12 * (r - CGAL::midpoint(p, q));
   const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
   mesh.point(center) = inside;
   const Field field = radial_field();
   const Certificate certificate = certify(field, 0.8, 1.2, mesh);
-  // Rounding has moved the point by 1e-16: the needle's normal may be anything. Whatever it is, the verdict follows the exact one.
+  // Rounding has moved the point by 1e-16: the needle's normal may be anything. Whatever it is, the verdict follows the
+  // exact one.
   for(auto face : mesh.faces()) {
     const auto g = mesh.halfedge(face);
-    const Point_3 &a = mesh.point(mesh.source(g)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(mesh.next(g)));
+    const Point_3 &a = mesh.point(mesh.source(g)), &b = mesh.point(mesh.target(g)),
+                  &c = mesh.point(mesh.target(mesh.next(g)));
     const bool faces_out = CGAL::orientation(a, b, c, Point_3(0, 0, 0)) == CGAL::NEGATIVE;
     if(!faces_out) CHECK(certificate.facets()[std::size_t(face)].transversality != Verdict::PROVED);
   }
@@ -570,7 +591,9 @@ TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothin
       for(int j = -12; j < 12; ++j)
         for(int i = -12; i < 12; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
     Field field(BS::Cell_complex_3(lattice, keys));
-    set(field, [&](double x, double y, double z) { return std::sqrt(std::pow(x + spacing, 2) + std::pow(y + spacing, 2) + std::pow(z + spacing, 2)); });
+    set(field, [&](double x, double y, double z) {
+      return std::sqrt(std::pow(x + spacing, 2) + std::pow(y + spacing, 2) + std::pow(z + spacing, 2));
+    });
     return field;
   };
   const Field inexact = field_on(0.1), exact = field_on(0.125);
@@ -605,10 +628,12 @@ TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the f
     return certificate.is_certified();
   };
   REQUIRE(certified(field, constant_inner, constant_outer));
-  const double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   // beside the mesh, but in the shell
-  const std::vector<std::pair<BS::Lattice_3::Point, double> > cases = {
-    { { 0, 0, 11 }, not_a_number }, { { -10, 0, 5 }, infinity }, { { 0, -5, 0 }, not_a_number } };
+  const std::vector<std::pair<BS::Lattice_3::Point, double> > cases = { { { 0, 0, 11 }, not_a_number },
+                                                                        { { -10, 0, 5 }, infinity },
+                                                                        { { 0, -5, 0 }, not_a_number } };
   for(const auto& [p, bad] : cases) {
     CAPTURE(bad, p[0], p[1], p[2]);
     CHECK_FALSE(certified(field, constant_inner, with(constant_outer, p, bad)));
@@ -666,7 +691,8 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   const auto constant = [](double c) { return [c](double, double, double) { return c; }; };
   const auto certificate = certify_between(threshold(constant(0.85)), threshold(constant(1.15)), mesh);
   CHECK(certificate);
-  CHECK(certificate.displacement_bound() == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
+  CHECK(certificate.displacement_bound()
+        == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
 
   // narrow above, wide below, never as steep as the field
   const Field inner = threshold([](double, double, double z) { return 0.8 + 0.1 * z; }),
@@ -677,16 +703,21 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   CHECK_FALSE(refuted);
   CHECK(refuted.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 
-  // Falling as the field rises, so that the shell is where it is between constants: without a critical point, and inside the domain.
-  // A threshold that is less steep than the field is crossed; what is as steep might not be.
+  // Falling as the field rises, so that the shell is where it is between constants: without a critical point, and
+  // inside the domain. A threshold that is less steep than the field is crossed; what is as steep might not be.
   const auto falling = [&](double level, double steepness) {
-    return threshold([=](double x, double y, double z) { return level - steepness * (std::sqrt(x*x + y*y + z*z) - level); });
+    return threshold(
+      [=](double x, double y, double z) { return level - steepness * (std::sqrt(x * x + y * y + z * z) - level); });
   };
   for(double steepness : { 0.5, 1.5 }) {
     CAPTURE(steepness);
     const bool is_crossed = steepness < 1;
-    CHECK((certify_between(falling(0.85, steepness), threshold(constant(1.2)), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
-    CHECK((certify_between(threshold(constant(0.85)), falling(1.2, steepness), mesh).verdict(Claim::GRADIENT) == Verdict::PROVED) == is_crossed);
+    CHECK((certify_between(falling(0.85, steepness), threshold(constant(1.2)), mesh).verdict(Claim::GRADIENT)
+           == Verdict::PROVED)
+          == is_crossed);
+    CHECK((certify_between(threshold(constant(0.85)), falling(1.2, steepness), mesh).verdict(Claim::GRADIENT)
+           == Verdict::PROVED)
+          == is_crossed);
   }
 }
 
@@ -723,10 +754,12 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
   for(bool is_inner : { true, false })
     for(double height : { 0.3, 3. }) {
       CAPTURE(is_inner, height);
-      const Field inner = dented(0.85, below, is_inner ? -height : 0), outer = dented(1.15, above, is_inner ? 0 : height);
+      const Field inner = dented(0.85, below, is_inner ? -height : 0),
+                  outer = dented(1.15, above, is_inner ? 0 : height);
       BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
       certificate.verify<CGAL::Sequential_tag>(mesh);
-      const double least = is_inner ? least_crossing(inner, Point_3(0, 3. / 8, 4. / 8)) : least_crossing(outer, Point_3(0, 6. / 8, 9. / 8));
+      const double least = is_inner ? least_crossing(inner, Point_3(0, 3. / 8, 4. / 8))
+                                    : least_crossing(outer, Point_3(0, 6. / 8, 9. / 8));
       if(height < 1) {
         CHECK(least > 0);
         CHECK(certificate);
@@ -742,7 +775,8 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
 
 namespace {
 
-// whether a path crosses a mesh once, counted with signs, and that facet which it is said to go through; in no edge, to either side
+// whether a path crosses a mesh once, counted with signs, and that facet which it is said to go through; in no edge, to
+// either side
 bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangle_mesh& mesh)
 {
   const Point_3 p(path.source[0], path.source[1], path.source[2]), q(path.target[0], path.target[1], path.target[2]);
@@ -750,9 +784,11 @@ bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangl
   bool crosses_facet = false;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
+    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                  &c = mesh.point(mesh.target(mesh.next(h)));
     const CGAL::Orientation at_p = CGAL::orientation(a, b, c, p), at_q = CGAL::orientation(a, b, c, q);
-    const CGAL::Orientation ab = CGAL::orientation(p, q, a, b), bc = CGAL::orientation(p, q, b, c), ca = CGAL::orientation(p, q, c, a);
+    const CGAL::Orientation ab = CGAL::orientation(p, q, a, b), bc = CGAL::orientation(p, q, b, c),
+                            ca = CGAL::orientation(p, q, c, a);
     if(at_p * at_q > 0 || ab * bc < 0 || bc * ca < 0 || ca * ab < 0) continue;
     if(at_p * at_q * ab * bc * ca == 0) return false;
     count += at_q == CGAL::POSITIVE ? 1 : -1;
@@ -761,8 +797,9 @@ bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangl
   return count == 1 && crosses_facet;
 }
 
-// Whether a path is what the degree is proved by: it begins below the inner threshold, ends above the outer one, and rises above both all the
-// way, so that what is between the thresholds of it lies in one component; and it crosses the mesh once.
+// Whether a path is what the degree is proved by: it begins below the inner threshold, ends above the outer one, and
+// rises above both all the way, so that what is between the thresholds of it lies in one component; and it crosses the
+// mesh once.
 template <typename Inner, typename Outer>
 bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inner& inner, const Outer& outer,
                    const BS::Input_mesh_3::Triangle_mesh& mesh)
@@ -787,7 +824,8 @@ bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inne
 
 } // namespace
 
-TEST_CASE("Certificate: the paths that the degree is proved by begin and end beyond the shell, rise all the way and cross the mesh once")
+TEST_CASE("Certificate: the paths that the degree is proved by begin and end beyond the shell, rise all the way and "
+          "cross the mesh once")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Mesh mesh = sphere(1);
@@ -797,11 +835,14 @@ TEST_CASE("Certificate: the paths that the degree is proved by begin and end bey
     CGAL::Random random(seed);
     const auto noisy = [&](double level, double slope, double size) {
       Field f = cube_field(4, 0.5);
-      set(f, [&](double x, double y, double z) { return level + slope * std::sqrt(x*x + y*y + z*z) + size * random.get_double(-1, 1); });
+      set(f, [&](double x, double y, double z) {
+        return level + slope * std::sqrt(x * x + y * y + z * z) + size * random.get_double(-1, 1);
+      });
       return f;
     };
     const bool varies = seed % 2 == 0;
-    const Field field = noisy(0, 1, 0.1 * (seed % 5)), inner = noisy(0.5, 0, varies ? 0.5 : 0), outer = noisy(1.5, 0, varies ? 0.5 : 0);
+    const Field field = noisy(0, 1, 0.1 * (seed % 5)), inner = noisy(0.5, 0, varies ? 0.5 : 0),
+                outer = noisy(1.5, 0, varies ? 0.5 : 0);
     const auto check = [&](const auto& certificate, const auto& inner_value, const auto& outer_value) {
       std::vector<BS::Crossing_path> all = certificate.paths();
       all.insert(all.end(), certificate.report().spare_paths.begin(), certificate.report().spare_paths.end());
@@ -812,36 +853,44 @@ TEST_CASE("Certificate: the paths that the degree is proved by begin and end bey
     if(varies) {
       BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
       certificate.verify<CGAL::Sequential_tag>(mesh);
-      check(certificate, [&](const Point_3& p) { return *inner.value(p); }, [&](const Point_3& p) { return *outer.value(p); });
+      check(
+        certificate, [&](const Point_3& p) { return *inner.value(p); },
+        [&](const Point_3& p) { return *outer.value(p); });
     } else
-      check(certify(field, 0.5, 1.5, mesh), [](const Point_3&) { return 0.5; }, [](const Point_3&) { return 1.5; });
+      check(
+        certify(field, 0.5, 1.5, mesh), [](const Point_3&) { return 0.5; }, [](const Point_3&) { return 1.5; });
   }
   CHECK(paths > 20);
 }
 
-TEST_CASE("Certificate: paths go through their facets, also where these are so narrow that rounding moves a path into the next one")
+TEST_CASE("Certificate: paths go through their facets, also where these are so narrow that rounding moves a path into "
+          "the next one")
 {
-  constexpr double spacing = 0x1p-20, unit = 0x1p-32;      // a cell, and one in the last place of coordinates
-  const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 }, { 1, 1, 1 });
+  constexpr double spacing = 0x1p-20, unit = 0x1p-32; // a cell, and one in the last place of coordinates
+  const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 },
+                                                           { 1, 1, 1 });
   std::vector<std::uint64_t> keys;
   for(int k = -1; k <= 1; ++k)
     for(int j = -1; j <= 1; ++j)
       for(int i = -1; i <= 1; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
   Field field(BS::Cell_complex_3(lattice, keys));
   REQUIRE(field.has_exact_cells());
-  for(const auto& [sides, radius] : std::vector<std::pair<int, int> >{ { 20, 6 }, { 24, 6 }, { 24, 8 }, { 24, 10 }, { 28, 8 }, { 28, 10 } }) {
+  for(const auto& [sides, radius] :
+      std::vector<std::pair<int, int> >{ { 20, 6 }, { 24, 6 }, { 24, 8 }, { 24, 10 }, { 28, 8 }, { 28, 10 } }) {
     CAPTURE(sides, radius);
     // a prism about the middle of a cell, and f = (x^2 + y^2) / radius^2 + z^2 / length^2 from there, in units
     constexpr double length = 500;
     const double scale[] = { spacing / unit / radius, spacing / unit / radius, spacing / unit / length };
     set(field, [&](double x, double y, double z) {
-      return std::pow(scale[0] * (x / spacing - 0.5), 2) + std::pow(scale[1] * (y / spacing - 0.5), 2) + std::pow(scale[2] * (z / spacing - 0.5), 2)
-           - (scale[0] * scale[0] + scale[1] * scale[1] + scale[2] * scale[2]) / 3;
+      return std::pow(scale[0] * (x / spacing - 0.5), 2) + std::pow(scale[1] * (y / spacing - 0.5), 2)
+             + std::pow(scale[2] * (z / spacing - 0.5), 2)
+             - (scale[0] * scale[0] + scale[1] * scale[1] + scale[2] * scale[2]) / 3;
     });
     Mesh mesh;
     const double middle = 0x1p20 + spacing / 2;
     const auto add = [&](double x, double y, double z) {
-      return mesh.add_vertex(Point_3(middle + std::nearbyint(x) * unit, middle + std::nearbyint(y) * unit, middle + z * unit));
+      return mesh.add_vertex(
+        Point_3(middle + std::nearbyint(x) * unit, middle + std::nearbyint(y) * unit, middle + z * unit));
     };
     std::vector<Mesh::Vertex_index> bottom, top;
     for(int n = 0; n < sides; ++n) {
@@ -888,14 +937,16 @@ TEST_CASE("Thresholds that vary: a box is said to be between them only if it is"
   };
   BS::Shell_cover_3<Field, Varying> varying(field, Varying(inner), Varying(outer));
   CHECK(varying.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
-  const auto between = [&](const Point_3& p) { return *field.value(p) >= *inner.value(p) - 1e-12 && *field.value(p) <= *outer.value(p) + 1e-12; };
+  const auto between = [&](const Point_3& p) {
+    return *field.value(p) >= *inner.value(p) - 1e-12 && *field.value(p) <= *outer.value(p) + 1e-12;
+  };
   const std::array<std::size_t, 2> boxes = count(varying, between);
   CHECK(boxes[0] > 100);
   CHECK(boxes[1] > 100);
   BS::Shell_cover_3<Field> fixed(field, Constant(0.8), Constant(1.2));
   CHECK(fixed.flood<CGAL::Sequential_tag>(Point_3(1, 0, 0), 0) == 0);
-  const std::array<std::size_t, 2> fixed_boxes
-    = count(fixed, [&](const Point_3& p) { return *field.value(p) >= 0.8 - 1e-12 && *field.value(p) <= 1.2 + 1e-12; });
+  const std::array<std::size_t, 2> fixed_boxes = count(
+    fixed, [&](const Point_3& p) { return *field.value(p) >= 0.8 - 1e-12 && *field.value(p) <= 1.2 + 1e-12; });
   CHECK(fixed_boxes[0] > 100);
   CHECK(fixed_boxes[1] > 100);
 }
@@ -979,9 +1030,9 @@ TEST_CASE("Certificate: witnesses are bounded, and counted")
   const Certificate certificate = certify(field, 0.7, 1.3, mesh);
   const std::size_t transversality = std::size_t(Claim::TRANSVERSALITY);
   CHECK(certificate.report().number_of_witnesses[transversality] == facets);
-  CHECK(std::size_t(std::count_if(certificate.witnesses().begin(), certificate.witnesses().end(), [](const Place& w) {
-    return w.claim == Claim::TRANSVERSALITY;
-  })) == BS::Certificate_report::max_witnesses);
+  CHECK(std::size_t(std::count_if(certificate.witnesses().begin(), certificate.witnesses().end(),
+                                  [](const Place& w) { return w.claim == Claim::TRANSVERSALITY; }))
+        == BS::Certificate_report::max_witnesses);
   for(const auto& facet : certificate.facets()) CHECK(facet.transversality == Verdict::REFUTED);
 }
 
@@ -990,7 +1041,8 @@ TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the fi
   typedef BS::Spline_threshold<Field> Varying;
   const auto check = [](int axes, double s) {
     CAPTURE(axes, s);
-    // f = s u^2 with u = x, x + y, or x + y + z, and a threshold that has its value at u = 4.05 with the slope 8.3 s instead of 8.1 s
+    // f = s u^2 with u = x, x + y, or x + y + z, and a threshold that has its value at u = 4.05 with the slope 8.3 s
+    // instead of 8.1 s
     const auto u = [&](double x, double y, double z) { return x + (axes > 1 ? y : 0) + (axes > 2 ? z : 0); };
     Field field = cube_field(5, 1), inner = field, outer = field;
     set(field, [&](double x, double y, double z) { return s * (std::pow(u(x, y, z), 2) - axes / 3.); });
@@ -1002,7 +1054,8 @@ TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the fi
     std::size_t boxes = 0, undecided = 0;
     for(const BS::Cover_box& box : cover.boxes()) {
       const CGAL::Bbox_3 b = cover.bbox(box);
-      if(box.component != 0 || u(b.xmin(), b.ymin(), b.zmin()) > 4.05 || u(b.xmax(), b.ymax(), b.zmax()) < 4.05) continue;
+      if(box.component != 0 || u(b.xmin(), b.ymin(), b.zmin()) > 4.05 || u(b.xmax(), b.ymax(), b.zmax()) < 4.05)
+        continue;
       ++boxes;
       undecided += box.kind == BS::Box_kind::UNDECIDED;
     }
@@ -1020,14 +1073,16 @@ TEST_CASE("Cover: the least gradient is not more than what the field has, howeve
   for(double s : { 1., 1e-140, 1e-155, 1e-160, 1e-200 }) {
     CAPTURE(s);
     Field field = cube_field(2, 1);
-    set(field, [=](double x, double y, double z) { return s * (x + 0.3 * y - 0.7 * z + 0.01 * (x*x - 1./3)); });
+    set(field, [=](double x, double y, double z) { return s * (x + 0.3 * y - 0.7 * z + 0.01 * (x * x - 1. / 3)); });
     BS::Shell_cover_3<Field> cover(field, Constant(-0.5 * s), Constant(0.5 * s));
     cover.flood<CGAL::Sequential_tag>(Point_3(0, 0, 0), 0);
     double sampled = std::numeric_limits<double>::infinity();
     for(const BS::Cover_box& box : cover.boxes()) {
       if(box.component != 0) continue;
       const CGAL::Bbox_3 b = cover.bbox(box);
-      const Vector_3 g = *field.gradient(Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / s;
+      const Vector_3 g = *field.gradient(
+                           Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2))
+                         / s;
       sampled = (std::min)(sampled, std::sqrt(g.squared_length()));
     }
     REQUIRE(sampled < 2);
@@ -1057,7 +1112,8 @@ TEST_CASE("Certificate: thresholds on other cells than the field's are refused")
     CHECK(refused.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
     BS::Shell_report report;
     report.status = BS::Shell_status::SUCCESS;
-    const CGAL::Bspline_shell_3<Field, Varying> shell(field, Varying(other), Varying(outer), std::vector<char>(field.number_of_cells(), 1), {}, report);
+    const CGAL::Bspline_shell_3<Field, Varying> shell(field, Varying(other), Varying(outer),
+                                                      std::vector<char>(field.number_of_cells(), 1), {}, report);
     CHECK(shell.status() == BS::Shell_status::THRESHOLDS_ON_OTHER_CELLS);
   }
 }
@@ -1085,29 +1141,40 @@ void check_is_scaled(const Any_certificate& certificate, const Any_certificate& 
   REQUIRE(certificate.facets().size() == reference.facets().size());
   bool have_scaled_slopes = true;
   for(std::size_t n = 0; n < reference.facets().size(); ++n)
-    have_scaled_slopes = have_scaled_slopes && certificate.facets()[n].slope == std::ldexp(reference.facets()[n].slope, exponent);
+    have_scaled_slopes = have_scaled_slopes
+                         && certificate.facets()[n].slope == std::ldexp(reference.facets()[n].slope, exponent);
   CHECK(have_scaled_slopes);
 }
 
 } // namespace
 
-TEST_CASE("Certificate: scaling field and thresholds by a power of two changes no claim and no angle, and scales gradients exactly")
+TEST_CASE("Certificate: scaling field and thresholds by a power of two changes no claim and no angle, and scales "
+          "gradients exactly")
 {
-  // a sphere that is proved, a double cover that is refuted, a shell with a critical point in it, and one with critical points beyond a threshold
-  struct Case { Field field; double inner, outer; Mesh mesh; };
+  // a sphere that is proved, a double cover that is refuted, a shell with a critical point in it, and one with critical
+  // points beyond a threshold
+  struct Case
+  {
+    Field field;
+    double inner, outer;
+    Mesh mesh;
+  };
   const Point_3 c(0.31, -0.13, 0.17);
   Field quadratic = cube_field(4, 1);
   set(quadratic, [&](double x, double y, double z) {
     return (x - c.x()) * (x - c.x()) + (y - c.y()) * (y - c.y()) + (z - c.z()) * (z - c.z()) - 1;
   });
-  const Case cases[] = { { radial_field(), 0.8, 1.2, sphere(1) }, { radial_field(), 0.28, 1.1, pentagram_bipyramid() },
-                         { quadratic, -0.5, 4.001, sphere(1, 2, c) }, { quadratic, 0.01, 4.001, sphere(1, 2, c) } };
+  const Case cases[] = { { radial_field(), 0.8, 1.2, sphere(1) },
+                         { radial_field(), 0.28, 1.1, pentagram_bipyramid() },
+                         { quadratic, -0.5, 4.001, sphere(1, 2, c) },
+                         { quadratic, 0.01, 4.001, sphere(1, 2, c) } };
   const Verdict gradients[] = { Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::PROVED };
   for(int n = 0; n < 4; ++n) {
     CAPTURE(n);
     const auto certified = [&](int exponent) {
       const Case& here = cases[n];
-      return certify(scaled(here.field, exponent), std::ldexp(here.inner, exponent), std::ldexp(here.outer, exponent), here.mesh);
+      return certify(scaled(here.field, exponent), std::ldexp(here.inner, exponent), std::ldexp(here.outer, exponent),
+                     here.mesh);
     };
     const Certificate reference = certified(0);
     REQUIRE(reference.verdict(Claim::GRADIENT) == gradients[n]);
@@ -1120,7 +1187,8 @@ TEST_CASE("Certificate: scaling field and thresholds by a power of two changes n
   }
 }
 
-TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients; nor bounds of facets' displacements")
+TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients; nor "
+          "bounds of facets' displacements")
 {
   typedef BS::Spline_threshold<Field> Varying;
   typedef BS::Shell_certificate_3<Field, Varying> Varying_certificate;

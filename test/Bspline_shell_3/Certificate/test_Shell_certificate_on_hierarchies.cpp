@@ -1,5 +1,5 @@
-// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: what holds on equal cells holds here. What is
-// taken over from a shell whose cover is known.
+// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: what holds on equal cells
+// holds here. What is taken over from a shell whose cover is known.
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -39,8 +39,8 @@ Root_cells cube(int half_cells, double spacing)
 {
   const double h = half_cells * spacing;
   CGAL::Random random(0);
-  return some_cells(random, BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing), { -half_cells, -half_cells, -half_cells },
-                    { half_cells - 1, half_cells - 1, half_cells - 1 });
+  return some_cells(random, BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing),
+                    { -half_cells, -half_cells, -half_cells }, { half_cells - 1, half_cells - 1, half_cells - 1 });
 }
 
 Hierarchy refined_at(Hierarchy cells, const Point_3& p, int times)
@@ -59,7 +59,8 @@ void set(Field& field, const Function& f)
     int l = field.number_of_levels() - 1;
     while(point >= field.first_point(l) + field.points(l).size()) --l;
     const Lattice_point& p = field.points(l).point(point - field.first_point(l));
-    x[n] = f(field.cells().coordinate(l, 0, p[0]), field.cells().coordinate(l, 1, p[1]), field.cells().coordinate(l, 2, p[2]), l);
+    x[n] = f(field.cells().coordinate(l, 0, p[0]), field.cells().coordinate(l, 1, p[1]),
+             field.cells().coordinate(l, 2, p[2]), l);
   }
   field.set_coefficients(x);
 }
@@ -80,7 +81,7 @@ Field radial_field(double scale = 1)
   cells = refined_at(cells, Point_3(-0.6 * scale, -0.8 * scale, 0), 1);
   Field field(cells);
   REQUIRE(field.number_of_levels() == 4);
-  set(field, [](double x, double y, double z, int) { return std::sqrt(x*x + y*y + z*z); });
+  set(field, [](double x, double y, double z, int) { return std::sqrt(x * x + y * y + z * z); });
   return field;
 }
 
@@ -93,13 +94,15 @@ public:
   Rational operator()(const Exact_point& p)
   {
     Index c = m_field->locate(Point_3(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
-    if(!holds(c, p))      // rounding has moved the point across a face
-      for(c = 0; !holds(c, p); ) ++c;
+    if(!holds(c, p)) // rounding has moved the point across a face
+      for(c = 0; !holds(c, p);) ++c;
     const auto found = m_coefficients.find(c);
-    const std::array<Rational, 64>& b
-      = found != m_coefficients.end() ? found->second : (m_coefficients[c] = m_field->bernstein_coefficients<Rational>(c));
+    const std::array<Rational, 64>& b = found != m_coefficients.end()
+                                          ? found->second
+                                          : (m_coefficients[c] = m_field->bernstein_coefficients<Rational>(c));
     Exact_point t;
-    for(int a = 0; a < 3; ++a) t[a] = (p[a] - Rational(m_field->cells().corner(c)[a])) / Rational(m_field->cells().width(c));
+    for(int a = 0; a < 3; ++a)
+      t[a] = (p[a] - Rational(m_field->cells().corner(c)[a])) / Rational(m_field->cells().width(c));
     return bernstein_value(b, t);
   }
 
@@ -146,7 +149,7 @@ Field two_balls()
   Field field(refined_at(Hierarchy(cube(8, 0.1875)), Point_3(0.75, 0, 0.45), 1));
   set(field, [](double x, double y, double z, int) {
     const double u = std::abs(x) - 0.75;
-    return std::sqrt(u*u + y*y + z*z);
+    return std::sqrt(u * u + y * y + z * z);
   });
   return field;
 }
@@ -158,12 +161,18 @@ Mesh together(const Mesh& a, const Mesh& b)
   return mesh;
 }
 
-Mesh left(double radius = 0.45) { return sphere(2, radius, Point_3(-0.75, 0, 0)); }
-Mesh right(double radius = 0.45) { return sphere(2, radius, Point_3(0.75, 0, 0)); }
+Mesh left(double radius = 0.45)
+{
+  return sphere(2, radius, Point_3(-0.75, 0, 0));
+}
+Mesh right(double radius = 0.45)
+{
+  return sphere(2, radius, Point_3(0.75, 0, 0));
+}
 constexpr double inner_level = 0.36, outer_level = 0.52;
 
-// With the cover of a certificate, and a bound of the gradient that is known again. It is not certified, so that it asks nothing of the
-// components of a mesh.
+// With the cover of a certificate, and a bound of the gradient that is known again. It is not certified, so that it
+// asks nothing of the components of a mesh.
 Shell shell_with_cover(const Field& field, const Certificate& certificate, double gradient)
 {
   BS::Shell_report report;
@@ -171,7 +180,8 @@ Shell shell_with_cover(const Field& field, const Certificate& certificate, doubl
   report.certificate = certificate.report();
   report.certificate.least_gradient = gradient;
   report.certificate.verdicts[std::size_t(Claim::DEGREE_ONE)] = Verdict::UNDECIDED;
-  Shell shell(field, BS::Level_range{ inner_level, outer_level }, std::vector<char>(field.number_of_cells(), 1), {}, report);
+  Shell shell(field, BS::Level_range{ inner_level, outer_level }, std::vector<char>(field.number_of_cells(), 1), {},
+              report);
   shell.set_proved_cover(certificate.cover()->boxes());
   return shell;
 }
@@ -227,10 +237,13 @@ TEST_CASE("Predicates on leaves of different size: the comparison with a level i
   const Predicates predicates(field);
   Exact_values values(field);
   for(int n = 0; n < 60; ++n) {
-    const Index c = n % 2 ? Index(random.get_int(0, int(field.number_of_cells()))) : Index(field.number_of_cells() - 1 - std::size_t(n));
+    const Index c = n % 2 ? Index(random.get_int(0, int(field.number_of_cells())))
+                          : Index(field.number_of_cells() - 1 - std::size_t(n));
     const std::array<double, 3> corner = field.cells().corner(c);
     const double w = field.cells().width(c);
-    const auto at = [&](int a) { return corner[std::size_t(a)] + w * (n % 5 == 4 ? random.get_int(0, 2) : random.get_double()); };
+    const auto at = [&](int a) {
+      return corner[std::size_t(a)] + w * (n % 5 == 4 ? random.get_int(0, 2) : random.get_double());
+    };
     const Point_3 p(at(0), at(1), at(2));
     const Rational value = values(exact(p));
     const double near = CGAL::to_double(value);
@@ -252,16 +265,21 @@ TEST_CASE("Predicates on leaves of different size: answers agree with exact valu
     for(int n = 0; n < 9; ++n) {
       // from where the leaves are smallest to the other end, or there only
       const auto point = [&](double reach, const Point_3& center) {
-        return center + Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
+        return center
+               + Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach),
+                          random.get_double(-reach, reach));
       };
       const Point_3 deep(-2.3, -2.1, 0.4);
-      Triangle t = { point(0.1, deep), point(n % 3 == 0 ? 3.9 : 0.4, n % 3 == 0 ? Point_3(0, 0, 0) : deep), point(n % 3 == 1 ? 0.3 : 3.9, n % 3 == 1 ? deep : Point_3(0, 0, 0)) };
-      if(n % 4 == 3) for(Point_3& p : t) p = Point_3(p.x(), p.y(), 0.5);        // in a plane between leaves of many sizes
+      Triangle t = { point(0.1, deep), point(n % 3 == 0 ? 3.9 : 0.4, n % 3 == 0 ? Point_3(0, 0, 0) : deep),
+                     point(n % 3 == 1 ? 0.3 : 3.9, n % 3 == 1 ? deep : Point_3(0, 0, 0)) };
+      if(n % 4 == 3)
+        for(Point_3& p : t) p = Point_3(p.x(), p.y(), 0.5); // in a plane between leaves of many sizes
       Rational least(1000), most(-1000);
       constexpr int parts = 8;
       for(int i = 0; i <= parts; ++i)
         for(int j = 0; i + j <= parts; ++j) {
-          const Rational f = values(combined(t, Rational(i) / parts, Rational(j) / parts, Rational(parts - i - j) / parts));
+          const Rational f = values(
+            combined(t, Rational(i) / parts, Rational(j) / parts, Rational(parts - i - j) / parts));
           least = (std::min)(least, f);
           most = (std::max)(most, f);
         }
@@ -271,11 +289,15 @@ TEST_CASE("Predicates on leaves of different size: answers agree with exact valu
         BS::Witness witness;
         const Verdict verdict = predicates.values_within(t, levels, &witness);
         const bool holds_at_samples = least >= Rational(levels.min) && most <= Rational(levels.max);
-        if(verdict == Verdict::PROVED) { ++proved; CHECK(holds_at_samples); }
+        if(verdict == Verdict::PROVED) {
+          ++proved;
+          CHECK(holds_at_samples);
+        }
         if(!holds_at_samples) CHECK(verdict == Verdict::REFUTED);
         if(verdict == Verdict::REFUTED) {
           ++refuted;
-          const Rational f = values(combined(t, Rational(witness.barycentric[0]), Rational(witness.barycentric[1]), Rational(witness.barycentric[2])));
+          const Rational f = values(combined(t, Rational(witness.barycentric[0]), Rational(witness.barycentric[1]),
+                                             Rational(witness.barycentric[2])));
           CHECK((f < Rational(levels.min) || f > Rational(levels.max)));
           CHECK((f >= Rational(witness.value.min) && f <= Rational(witness.value.max)));
         }
@@ -296,21 +318,21 @@ TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf,
   // across the gradient, through leaves of all sizes
   const Vector_3 u(2, 1, 0), v(0, 2, 1);
   const Point_3 p(-2.3, -2.1, 0.4), q = p + 2. * u, r = p + 2. * v - 0.3 * u;
-  double slope = 10;      // the best bound
+  double slope = 10; // the best bound
   CHECK(predicates.crosses_upwards({ p, q, r }, nullptr, nullptr, &slope) == Verdict::PROVED);
   CHECK(slope <= length);
-  CHECK(slope > length * (1 - 2e-9));      // the radius of small leaves, by their width
+  CHECK(slope > length * (1 - 2e-9)); // the radius of small leaves, by their width
   BS::Witness witness;
   CHECK(predicates.crosses_upwards({ q, p, r }, &witness) == Verdict::REFUTED);
-  CHECK(witness.value.min >= -length * std::sqrt(3.));       // the normal's largest component is one
+  CHECK(witness.value.min >= -length * std::sqrt(3.)); // the normal's largest component is one
   CHECK(witness.value.max <= -length * (1 - 1e-9));
   // nearly along it, from either side
   const Vector_3 g(0.5, -1, 2), n = CGAL::cross_product(u, v);
   REQUIRE(n * g > 0);
   for(double tilt : { 1e-9, -1e-9 }) {
     const Point_3 s = p + 0.9 * g + tilt * CGAL::cross_product(g, u);
-    CHECK(predicates.crosses_upwards({ p, p + u, s }) == (tilt * (CGAL::cross_product(u, CGAL::cross_product(g, u)) * g) > 0 ? Verdict::PROVED
-                                                                                                                  : Verdict::REFUTED));
+    CHECK(predicates.crosses_upwards({ p, p + u, s })
+          == (tilt * (CGAL::cross_product(u, CGAL::cross_product(g, u)) * g) > 0 ? Verdict::PROVED : Verdict::REFUTED));
   }
   CHECK(predicates.increases({ p, p + g }) == Verdict::PROVED);
   CHECK(predicates.increases({ p + g, p }) == Verdict::REFUTED);
@@ -328,7 +350,9 @@ TEST_CASE("Predicates on leaves of different size: a facet costs what it meets, 
   set(field, [](double x, double y, double z, int) { return z + 0.01 * std::sin(3 * x) * std::sin(2 * y); });
   const Predicates predicates(field);
   BS::Predicate_statistics statistics;
-  CHECK(predicates.values_within(Triangle{ Point_3(3, 3, 3), Point_3(3.5, 3, 3), Point_3(3, 3.5, 3) }, { 2, 4 }, nullptr, &statistics) == Verdict::PROVED);
+  CHECK(predicates.values_within(Triangle{ Point_3(3, 3, 3), Point_3(3.5, 3, 3), Point_3(3, 3.5, 3) }, { 2, 4 },
+                                 nullptr, &statistics)
+        == Verdict::PROVED);
   CHECK(statistics.by_cell + statistics.by_form < 20);
   statistics = BS::Predicate_statistics();
   const Triangle large = { Point_3(-3.9, -3.9, 0.4), Point_3(3.9, -3.9, 0.4), Point_3(-3.9, 3.9, 0.4) };
@@ -355,7 +379,8 @@ TEST_CASE("Certificate on leaves of different size: a sphere is certified, with 
   double least = inf, least_angle = inf;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(mesh.next(h)));
     const Vector_3 n = CGAL::cross_product(q - p, r - p);
     for(const Point_3& s : { p, q, r, CGAL::centroid(p, q, r) }) {
       const Vector_3 g = field.gradient(s).value();
@@ -375,18 +400,22 @@ TEST_CASE("Certificate on leaves of different size: a sphere is certified, with 
 TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or at least not proved")
 {
   const Field field = radial_field();
-  CHECK(verdicts(certify(field, 0.28, 1.2, pentagram_bipyramid()))
-        == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED });
+  CHECK(
+    verdicts(certify(field, 0.28, 1.2, pentagram_bipyramid()))
+    == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED });
   Mesh nested = sphere(2, 0.95);
   CGAL::copy_face_graph(sphere(2, 1.1), nested);
-  CHECK(verdicts(certify(field, 0.85, 1.2, nested))
-        == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::REFUTED });
+  CHECK(
+    verdicts(certify(field, 0.85, 1.2, nested))
+    == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::REFUTED });
 
   // a vertex that sticks out, where leaves are smallest
   Mesh mesh = sphere(2);
   Mesh::Vertex_index v = *mesh.vertices().begin();
   for(auto w : mesh.vertices())
-    if(CGAL::squared_distance(mesh.point(w), Point_3(0, 0.6, 0.8)) < CGAL::squared_distance(mesh.point(v), Point_3(0, 0.6, 0.8))) v = w;
+    if(CGAL::squared_distance(mesh.point(w), Point_3(0, 0.6, 0.8))
+       < CGAL::squared_distance(mesh.point(v), Point_3(0, 0.6, 0.8)))
+      v = w;
   mesh.point(v) = CGAL::ORIGIN + 1.1 * (mesh.point(v) - CGAL::ORIGIN);
   REQUIRE(field.cells().level(field.locate(mesh.point(v))) >= 2);
   const double highest = field.value(mesh.point(v)).value();
@@ -416,11 +445,14 @@ TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or
   CHECK(critical.verdict(Claim::GRADIENT) != Verdict::PROVED);
   bool named = false;
   for(const Place& w : critical.witnesses())
-    named = named || (w.claim == Claim::GRADIENT && std::abs(w.point[0]) < 0.1 && std::abs(w.point[1] - 0.65) < 0.1 && std::abs(w.point[2] - 0.85) < 0.1);
+    named = named
+            || (w.claim == Claim::GRADIENT && std::abs(w.point[0]) < 0.1 && std::abs(w.point[1] - 0.65) < 0.1
+                && std::abs(w.point[2] - 0.85) < 0.1);
   CHECK(named);
 }
 
-TEST_CASE("Certificate on leaves of different size: the same after scaling by a power of two, with any number of threads, in any rounding mode")
+TEST_CASE("Certificate on leaves of different size: the same after scaling by a power of two, with any number of "
+          "threads, in any rounding mode")
 {
   const Mesh mesh = pentagram_bipyramid();
   const Field field = radial_field();
@@ -453,7 +485,7 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   CGAL::Random random(5);
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0.1, 0.1, 0.1 }, 0.2, { -8, -8, -8 }, { 7, 7, 7 });
   Field inexact(refined_at(Hierarchy(some_cells(random, lattice, { -8, -8, -8 }, { 7, 7, 7 })), Point_3(0, 0, 1), 1));
-  set(inexact, [](double x, double y, double z, int) { return std::sqrt(x*x + y*y + z*z); });
+  set(inexact, [](double x, double y, double z, int) { return std::sqrt(x * x + y * y + z * z); });
   REQUIRE_FALSE(inexact.has_exact_cells());
   const Certificate refused = certify(inexact, 0.85, 1.2, sphere(2));
   CHECK(refused.status() == BS::Shell_status::GRID_TOO_FINE);
@@ -483,13 +515,14 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   CHECK(unproved.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
 }
 
-TEST_CASE("Certificate with a cover that is known: as without it for other meshes, also for those with fewer components, in any order")
+TEST_CASE("Certificate with a cover that is known: as without it for other meshes, also for those with fewer "
+          "components, in any order")
 {
   const Field field = two_balls();
   const Certificate proved = certify(field, inner_level, outer_level, together(left(), right()));
   REQUIRE(verdicts(proved) == all_proved);
   REQUIRE(proved.number_of_covers() == 2);
-  const double gradient = 0.75 * proved.least_gradient();      // told from one that is found out
+  const double gradient = 0.75 * proved.least_gradient(); // told from one that is found out
   const Shell shell = shell_with_cover(field, proved, gradient);
   Certificate certificate(shell);
   // one after the other, by the same certificate; a mesh that is not in the shell among them
@@ -514,14 +547,16 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
     for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
   }
   // with bounds that are shared
-  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold());
+  const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(),
+                                                                  shell.outer_threshold());
   Certificate sharing(shell, bounds);
   sharing.verify<CGAL::Parallel_if_available_tag>(left(0.46));
   check_equal(sharing, certify(field, inner_level, outer_level, left(0.46)));
   CHECK(sharing.facets().front().slope == certify(field, inner_level, outer_level, left(0.46)).facets().front().slope);
 }
 
-TEST_CASE("Certificate with a cover that is known: it is of use where components share a part of it, too, but not where it knows nothing")
+TEST_CASE("Certificate with a cover that is known: it is of use where components share a part of it, too, but not "
+          "where it knows nothing")
 {
   const Field field = two_balls();
   const Certificate all = certify(field, inner_level, outer_level, together(left(), right()));
@@ -574,12 +609,14 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
     CHECK(certificate.paths().size() == 2);
     CHECK(certificate.components() == std::vector<std::size_t>{ 0, 1 });
     // one component too many, beside that of the path or in place of the other ball's: no count is one
-    CHECK(certify(field, inner_level, outer, together(left(), left(0.47))).verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
+    CHECK(certify(field, inner_level, outer, together(left(), left(0.47))).verdict(Claim::ONE_SHEET)
+          == Verdict::REFUTED);
     CHECK_FALSE(certify(field, inner_level, outer, together(both, left(0.47))).is_certified());
     // facing the other way, it is not transversal, and nothing follows
     Mesh turned = together(left(), right());
     for(auto v : turned.vertices())
-      if(turned.point(v).x() > 0) turned.point(v) = Point_3(turned.point(v).x(), turned.point(v).y(), -turned.point(v).z());
+      if(turned.point(v).x() > 0)
+        turned.point(v) = Point_3(turned.point(v).x(), turned.point(v).y(), -turned.point(v).z());
     const Certificate inside_out = certify(field, inner_level, outer, turned);
     CHECK(inside_out.verdict(Claim::TRANSVERSALITY) == Verdict::REFUTED);
     CHECK(inside_out.verdict(Claim::ONE_SHEET) == Verdict::UNDECIDED);
@@ -587,7 +624,8 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
   CHECK(shared > 0);
 }
 
-TEST_CASE("Certificate: components of the mesh that share a component of the cover are not told apart where facets fold over, paths or not")
+TEST_CASE("Certificate: components of the mesh that share a component of the cover are not told apart where facets "
+          "fold over, paths or not")
 {
   const Field field = two_balls();
   const auto folded = [](Mesh mesh) {
@@ -631,9 +669,8 @@ TEST_CASE("Certificate: a field that has changed since the last mesh was examine
     if(coefficient == Field::npos) continue;
     const CGAL::Bbox_3 b = field.support(coefficient);
     const Point_3 top((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
-    const bool meets_vertex = std::any_of(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) {
-      return CGAL::do_overlap(mesh.point(v).bbox(), b);
-    });
+    const bool meets_vertex = std::any_of(mesh.vertices().begin(), mesh.vertices().end(),
+                                          [&](auto v) { return CGAL::do_overlap(mesh.point(v).bbox(), b); });
     if(meets_vertex || std::abs(field.value(top).value() - 0.98) > 0.01 || bumps > 0) continue;
     x[coefficient] += 1;
     ++bumps;

@@ -85,22 +85,27 @@ TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at eve
     const auto shifted = [&](const Point_3& x) {
       return x + size * Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
     };
-    const Point_3 a = shifted(mesh.point(mesh.source(h))), b = shifted(mesh.point(mesh.target(h))), c = shifted(mesh.point(mesh.target(mesh.next(h))));
+    const Point_3 a = shifted(mesh.point(mesh.source(h))), b = shifted(mesh.point(mesh.target(h))),
+                  c = shifted(mesh.point(mesh.target(mesh.next(h))));
     bool in = true;
     for(int i = 0; i <= 10; ++i)
       for(int j = 0; i + j <= 10; ++j)
         in = in && shell().bounded_side(a + i / 10. * (b - a) + j / 10. * (c - a)) != CGAL::ON_UNBOUNDED_SIDE;
-    if(contains(a, b, c)) { ++contained; CHECK(in); }
-    else ++not_contained;
+    if(contains(a, b, c)) {
+      ++contained;
+      CHECK(in);
+    } else ++not_contained;
     if(!in) CHECK_FALSE(contains(a, b, c));
   }
   CHECK(contained > 20);
   CHECK(not_contained > 20);
 }
 
-TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in the same cells")
+TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in "
+          "the same cells")
 {
-  // about 4 (|x| - 0.8) (0.95 - |x|): the shell is at the inner sphere, and its leaves hold parts of the component at the outer one, too
+  // about 4 (|x| - 0.8) (0.95 - |x|): the shell is at the inner sphere, and its leaves hold parts of the component at
+  // the outer one, too
   namespace BS = CGAL::Bspline_shells;
   typedef BS::Uniform_bspline_field_3<> Field;
   constexpr int half = 12;
@@ -119,7 +124,8 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
   field.set_coefficients(x);
   const BS::Level_range levels{ -0.02, 0.008 };
   const Mesh mesh = sphere(3, 0.797);
-  BS::Shell_certificate_3<Field> certificate(field, BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
+  BS::Shell_certificate_3<Field> certificate(field, BS::Constant_threshold(levels.min),
+                                             BS::Constant_threshold(levels.max));
   REQUIRE(certificate.verify(mesh));
   std::vector<char> cells(field.number_of_cells(), 0);
   for(const BS::Cover_box& box : certificate.cover()->boxes())
@@ -133,7 +139,8 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
   with_cover.set_proved_cover(certificate.cover()->boxes());
 
   const auto at = [&](double theta, double phi) {
-    return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi), outer * std::sin(phi));
+    return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi),
+                   outer * std::sin(phi));
   };
   std::size_t segments = 0;
   for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
@@ -143,7 +150,7 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
       for(int b = 0; b < 50; ++b) {
         const double theta = 1.57 * a / 100, phi = 1.5 * b / 50;
         const Point_3 p = at(theta, phi), q = at(theta + 0.05, phi);
-        if(shell == &with_cover) CHECK_FALSE(contains(p));      // the component has no mesh
+        if(shell == &with_cover) CHECK_FALSE(contains(p)); // the component has no mesh
         if(!contains(p, q)) continue;
         ++segments;
         CHECK(shell == &without_cover);
@@ -160,9 +167,11 @@ TEST_CASE("Containment: levels belong to the shell, exactly, for points; what is
   // the field has no critical point
   auto report = without_cover.report();
   report.certificate.verdicts[std::size_t(BS::Claim::GRADIENT)] = BS::Verdict::PROVED;
-  CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(), { without_cover.inner_level(), without_cover.outer_level() },
+  CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(),
+                                                  { without_cover.inner_level(), without_cover.outer_level() },
                                                   without_cover.shell_cells(), {}, report);
-  BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
+  BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(),
+                                         with_cover.outer_threshold());
   REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
   with_cover.set_proved_cover(cover.boxes());
   for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {

@@ -1,5 +1,5 @@
-// Shell_cover_3.h: what is said of boxes holds at points of them, in exact arithmetic; floods are those of a search through all pairs of
-// boxes, in integers.
+// Shell_cover_3.h: what is said of boxes holds at points of them, in exact arithmetic; floods are those of a search
+// through all pairs of boxes, in integers.
 #include "exact_spline.h"
 #include "polynomial_fields.h"
 #include "random_hierarchies.h"
@@ -53,7 +53,8 @@ Field with(Field field, const Function& f)
     int l = field.number_of_levels() - 1;
     while(point >= field.first_point(l) + field.points(l).size()) --l;
     const Lattice_point& p = field.points(l).point(point - field.first_point(l));
-    x[n] = f(field.cells().coordinate(l, 0, p[0]), field.cells().coordinate(l, 1, p[1]), field.cells().coordinate(l, 2, p[2]));
+    x[n] = f(field.cells().coordinate(l, 0, p[0]), field.cells().coordinate(l, 1, p[1]),
+             field.cells().coordinate(l, 2, p[2]));
   }
   field.set_coefficients(x);
   return field;
@@ -64,8 +65,10 @@ Field random_cells(CGAL::Random& random, int number, double share, int levels)
 {
   const double h = number / 2.;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-h, -h, -h, h, h, h), 1);
-  return Field(random_hierarchy(random, some_cells(random, lattice, { -number / 2, -number / 2, -number / 2 },
-                                                   { (number - 1) / 2, (number - 1) / 2, (number - 1) / 2 }, share), levels));
+  return Field(random_hierarchy(random,
+                                some_cells(random, lattice, { -number / 2, -number / 2, -number / 2 },
+                                           { (number - 1) / 2, (number - 1) / 2, (number - 1) / 2 }, share),
+                                levels));
 }
 
 // a closed box, in integers: the smallest cells are 2^7 units wide
@@ -142,7 +145,9 @@ std::vector<char> flooded(const AnyCover& cover, const std::vector<Integer_box>&
 // the least of a field, and of its slope along a direction, both exact
 struct Exact_box
 {
-  Exact_box(const Field& field, const Cover_box& box) : box(box), width(field.cell(box.cell).width()), b(field.bernstein_coefficients<Rational>(box.cell)) {}
+  Exact_box(const Field& field, const Cover_box& box)
+    : box(box), width(field.cell(box.cell).width()), b(field.bernstein_coefficients<Rational>(box.cell))
+  {}
 
   Exact_point place(int n) const
   {
@@ -167,28 +172,37 @@ struct Exact_box
   std::array<Rational, 64> b;
 };
 
-Rational dot(const Exact_point& u, const Exact_point& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+Rational dot(const Exact_point& u, const Exact_point& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
 
-// whether some of 27 points of a box are in the shell and at the end of the domain: next to them, in one of the directions out of the box, there is
-// no cell
+// whether some of 27 points of a box are in the shell and at the end of the domain: next to them, in one of the
+// directions out of the box, there is no cell
 template <typename IsInShell>
 bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, const IsInShell& is_in_shell)
 {
   const double next = 1e-6 * (b.xmax() - b.xmin());
-  const auto on = [&](int a, int i, double out) { return i < 0 ? (b.min)(a) - out : i > 0 ? (b.max)(a) + out : ((b.min)(a) + (b.max)(a)) / 2; };
+  const auto on = [&](int a, int i, double out) {
+    return i < 0 ? (b.min)(a)-out : i > 0 ? (b.max)(a) + out : ((b.min)(a) + (b.max)(a)) / 2;
+  };
   for(int k = -1; k <= 1; ++k)
     for(int j = -1; j <= 1; ++j)
       for(int i = -1; i <= 1; ++i) {
         if(!is_in_shell(Point_3(on(0, i, 0), on(1, j, 0), on(2, k, 0)))) continue;
         for(int out = 1; out < 8; ++out)
-          if(field.locate(Point_3(on(0, i, (out & 1) * next), on(1, j, (out >> 1 & 1) * next), on(2, k, (out >> 2) * next))) == Field::npos) return true;
+          if(field.locate(
+               Point_3(on(0, i, (out & 1) * next), on(1, j, (out >> 1 & 1) * next), on(2, k, (out >> 2) * next)))
+             == Field::npos)
+            return true;
       }
   return false;
 }
 
 } // namespace
 
-TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on cells of different sizes with holes between them")
+TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on cells of different sizes with holes "
+          "between them")
 {
   std::size_t boxes = 0, apart = 0, at_end = 0, excluded_at_end = 0, undecided = 0, joined = 0;
   for(unsigned seed = 1; seed < 11; ++seed) {
@@ -199,7 +213,8 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     const double x0 = random.get_double(-1, 1), y0 = random.get_double(-1, 1), bend = seed % 2 ? 0.15 : 0.6;
     // level sets are bent planes, or balls around a critical point that is not at the corner of a cell
     const Field field = with(cells, [&](double x, double y, double z) {
-      return is_ball ? (x - 0.2) * (x - 0.2) + (y - 0.3) * (y - 0.3) + (z - 0.1) * (z - 0.1) : z + bend * std::sin(1.5 * (x - x0)) * std::cos(1.5 * (y - y0));
+      return is_ball ? (x - 0.2) * (x - 0.2) + (y - 0.3) * (y - 0.3) + (z - 0.1) * (z - 0.1)
+                     : z + bend * std::sin(1.5 * (x - x0)) * std::cos(1.5 * (y - y0));
     });
     const double level = is_ball ? 1 : random.get_double(-0.5, 0.5), half = is_ball ? 1.05 : seed % 2 ? 0.03 : 0.2;
     Cover cover(field, Constant(level - half), Constant(level + half));
@@ -253,9 +268,10 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
         is_inside = is_inside && c != Field::npos;
         is_known = is_known && (c == Field::npos || is_subdivided[c]);
       });
-      const bool meets_shell = !is_inside && is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
-        return std::abs(field.value(p).value() - level) <= half;
-      });
+      const bool meets_shell = !is_inside
+                               && is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
+                                    return std::abs(field.value(p).value() - level) <= half;
+                                  });
       failures += !is_known || (is_at_end[n] ? is_inside : meets_shell);
       at_end += is_at_end[n];
       excluded_at_end += !is_inside && !is_at_end[n];
@@ -271,7 +287,8 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     for(std::size_t n = 0; n + 1 < box.size(); ++n)
       if(cover.boxes()[n].cell == cover.boxes()[n + 1].cell) {
         bool overlap = true;
-        for(int a = 0; a < 3; ++a) overlap = overlap && box[n].low[a] < box[n + 1].high[a] && box[n + 1].low[a] < box[n].high[a];
+        for(int a = 0; a < 3; ++a)
+          overlap = overlap && box[n].low[a] < box[n + 1].high[a] && box[n + 1].low[a] < box[n].high[a];
         failures += overlap;
       }
     CHECK(failures == 0);
@@ -284,7 +301,8 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
   CHECK(undecided > 1);
 }
 
-TEST_CASE("Covers: a box of which a part is in the shell at the end of the domain is at its end, between thresholds that vary")
+TEST_CASE(
+  "Covers: a box of which a part is in the shell at the end of the domain is at its end, between thresholds that vary")
 {
   std::size_t beyond_inner = 0, beyond_outer = 0;
   for(unsigned seed = 1; seed < 13; ++seed) {
@@ -302,7 +320,7 @@ TEST_CASE("Covers: a box of which a part is in the shell at the end of the domai
     std::size_t failures = 0;
     for(std::size_t n = 0; n < cover.boxes().size(); ++n) {
       if(cover.boxes()[n].component == none) continue;
-      bool is_below = false, is_above = false;       // at some point that is looked at
+      bool is_below = false, is_above = false; // at some point that is looked at
       const bool is_in_shell = is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
         const double f = field.value(p).value();
         is_below = is_below || f < inner.value(p).value();
@@ -328,17 +346,26 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
     CGAL::Random random(seed);
     const Field cells = random_cells(random, 2, 1, seed % 3 == 0 ? 2 : 1);
     const auto noise = [&](double size) { return random.get_double(-size, size); };
-    // of about the steepness of the field, along diagonals, too; only one of them in some cases, opposite ones in others
-    const double steepness = random.get_double(0.2, 1.2), bumps = seed % 2 ? 0.3 : 0.03, u = random.get_double(0, 2 * pi);
+    // of about the steepness of the field, along diagonals, too; only one of them in some cases, opposite ones in
+    // others
+    const double steepness = random.get_double(0.2, 1.2), bumps = seed % 2 ? 0.3 : 0.03,
+                 u = random.get_double(0, 2 * pi);
     const auto slope = [&](double x, double y, double z) {
       return steepness * (seed % 4 < 2 ? (x + y + z) / std::sqrt(3.) : std::cos(u) * x + std::sin(u) * y);
     };
     // and with critical points, below or above
-    const Field field = with(cells, [&](double x, double y, double z) {
-      return (seed < 13 ? z + 0.1 * x * y : (seed % 2 ? 1 : -1) * (z * z + 0.3 * x * x - 0.6)) + noise(0.02);
-    }),
-                inner = with(cells, [&](double x, double y, double z) { return -0.3 + (seed % 5 == 1 ? 0 : slope(x, y, z)) + noise(bumps); }),
-                outer = with(cells, [&](double x, double y, double z) { return 0.3 + (seed % 5 == 2 ? 0 : slope(x, y, z)) + noise(bumps); });
+    const Field field = with(cells,
+                             [&](double x, double y, double z) {
+                               return (seed < 13 ? z + 0.1 * x * y : (seed % 2 ? 1 : -1) * (z * z + 0.3 * x * x - 0.6))
+                                      + noise(0.02);
+                             }),
+                inner = with(cells,
+                             [&](double x, double y, double z) {
+                               return -0.3 + (seed % 5 == 1 ? 0 : slope(x, y, z)) + noise(bumps);
+                             }),
+                outer = with(cells, [&](double x, double y, double z) {
+                  return 0.3 + (seed % 5 == 2 ? 0 : slope(x, y, z)) + noise(bumps);
+                });
     Varying_cover varying(field, Varying(inner), Varying(outer));
     Cover constant(field, Constant(-0.3), Constant(0.3));
     std::vector<std::uint32_t> all;
@@ -352,22 +379,24 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
         if(box.kind == Box_kind::UNDECIDED) continue;
         const CGAL::Bbox_3 b = cover.bbox(box);
         bool all_between = true, rises = true, is_excluded = true, is_beyond = true;
-        std::array<std::array<bool, 2>, 2> side = {};      // of each threshold
+        std::array<std::array<bool, 2>, 2> side = {}; // of each threshold
         std::array<bool, 2> crosses = { true, true };
         const std::array<double, 3>& d = box.proof;
-        const double length = std::sqrt(d[0]*d[0] + d[1]*d[1] + d[2]*d[2]);
+        const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         constexpr int parts = 2;
         constexpr double hair = 1e-9;
         for(int n = 0; n < (parts + 1) * (parts + 1) * (parts + 1); ++n) {
           const auto at = [&](int a, int i) { return (b.min)(a) + ((b.max)(a) - (b.min)(a)) * i / parts; };
-          const Point_3 p(at(0, n % (parts + 1)), at(1, n / (parts + 1) % (parts + 1)), at(2, n / ((parts + 1) * (parts + 1))));
+          const Point_3 p(at(0, n % (parts + 1)), at(1, n / (parts + 1) % (parts + 1)),
+                          at(2, n / ((parts + 1) * (parts + 1))));
           const auto jet = field.cell(box.cell).first_order_jet(p);
           const double along = jet.gradient[0] * d[0] + jet.gradient[1] * d[1] + jet.gradient[2] * d[2];
           rises = rises && along > 0;
           if(box.kind == Box_kind::CRITICAL_BELOW || box.kind == Box_kind::CRITICAL_ABOVE) {
             const bool below = box.kind == Box_kind::CRITICAL_BELOW;
             double above = jet.value - threshold(below ? 0 : 1, box.cell, p).value;
-            for(int a = 0; a < 3; ++a) above -= (p[a] - (b.min)(a) - d[a] * ((b.max)(a) - (b.min)(a))) * jet.gradient[a] / 2;
+            for(int a = 0; a < 3; ++a)
+              above -= (p[a] - (b.min)(a)-d[a] * ((b.max)(a) - (b.min)(a))) * jet.gradient[a] / 2;
             is_beyond = is_beyond && (below ? above < 0 : above > 0);
           }
           bool is_between = true;
@@ -378,10 +407,11 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
             if(above > -hair) side[t][1] = true;
             if(above < hair) side[t][0] = true;
             const auto& g = other.gradient;
-            crosses[t] = crosses[t] && along > std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]) * length - hair;
+            crosses[t] = crosses[t] && along > std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) * length - hair;
           }
           if(box.kind == Box_kind::EXCLUDED) {
-            const double above = jet.value - threshold(0, box.cell, p).value, below = threshold(1, box.cell, p).value - jet.value;
+            const double above = jet.value - threshold(0, box.cell, p).value,
+                         below = threshold(1, box.cell, p).value - jet.value;
             is_excluded = is_excluded && !(above > hair && below > hair);
           }
           all_between = all_between && is_between;
@@ -401,7 +431,9 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
       }
       CHECK(failures == 0);
     };
-    check(varying, [&](int t, std::uint32_t c, const Point_3& p) { return (t == 0 ? inner : outer).cell(c).first_order_jet(p); });
+    check(varying, [&](int t, std::uint32_t c, const Point_3& p) {
+      return (t == 0 ? inner : outer).cell(c).first_order_jet(p);
+    });
     check(constant, [&](int t, std::uint32_t, const Point_3&) {
       BS::Tricubic_cell_3::First_order_jet jet;
       jet.value = t == 0 ? -0.3 : 0.3;
@@ -425,7 +457,9 @@ TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monoto
   for(unsigned seed = 1; seed < 9; ++seed) {
     CGAL::Random random(seed);
     const double slope = 1e-10 * std::ldexp(1., 2 * int(seed) - 2);
-    const Field field = with(random_cells(random, 2, 1, 1), [&](double x, double, double) { return 1e6 + slope * (x + random.get_double(-0.15, 0.15)); });
+    const Field field = with(random_cells(random, 2, 1, 1), [&](double x, double, double) {
+      return 1e6 + slope * (x + random.get_double(-0.15, 0.15));
+    });
     Cover cover(field, Constant(0), Constant(2e6));
     std::vector<std::uint32_t> all;
     for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
@@ -452,8 +486,9 @@ TEST_CASE("Covers: a box at which the field does not rise is not monotone, even 
   for(int n = 0; n < 40; ++n) {
     const double b = random.get_double(1, 2), step = 10 * (n + 1) * std::numeric_limits<double>::epsilon();
     const BS::Lattice_3::Point first = { -2, 0, 0 }, last = { 1, 0, 0 };
-    const Field field = with(Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last))),
-                             [&](double x, double, double) { return b + step * std::abs(x); });
+    const Field field = with(
+      Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last))),
+      [&](double x, double, double) { return b + step * std::abs(x); });
     Cover cover(field, Constant(0), Constant(3));
     cover.prepare<Tag>({ 0, 1, 2, 3 });
     std::size_t failures = 0, boxes = 0;
@@ -496,7 +531,8 @@ const std::array<double, 3> middle = { 0.5, 0.5, 0.5 };
 
 } // namespace
 
-TEST_CASE("Covers: a box around a critical point beyond a threshold need not be subdivided, and bounds of the gradient are close")
+TEST_CASE("Covers: a box around a critical point beyond a threshold need not be subdivided, and bounds of the gradient "
+          "are close")
 {
   for(double sign : { 1., -1. }) {
     CAPTURE(sign);
@@ -537,14 +573,17 @@ TEST_CASE("Covers: a critical point in the shell keeps its box undecided, by how
       cover.prepare<Tag>({ std::uint32_t(field.cells().locate(Point_3(0.5, 0.5, 0.5))) });
       bool is_undecided = false;
       for(const Cover_box& box : cover.boxes())
-        is_undecided = is_undecided || (box.kind == Box_kind::UNDECIDED && do_overlap(cover.bbox(box), Point_3(0.5, 0.5, 0.5).bbox()));
+        is_undecided = is_undecided
+                       || (box.kind == Box_kind::UNDECIDED
+                           && do_overlap(cover.bbox(box), Point_3(0.5, 0.5, 0.5).bbox()));
       CHECK(is_undecided == (beyond < 0));
     }
 }
 
 TEST_CASE("Covers: where critical points are beyond a threshold, it must be less steep than the field")
 {
-  // the inner threshold 0.02 + s (x - 1/2): on it the field's slope is 0.28 or more where x > 1/2, and 2 |x - m| elsewhere
+  // the inner threshold 0.02 + s (x - 1/2): on it the field's slope is 0.28 or more where x > 1/2, and 2 |x - m|
+  // elsewhere
   const Field field = squared_distance_field(1);
   const std::uint32_t cell = field.cells().locate(Point_3(0.5, 0.5, 0.5));
   for(double s : { 0., 0.01, 0.1, 0.3, 1. }) {
@@ -559,7 +598,8 @@ TEST_CASE("Covers: where critical points are beyond a threshold, it must be less
       critical += box.kind == Box_kind::CRITICAL_BELOW;
       undecided += box.kind == Box_kind::UNDECIDED;
     }
-    // |x - m|^2 = 0.02 + s (x - 1/2) is a sphere, and the threshold as steep as the field somewhere on it, if s >= 2 sqrt(l) where l is least
+    // |x - m|^2 = 0.02 + s (x - 1/2) is a sphere, and the threshold as steep as the field somewhere on it, if s >= 2
+    // sqrt(l) where l is least
     const double radius = std::sqrt(0.02 + s * s / 4), least = 0.02 + s * (s / 2 - radius);
     CHECK((undecided > 0) == (s >= 2 * std::sqrt(least)));
     if(s < 0.1) CHECK(critical > 0);
@@ -573,7 +613,7 @@ TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes
   CGAL::Random random(37);
   for(int k = 0; k < 20; ++k) {
     std::array<double, 3> n = { random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(0.2, 1) };
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]), t = 0.05;
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), t = 0.05;
     for(double& x : n) x /= length;
     const double offset = (n[0] + n[1] + n[2]) / 2;
     Polynomial polynomial = { { offset * offset - t * t, { 0, 0, 0 } } };
@@ -605,7 +645,7 @@ TEST_CASE("Covers: a box at which a threshold is steeper than the field is not m
   for(double s : { 1., 1.62e-162 }) {
     const Field field = with(cells, [&](double x, double, double) { return s * x; });
     const Varying inner(with(cells, [&](double, double, double) { return -10 * s; })),
-                  outer(with(cells, [&](double x, double y, double z) { return 0.93 * s * (x + y + z); }));
+      outer(with(cells, [&](double x, double y, double z) { return 0.93 * s * (x + y + z); }));
     Varying_cover cover(field, inner, outer);
     std::vector<std::uint32_t> all;
     for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) all.push_back(c);
@@ -614,7 +654,8 @@ TEST_CASE("Covers: a box at which a threshold is steeper than the field is not m
     for(const Cover_box& box : cover.boxes()) {
       const CGAL::Bbox_3 b = cover.bbox(box);
       // x - eps2 / s at the corners where it is least and greatest
-      const double least = 0.07 * b.xmin() - 0.93 * (b.ymax() + b.zmax()), greatest = 0.07 * b.xmax() - 0.93 * (b.ymin() + b.zmin());
+      const double least = 0.07 * b.xmin() - 0.93 * (b.ymax() + b.zmax()),
+                   greatest = 0.07 * b.xmax() - 0.93 * (b.ymin() + b.zmin());
       if(!(least < -1e-6 && greatest > 1e-6)) continue;
       ++steep;
       failures += box.kind != Box_kind::UNDECIDED;
@@ -632,7 +673,8 @@ TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
   for(double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
     for(bool is_inner : { true, false }) {
       const auto level = [&](bool has_bad, double value) {
-        return with(cells, [=](double x, double y, double z) { return has_bad && x == 1 && y == 1 && z == 1 ? bad : value; });
+        return with(cells,
+                    [=](double x, double y, double z) { return has_bad && x == 1 && y == 1 && z == 1 ? bad : value; });
       };
       const Varying inner(level(is_inner, -3)), outer(level(!is_inner, 3));
       Varying_cover cover(field, inner, outer);
@@ -655,7 +697,8 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
 {
   // level sets are planes: three components, each of many cells
   CGAL::Random random(25);
-  const Field field = with(random_cells(random, 6, 1, 2), [](double x, double y, double z) { return std::sin(1.5 * (x - 0.3)) + 0.005 * y * z; });
+  const Field field = with(random_cells(random, 6, 1, 2),
+                           [](double x, double y, double z) { return std::sin(1.5 * (x - 0.3)) + 0.005 * y * z; });
   const auto make = [&] { return Cover(field, Constant(-0.07), Constant(0.07)); };
   Cover cover = make();
   std::vector<Point_3> seeds;
@@ -669,11 +712,14 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
   REQUIRE(seeds.size() >= 3);
   // points of the shell, and others
   std::vector<Point_3> points = seeds;
-  for(int n = 0; n < 500; ++n) points.emplace_back(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
+  for(int n = 0; n < 500; ++n)
+    points.emplace_back(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
   // corners of boxes and cells, which others touch
   for(int n = 0; n < 500; ++n) {
     const Cover_box& box = cover.boxes()[std::size_t(random.get_int(0, int(cover.boxes().size())))];
-    const CGAL::Bbox_3 b = n % 4 < 2 ? cover.bbox(box) : field.cell(Field::Cell_index(random.get_int(0, int(field.number_of_cells())))).bbox();
+    const CGAL::Bbox_3 b = n % 4 < 2
+                             ? cover.bbox(box)
+                             : field.cell(Field::Cell_index(random.get_int(0, int(field.number_of_cells())))).bbox();
     points.push_back(n % 2 ? Point_3(b.xmin(), b.ymin(), b.zmin()) : Point_3(b.xmax(), b.ymax(), b.zmax()));
   }
   const auto component = [&](const Point_3& p) {
@@ -695,11 +741,13 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
   typedef std::vector<Cover::Shared> Shared;
   CHECK(adopts({ seeds[2], seeds[0], seeds[1] }) == Shared());
   CHECK(adopts({ seeds[2], seeds[0], seeds[2] }) == Shared{ { 0, 2 } });
-  CHECK(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()), seeds[0], seeds[1] }) == Shared{ { 0, 1 }, { 0, 3 } });
+  CHECK(adopts({ seeds[1], Point_3(seeds[1].x(), seeds[1].y() + 0.01, seeds[1].z()), seeds[0], seeds[1] })
+        == Shared{ { 0, 1 }, { 0, 3 } });
   CHECK_FALSE(adopts({ nowhere }));
   CHECK_FALSE(adopts({ seeds[0], nowhere }));
   CHECK_FALSE(adopts({ seeds[0], Point_3(9, 0, 0) }));
-  for(const std::vector<std::size_t>& order : { std::vector<std::size_t>{ 2, 0, 1 }, std::vector<std::size_t>{ 1 }, std::vector<std::size_t>{ 2, 2, 0 } }) {
+  for(const std::vector<std::size_t>& order :
+      { std::vector<std::size_t>{ 2, 0, 1 }, std::vector<std::size_t>{ 1 }, std::vector<std::size_t>{ 2, 2, 0 } }) {
     std::vector<Point_3> chosen;
     for(std::size_t n : order) chosen.push_back(seeds[n]);
     Cover some = make();
@@ -741,48 +789,53 @@ TEST_CASE("Covers: what another cover found out is taken over where nothing has 
   };
   CHECK(by_cell(before).size() == all.size());
   const auto is_same = [](const Cover_box& a, const Cover_box& b) {
-    return a.depth == b.depth && a.kind == b.kind && std::equal(std::begin(a.position), std::end(a.position), std::begin(b.position));
+    return a.depth == b.depth && a.kind == b.kind
+           && std::equal(std::begin(a.position), std::end(a.position), std::begin(b.position));
   };
   const auto found = by_cell(after), expected = by_cell(reference);
   CHECK(found.size() == expected.size());
   for(const auto& cell : expected)
-    CHECK(std::equal(cell.second.begin(), cell.second.end(), found.at(cell.first).begin(), found.at(cell.first).end(), is_same));
+    CHECK(std::equal(cell.second.begin(), cell.second.end(), found.at(cell.first).begin(), found.at(cell.first).end(),
+                     is_same));
 }
 
 TEST_CASE("Covers: bounds of the gradient are those of its least length, wherever in a box that is")
 {
-  // d x + x^3/3 + x y^2 + x z^2, mirrored: the gradient is shortest at one corner of the domain, and far longer nearby; for the smaller d also within
-  // the box of the cover there
+  // d x + x^3/3 + x y^2 + x z^2, mirrored: the gradient is shortest at one corner of the domain, and far longer nearby;
+  // for the smaller d also within the box of the cover there
   for(double shortest : { 0.05, 0.001 })
-  for(int corner = 0; corner < 8; ++corner) {
-    CAPTURE(corner, shortest);
-    const auto sign = [&](int a) { return corner >> a & 1 ? -1. : 1.; };
-    BS::Lattice_3::Point first, last;
-    for(int a = 0; a < 3; ++a) {
-      first[a] = sign(a) > 0 ? 0 : -2;
-      last[a] = first[a] + 1;
-    }
-    CGAL::Random random(29);
-    Field field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last)));
-    set_polynomial(field, { { shortest, { 1, 0, 0 } }, { 1. / 3, { 3, 0, 0 } }, { 1, { 1, 2, 0 } }, { 1, { 1, 0, 2 } } });
-    Cover cover(field, Constant(-100), Constant(100));
-    REQUIRE(cover.flood<Tag>(Point_3(sign(0), sign(1), sign(2)), 0) == 0);
-    REQUIRE(cover.number_of_undecided_boxes() == 0);
-    const double bound = cover.least_gradient<Tag>();
-    CHECK(bound <= shortest * (1 + 1e-12));
-    CHECK(bound > 0.4 * shortest);
-    const std::vector<double> bounds = cover.least_gradients<Tag>();
-    for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
-      double least = std::numeric_limits<double>::infinity();
-      const CGAL::Bbox_3 b = field.cell(c).bbox();
-      for(int n = 0; n < 8; ++n) {
-        const auto jet = field.cell(c).first_order_jet(Point_3(n & 1 ? b.xmax() : b.xmin(), n & 2 ? b.ymax() : b.ymin(), n & 4 ? b.zmax() : b.zmin()));
-        least = (std::min)(least, std::sqrt(jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1] + jet.gradient[2] * jet.gradient[2]));
+    for(int corner = 0; corner < 8; ++corner) {
+      CAPTURE(corner, shortest);
+      const auto sign = [&](int a) { return corner >> a & 1 ? -1. : 1.; };
+      BS::Lattice_3::Point first, last;
+      for(int a = 0; a < 3; ++a) {
+        first[a] = sign(a) > 0 ? 0 : -2;
+        last[a] = first[a] + 1;
       }
-      CHECK(bounds[c] <= least * (1 + 1e-12));
-      CHECK(bounds[c] > 0.3 * least);
+      CGAL::Random random(29);
+      Field field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last)));
+      set_polynomial(field,
+                     { { shortest, { 1, 0, 0 } }, { 1. / 3, { 3, 0, 0 } }, { 1, { 1, 2, 0 } }, { 1, { 1, 0, 2 } } });
+      Cover cover(field, Constant(-100), Constant(100));
+      REQUIRE(cover.flood<Tag>(Point_3(sign(0), sign(1), sign(2)), 0) == 0);
+      REQUIRE(cover.number_of_undecided_boxes() == 0);
+      const double bound = cover.least_gradient<Tag>();
+      CHECK(bound <= shortest * (1 + 1e-12));
+      CHECK(bound > 0.4 * shortest);
+      const std::vector<double> bounds = cover.least_gradients<Tag>();
+      for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+        double least = std::numeric_limits<double>::infinity();
+        const CGAL::Bbox_3 b = field.cell(c).bbox();
+        for(int n = 0; n < 8; ++n) {
+          const auto jet = field.cell(c).first_order_jet(
+            Point_3(n & 1 ? b.xmax() : b.xmin(), n & 2 ? b.ymax() : b.ymin(), n & 4 ? b.zmax() : b.zmin()));
+          least = (std::min)(least, std::sqrt(jet.gradient[0] * jet.gradient[0] + jet.gradient[1] * jet.gradient[1]
+                                              + jet.gradient[2] * jet.gradient[2]));
+        }
+        CHECK(bounds[c] <= least * (1 + 1e-12));
+        CHECK(bounds[c] > 0.3 * least);
+      }
     }
-  }
 }
 
 TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers below it")
@@ -791,8 +844,9 @@ TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers be
   const double width = std::ldexp(1., -100);
   const BS::Lattice_3::Point first = { 0, 0, 0 }, last = { 3, 3, 3 };
   CGAL::Random random(31);
-  const Field field = with(Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last))),
-                           [&](double x, double, double) { return 1e300 * (x / width); });
+  const Field field = with(
+    Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last))),
+    [&](double x, double, double) { return 1e300 * (x / width); });
   Cover cover(field, Constant(1.1e300), Constant(2.9e300));
   cover.flood<Tag>(Point_3(2 * width, 2 * width, 2 * width), 0);
   CHECK(cover.number_of_undecided_boxes() == 0);
@@ -821,7 +875,8 @@ TEST_CASE("Covers: bounds of the gradient are not above what it is by a rounding
   const Field cells = random_cells(random, 3, 1, 1);
   for(const std::array<int, 3>& g : { std::array<int, 3>{ 0, -1, 0 }, { 1, 0, 1 }, { 3, -5, 7 } }) {
     CAPTURE(g[0], g[1], g[2]);
-    const Exact_field field(with(cells, [&](double x, double y, double z) { return 6 * (g[0] * x + g[1] * y + g[2] * z); }));
+    const Exact_field field(
+      with(cells, [&](double x, double y, double z) { return 6 * (g[0] * x + g[1] * y + g[2] * z); }));
     BS::Shell_cover_3<Exact_field> cover(field, Constant(-1000), Constant(1000));
     cover.flood<Tag>(Point_3(0.5, 0.5, 0.5), 0);
     REQUIRE(cover.number_of_undecided_boxes() == 0);
@@ -846,7 +901,11 @@ TEST_CASE("Covers: what is known of cells is taken over under their new numbers 
   before.prepare<Tag>(all);
   const auto now = [&](std::uint32_t c) {
     const Field::Cell_index n = other.cells().leaf(field.cells().level(c), field.cells().lattice_point(c));
-    return n != Field::npos && std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64, other.cell(n).coefficients()) ? n : Field::npos;
+    return n != Field::npos
+               && std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64,
+                             other.cell(n).coefficients())
+             ? n
+             : Field::npos;
   };
   after.reuse(before, now);
   const std::size_t reused = after.number_of_cells();
@@ -864,17 +923,20 @@ TEST_CASE("Covers: what is known of cells is taken over under their new numbers 
     REQUIRE(found[of_cell.first].size() == of_cell.second.size());
     for(std::size_t n = 0; n < of_cell.second.size(); ++n) {
       CHECK(found[of_cell.first][n].kind == of_cell.second[n].kind);
-      CHECK(std::equal(std::begin(of_cell.second[n].position), std::end(of_cell.second[n].position), std::begin(found[of_cell.first][n].position)));
+      CHECK(std::equal(std::begin(of_cell.second[n].position), std::end(of_cell.second[n].position),
+                       std::begin(found[of_cell.first][n].position)));
     }
   }
 }
 
 TEST_CASE("Covers: the number of boxes is limited by memory, not by the type of their numbers")
 {
-  CHECK(std::numeric_limits<Cover::Box_index>::digits >= std::numeric_limits<std::vector<Cover_box>::size_type>::digits);
+  CHECK(std::numeric_limits<Cover::Box_index>::digits
+        >= std::numeric_limits<std::vector<Cover_box>::size_type>::digits);
 }
 
-TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what proves them are the same, and bounds of the gradient are scaled")
+TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what proves them are the same, and bounds of "
+          "the gradient are scaled")
 {
   CGAL::Random random(41);
   const Field field = with(random_cells(random, 4, 1, 2), [&](double x, double y, double z) {
@@ -888,7 +950,9 @@ TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what p
     return cover;
   };
   const Cover reference = make(field, 1);
-  REQUIRE(std::count_if(reference.boxes().begin(), reference.boxes().end(), [](const Cover_box& b) { return b.component == 0; }) > 20);
+  REQUIRE(std::count_if(reference.boxes().begin(), reference.boxes().end(),
+                        [](const Cover_box& b) { return b.component == 0; })
+          > 20);
   for(int exponent : { -900, -535, 524, 1000 }) {
     CAPTURE(exponent);
     Field scaled = field;
@@ -898,7 +962,8 @@ TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what p
     bool is_same = true;
     for(std::size_t n = 0; n < cover.boxes().size(); ++n) {
       const Cover_box &a = cover.boxes()[n], &b = reference.boxes()[n];
-      is_same = is_same && a.cell == b.cell && a.depth == b.depth && a.kind == b.kind && a.component == b.component && a.proof == b.proof;
+      is_same = is_same && a.cell == b.cell && a.depth == b.depth && a.kind == b.kind && a.component == b.component
+                && a.proof == b.proof;
     }
     CHECK(is_same);
     CHECK(cover.least_gradient<Tag>() == std::ldexp(reference.least_gradient<Tag>(), exponent));

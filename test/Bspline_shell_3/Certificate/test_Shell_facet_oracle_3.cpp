@@ -1,5 +1,5 @@
-// Shell_facet_oracle_3.h: what only the inside of facets shows is rejected; what is remembered is of the same facets. (What oracles say in edits:
-// test_Shell_filter.cpp.)
+// Shell_facet_oracle_3.h: what only the inside of facets shows is rejected; what is remembered is of the same facets.
+// (What oracles say in edits: test_Shell_filter.cpp.)
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
@@ -29,14 +29,18 @@ std::vector<Point_3> band(std::initializer_list<double> degrees)
 {
   std::vector<Point_3> link;
   for(double d : degrees)
-    link.push_back(Point_3(0.8 * std::sin(pi / 3) * std::cos(d * pi / 180), 0.8 * std::sin(pi / 3) * std::sin(d * pi / 180), 0.4));
+    link.push_back(
+      Point_3(0.8 * std::sin(pi / 3) * std::cos(d * pi / 180), 0.8 * std::sin(pi / 3) * std::sin(d * pi / 180), 0.4));
   return link;
 }
 
 const Point_3 pole(0, 0, 0.8);
 
 // of the balls of radii 0.6 and 0.81
-CGAL::Bspline_shell_3<Uniform_field> ball_shell() { return shell_of(uniform_field(squared_distance), 0.36, 0.6561); }
+CGAL::Bspline_shell_3<Uniform_field> ball_shell()
+{
+  return shell_of(uniform_field(squared_distance), 0.36, 0.6561);
+}
 
 } // namespace
 
@@ -82,16 +86,21 @@ TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use fo
   CHECK(oracle(pole, other, memory) == Placement_verdict::LEAVES_SHELL);
 }
 
-TEST_CASE("Facet oracle: a facet at a vertex that is turned where none of its corners and middles of edges are is rejected")
+TEST_CASE(
+  "Facet oracle: a facet at a vertex that is turned where none of its corners and middles of edges are is rejected")
 {
-  // the slope of horizontal facets is 2 x^2 less a hair: bisections do not come near enough to zero to see that it turns
+  // the slope of horizontal facets is 2 x^2 less a hair: bisections do not come near enough to zero to see that it
+  // turns
   const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
   const Oracle oracle(shell);
   Oracle::Memory memory;
   const double z = 0.1;
-  CHECK(oracle(Point_3(0.31, 0, z), { Point_3(-0.47, -0.4, z), Point_3(0.83, -0.4, z), Point_3(0.61, 0.6, z), Point_3(-0.47, 0.4, z) }, memory)
+  CHECK(oracle(Point_3(0.31, 0, z),
+               { Point_3(-0.47, -0.4, z), Point_3(0.83, -0.4, z), Point_3(0.61, 0.6, z), Point_3(-0.47, 0.4, z) },
+               memory)
         != Placement_verdict::ACCEPTED);
-  CHECK(oracle(Point_3(0.5, 0, z), { Point_3(0.2, -0.4, z), Point_3(0.9, -0.4, z), Point_3(0.9, 0.6, z), Point_3(0.2, 0.4, z) }, memory)
+  CHECK(oracle(Point_3(0.5, 0, z),
+               { Point_3(0.2, -0.4, z), Point_3(0.9, -0.4, z), Point_3(0.9, 0.6, z), Point_3(0.2, 0.4, z) }, memory)
         == Placement_verdict::ACCEPTED);
 }
 
@@ -127,7 +136,8 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
     std::size_t accepted = 0;
     constexpr std::size_t questions = 4000;
     for(std::size_t n = 0; n < questions; ++n) {
-      if(choose(50) == 0) link = choose(2) == 0 ? band({ 0, 60, 120, 180, 240, 300 }) : band({ 0, 50, 100, 150, 200, 250, 300 });
+      if(choose(50) == 0)
+        link = choose(2) == 0 ? band({ 0, 60, 120, 180, 240, 300 }) : band({ 0, 50, 100, 150, 200, 250, 300 });
       if(choose(3) == 0) {
         const std::size_t v = choose(link.size());
         const Point_3 moved = band({ 360. * double(v) / double(link.size()) + 10. * double(choose(3)) })[0];
@@ -146,7 +156,8 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
   }
 }
 
-TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient; not from or to outside the domain")
+TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient; not from or to outside "
+          "the domain")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -156,7 +167,8 @@ TEST_CASE("Facet oracle: a point is moved to the level between two others, along
   const std::optional<Point_3> moved = oracle.moved_to_level(Point_3(0.3, 0.4, 0.5), *level);
   REQUIRE(moved);
   CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(*level).epsilon(1e-4));
-  CHECK(std::sqrt(CGAL::cross_product(*moved - CGAL::ORIGIN, Point_3(0.3, 0.4, 0.5) - CGAL::ORIGIN).squared_length()) < 1e-12);
+  CHECK(std::sqrt(CGAL::cross_product(*moved - CGAL::ORIGIN, Point_3(0.3, 0.4, 0.5) - CGAL::ORIGIN).squared_length())
+        < 1e-12);
   CHECK_FALSE(oracle.level_between(Point_3(0.6, 0, 0), Point_3(0, 0, 50)));
   CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 50), *level));
   CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 0.8), 1e6));
@@ -165,14 +177,16 @@ TEST_CASE("Facet oracle: a point is moved to the level between two others, along
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
 {
   // -(x^2 + y^2) where z is 0.1
-  const Uniform_field field = uniform_field({ { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
-  const std::vector<Point_3> link = { Point_3(-0.21, -0.17, 0.1), Point_3(0.43, -0.13, 0.1), Point_3(0.37, 0.41, 0.1), Point_3(-0.19, 0.37, 0.1) };
+  const Uniform_field field = uniform_field(
+    { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
+  const std::vector<Point_3> link = { Point_3(-0.21, -0.17, 0.1), Point_3(0.43, -0.13, 0.1), Point_3(0.37, 0.41, 0.1),
+                                      Point_3(-0.19, 0.37, 0.1) };
   const Point_3 p(0.23, 0.13, 0.1);
   for(double outer : { -1e-9, 0.01 }) {
     const auto shell = shell_of(field, -5, outer);
     Oracle::Memory memory;
     const Oracle oracle(shell);
-    for(int times = 0; times < 2; ++times)      // the second time, by what is remembered
+    for(int times = 0; times < 2; ++times) // the second time, by what is remembered
       CHECK((oracle(p, link, memory) == Placement_verdict::ACCEPTED) == (outer > 0));
   }
 }
@@ -181,7 +195,8 @@ TEST_CASE("Facet oracle: a single facet that just leaves the shell, or lies alon
 {
   const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
   const Point_3 p(0.1, 0.1, 0.25), q(0.3, 0.1, 0.25), r(0.1, 0.3, 0.25), up(0.1, 0.1, 0.35);
-  const auto inside = shell_of(field, -0.5, 0.25 + 1e-12), outside = shell_of(field, -0.5, 0.25 - 1e-15), wide = shell_of(field, -0.5, 0.5);
+  const auto inside = shell_of(field, -0.5, 0.25 + 1e-12), outside = shell_of(field, -0.5, 0.25 - 1e-15),
+             wide = shell_of(field, -0.5, 0.5);
   CHECK(Oracle(inside)(p, q, r) == Placement_verdict::ACCEPTED);
   CHECK(Oracle(outside)(p, q, r) == Placement_verdict::LEAVES_SHELL);
   CHECK(Oracle(wide)(p, q, r) == Placement_verdict::ACCEPTED);
@@ -195,8 +210,9 @@ TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is"
   const Oracle oracle(shell);
   CGAL::Random random(3);
   for(int n = 0; n < 40; ++n) {
-    const Eigen::Vector3d up = Eigen::Vector3d(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(0.1, 1)).normalized(),
-                          u = up.unitOrthogonal(), v = up.cross(u), p = 0.7 * up;
+    const Eigen::Vector3d
+      up = Eigen::Vector3d(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(0.1, 1)).normalized(),
+      u = up.unitOrthogonal(), v = up.cross(u), p = 0.7 * up;
     const auto link = [&](std::initializer_list<int> order) {
       std::vector<Point_3> points;
       for(int k : order) {
@@ -212,11 +228,13 @@ TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is"
   }
 }
 
-TEST_CASE("Facet oracle: a fan that winds twice is rejected, also where squares of the gradient vanish or are no number")
+TEST_CASE(
+  "Facet oracle: a fan that winds twice is rejected, also where squares of the gradient vanish or are no number")
 {
   for(double scale : { 1., 1e-170, 1e160 }) {
     CAPTURE(scale);
-    const Uniform_field field = uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
+    const Uniform_field field = uniform_field(
+      { { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
     const auto shell = shell_of(field, 0.36 * scale, 0.6561 * scale);
     const Oracle oracle(shell);
     const auto fan = [&](std::initializer_list<int> order) {
@@ -257,8 +275,10 @@ TEST_CASE("Facet oracle: what is between the thresholds but in cells that are no
 
 TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is rejected where all is proved")
 {
-  // the slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1), the same at all corners and middles of edges, and negative between
-  const auto shell = shell_of(uniform_field({ { 0.01, { 0, 0, 1 } }, { 1, { 1, 0, 1 } }, { -6, { 2, 0, 1 } }, { 8, { 3, 0, 1 } } }), -5, 5);
+  // the slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1), the same at all corners and middles of edges, and
+  // negative between
+  const auto shell = shell_of(
+    uniform_field({ { 0.01, { 0, 0, 1 } }, { 1, { 1, 0, 1 } }, { -6, { 2, 0, 1 } }, { 8, { 3, 0, 1 } } }), -5, 5);
   const double z = 0.1;
   const Point_3 p(0, -0.2, z), q(0.5, -0.2, z), r(0, 0.2, z);
   CHECK(Oracle(shell, BS::Facet_proofs::WHERE_DOUBTFUL)(p, q, r) == Placement_verdict::ACCEPTED);

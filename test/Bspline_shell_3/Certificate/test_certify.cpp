@@ -24,8 +24,14 @@ typedef BS::Shell_map_3<Varying_shell, Mesh> Map;
 using BS::Flow_status;
 using BS::Verdict;
 
-Mesh near_sphere(double radius = 1) { return sphere(2, radius); }
-Mesh far_sphere(double radius = 1) { return sphere(2, radius, Point_3(3, 0, 0)); }
+Mesh near_sphere(double radius = 1)
+{
+  return sphere(2, radius);
+}
+Mesh far_sphere(double radius = 1)
+{
+  return sphere(2, radius, Point_3(3, 0, 0));
+}
 Mesh both(const Mesh& first, const Mesh& second)
 {
   Mesh mesh = first;
@@ -39,8 +45,8 @@ const Mesh& two_spheres()
 }
 const Varying_shell& two_shells()
 {
-  static const Varying_shell shell
-    = CGAL::certified_bspline_shell_3(two_spheres(), BS::parameters::relative_thickness(0.05));
+  static const Varying_shell shell = CGAL::certified_bspline_shell_3(two_spheres(),
+                                                                     BS::parameters::relative_thickness(0.05));
   REQUIRE(shell.is_certified());
   return shell;
 }
@@ -52,7 +58,10 @@ Varying_shell read_shell(const std::string& bytes)
   CHECK_FALSE(shell.is_certified());
   return shell;
 }
-Varying_shell read_two_shells() { return read_shell(written(two_shells(), Format::BINARY)); }
+Varying_shell read_two_shells()
+{
+  return read_shell(written(two_shells(), Format::BINARY));
+}
 
 // the shell of the two spheres as it is read if `change` is made to the lines of the paths
 Varying_shell with_paths(const std::function<void(Lines& paths)>& change)
@@ -166,7 +175,7 @@ TEST_CASE("certify: meshes in different components are not mapped with success, 
 
 TEST_CASE("certify: paths of a file that do not lead through the shell are no reason for anything")
 {
-  const auto check = [&](const std::function<void(Lines& paths)>& change) {
+  const auto check = [&](const std::function<void(Lines & paths)>& change) {
     Varying_shell shell = with_paths(change);
     CHECK(shell.component_paths().empty());
     // the mesh defines the components
@@ -224,7 +233,9 @@ TEST_CASE("certify: a file that gives two components one number, or leaves one o
     CHECK(Map(shell, near, far).status() == Flow_status::OTHER_COMPONENTS);
     CHECK_FALSE(BS::Shell_containment_3<Varying_shell::Field, Varying_shell::Threshold>(shell)(Point_3(4, 0, 0)));
   };
-  check(with_paths([](Lines& paths) { for(std::string& line : paths) line = with_word(line, 0, "0"); }));
+  check(with_paths([](Lines& paths) {
+    for(std::string& line : paths) line = with_word(line, 0, "0");
+  }));
   check(with_paths([](Lines& paths) {
     const auto is_of_second = [](const std::string& line) { return line[0] == '1'; };
     paths.erase(std::remove_if(paths.begin(), paths.end(), is_of_second), paths.end());
@@ -292,8 +303,9 @@ TEST_CASE("certify: paths of a shell that is not certified do not count, though 
 TEST_CASE("certify: certificates between other thresholds, or of other fields, are not compared")
 {
   const Mesh mesh = near_sphere();
-  const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.)), copy(Shell::Field(shell.field()),
-    BS::Level_range{ shell.inner_level(), shell.outer_level() }, shell.shell_cells(), {}, shell.report());
+  const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.)),
+              copy(Shell::Field(shell.field()), BS::Level_range{ shell.inner_level(), shell.outer_level() },
+                   shell.shell_cells(), {}, shell.report());
   typedef BS::Shell_certificate_3<Field> Uniform_certificate;
   const auto certificate = [&](const Field& field, double inner, double outer) {
     Uniform_certificate result(field, BS::Constant_threshold(inner), BS::Constant_threshold(outer));

@@ -1,4 +1,5 @@
-// critical_point.h: a critical point that is proved is there; none is proved where the gradient only comes close to zero.
+// critical_point.h: a critical point that is proved is there; none is proved where the gradient only comes close to
+// zero.
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 
 #include <catch2/catch.hpp>
@@ -11,7 +12,7 @@ namespace test_critical_point {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef std::array<double, 4> Cubic;      // Bernstein coefficients
+typedef std::array<double, 4> Cubic; // Bernstein coefficients
 
 // (t - a)^3 / 3 + e t
 Cubic cube(double a, double e)
@@ -44,13 +45,15 @@ TEST_CASE("critical points: that of a quadratic function is proved and lies in i
     for(double y : { 0.2, 0.5, 0.9 }) {
       const auto p = BS::prove_critical_point(sum(square(x), square(y), square(0.4)));
       REQUIRE(p);
-      wrong += std::abs(p->center[0] - x) > p->radius || std::abs(p->center[1] - y) > p->radius || std::abs(p->center[2] - 0.4) > p->radius;
+      wrong += std::abs(p->center[0] - x) > p->radius || std::abs(p->center[1] - y) > p->radius
+               || std::abs(p->center[2] - 0.4) > p->radius;
       for(double c : p->center) wrong += !(c - p->radius >= 0 && c + p->radius <= 1);
     }
   CHECK(wrong == 0);
 }
 
-TEST_CASE("critical points: none is proved where second derivatives vanish within the box and the gradient only nearly does")
+TEST_CASE(
+  "critical points: none is proved where second derivatives vanish within the box and the gradient only nearly does")
 {
   // the derivative by x is (x - a)^2 + e > 0
   std::size_t proved = 0;

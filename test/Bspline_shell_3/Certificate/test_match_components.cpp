@@ -1,5 +1,5 @@
-// match_components.h: certified meshes of a shell lie in the same components of it, or are told apart, by the certificate, by containment
-// and by the map.
+// match_components.h: certified meshes of a shell lie in the same components of it, or are told apart, by the
+// certificate, by containment and by the map.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -32,7 +32,8 @@ using BS::Verdict;
 
 constexpr double small_radius = 0.6, large_radius = 1;
 
-// about 4 (|x| - small) (large - |x|): increases through the small sphere and decreases through the large one, with a ridge between
+// about 4 (|x| - small) (large - |x|): increases through the small sphere and decreases through the large one, with a
+// ridge between
 const Field& two_spheres()
 {
   static const Field field = [] {
@@ -55,7 +56,10 @@ const Field& two_spheres()
   return field;
 }
 
-Mesh small_sphere(double factor = 1) { return sphere(3, factor * small_radius); }
+Mesh small_sphere(double factor = 1)
+{
+  return sphere(3, factor * small_radius);
+}
 Mesh large_sphere(double factor = 1)
 {
   Mesh mesh = sphere(3, factor * large_radius);
@@ -89,9 +93,8 @@ Shell shell_of(const Mesh& mesh)
 
 bool has(const Certificate& certificate, Place::Reason reason, Verdict verdict)
 {
-  return std::any_of(certificate.witnesses().begin(), certificate.witnesses().end(), [&](const Place& w) {
-    return w.reason == reason && w.verdict == verdict;
-  });
+  return std::any_of(certificate.witnesses().begin(), certificate.witnesses().end(),
+                     [&](const Place& w) { return w.reason == reason && w.verdict == verdict; });
 }
 
 // how many vertices of a mesh have an image
@@ -149,15 +152,17 @@ TEST_CASE("Components: a mesh in a component of the level set that the shell doe
   }
 }
 
-TEST_CASE("Components: two certificates between the same thresholds say whether their meshes are mapped onto each other")
+TEST_CASE(
+  "Components: two certificates between the same thresholds say whether their meshes are mapped onto each other")
 {
   const auto certify = [](const Mesh& mesh) {
     Certificate certificate(two_spheres(), BS::Constant_threshold(-0.09), BS::Constant_threshold(0.09));
     certificate.verify(mesh);
     return certificate;
   };
-  const Certificate small = certify(small_sphere()), other_small = certify(small_sphere(1.02)), large = certify(large_sphere()),
-                    all = certify(both(large_sphere(), small_sphere())), none = certify(sphere(2, 0.2));
+  const Certificate small = certify(small_sphere()), other_small = certify(small_sphere(1.02)),
+                    large = certify(large_sphere()), all = certify(both(large_sphere(), small_sphere())),
+                    none = certify(sphere(2, 0.2));
   for(const Certificate* c : { &small, &other_small, &large, &all }) REQUIRE(*c);
   CHECK(small.matches(other_small) == Verdict::PROVED);
   CHECK(other_small.matches(small) == Verdict::PROVED);
@@ -171,16 +176,19 @@ TEST_CASE("Components: two certificates between the same thresholds say whether 
 
 TEST_CASE("Components: the map between meshes in other components is refused")
 {
-  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(small_sphere(1.02), large_sphere(0.99)), one = small_sphere();
+  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(small_sphere(1.02), large_sphere(0.99)),
+             one = small_sphere();
   const Shell shell = shell_of(mesh);
   const BS::Shell_map_3 map(shell, mesh, moved);
   CHECK(map.status() == BS::Flow_status::SUCCESS);
   CHECK(number_of_images(map) == mesh.number_of_faces());
-  for(const auto& refused : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh), BS::Shell_map_3(shell, one, mesh).inverse() }) {
+  for(const auto& refused : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh),
+                              BS::Shell_map_3(shell, one, mesh).inverse() }) {
     CHECK(refused.status() == BS::Flow_status::OTHER_COMPONENTS);
     const BS::Shell_map_3<Shell, Mesh>::Source_location location(*refused.source().faces().begin(), { 0.2, 0.3, 0.5 });
     CHECK(refused(location).status == BS::Flow_status::OTHER_COMPONENTS);
-    for(const auto& image : refused.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
+    for(const auto& image :
+        refused.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
       CHECK(image.status == BS::Flow_status::OTHER_COMPONENTS);
     CHECK_FALSE(std::string(message(refused.status())).empty());
   }
@@ -269,8 +277,11 @@ TEST_CASE("Components: containment tells which component of the shell a mesh lie
 TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says nothing, others do")
 {
   // a square pyramid over the plane z = 0, whose diagonal the first path meets
-  const std::vector<std::array<double, 3> > points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -1 } };
-  const std::vector<std::array<int, 3> > facets = { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } };
+  const std::vector<std::array<double, 3> > points = {
+    { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -1 }
+  };
+  const std::vector<std::array<int, 3> > facets = { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 0, 4 },
+                                                    { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } };
   const auto triangle = [&](std::size_t n) {
     const auto point = [&](int v) { return Point_3(points[v][0], points[v][1], points[v][2]); };
     return std::array<Point_3, 3>{ point(facets[n][0]), point(facets[n][1]), point(facets[n][2]) };
@@ -278,8 +289,10 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   const auto match = [&](std::vector<BS::Crossing_path> paths) {
     return BS::match_components(paths, 1, facets.size(), triangle, [](std::size_t) { return std::size_t(0); });
   };
-  const BS::Crossing_path on_edge = { 0, 0, { 0.5, 0.5, -0.5 }, { 0.5, 0.5, 0.5 } }, inside = { 0, 0, { 0.6, 0.5, -0.1 }, { 0.6, 0.5, 0.5 } },
-                          beside = { 0, 0, { 2, 0.5, -0.1 }, { 2, 0.5, 0.5 } }, on_vertex = { 0, 0, { 0, 0, -1 }, { 0, 0, 1 } };
+  const BS::Crossing_path on_edge = { 0, 0, { 0.5, 0.5, -0.5 }, { 0.5, 0.5, 0.5 } },
+                          inside = { 0, 0, { 0.6, 0.5, -0.1 }, { 0.6, 0.5, 0.5 } },
+                          beside = { 0, 0, { 2, 0.5, -0.1 }, { 2, 0.5, 0.5 } },
+                          on_vertex = { 0, 0, { 0, 0, -1 }, { 0, 0, 1 } };
   CHECK(match({ on_edge }).verdict() == Verdict::UNDECIDED);
   CHECK(match({ on_vertex }).verdict() == Verdict::UNDECIDED);
   CHECK(match({ inside }).verdict() == Verdict::PROVED);
@@ -290,7 +303,8 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   CHECK(match({ beside }).crossings == std::vector<std::optional<int> >{ 0 });
   CHECK(match({ beside, on_vertex, inside }).verdict() == Verdict::PROVED);
   // a count of one is preferred, in any order
-  for(const auto& paths : { std::vector<BS::Crossing_path>{ inside, beside }, { beside, inside }, { beside, inside, on_edge, beside } }) {
+  for(const auto& paths :
+      { std::vector<BS::Crossing_path>{ inside, beside }, { beside, inside }, { beside, inside, on_edge, beside } }) {
     CHECK(match(paths).verdict() == Verdict::PROVED);
     CHECK(match(paths).component_of_shell == std::vector<std::size_t>{ 0 });
   }
@@ -304,9 +318,13 @@ TEST_CASE("Components: a mesh that a path crosses twice, or from the front to th
 {
   // triangles of which each is a component, across the z-axis
   const auto match = [](const std::vector<double>& heights, const BS::Crossing_path& path) {
-    return BS::match_components({ path }, heights.size(), heights.size(), [&](std::size_t n) {
-      return std::array<Point_3, 3>{ Point_3(-1, -1, heights[n]), Point_3(2, -1, heights[n]), Point_3(-1, 2, heights[n]) };
-    }, [](std::size_t n) { return n; });
+    return BS::match_components(
+      { path }, heights.size(), heights.size(),
+      [&](std::size_t n) {
+        return std::array<Point_3, 3>{ Point_3(-1, -1, heights[n]), Point_3(2, -1, heights[n]),
+                                       Point_3(-1, 2, heights[n]) };
+      },
+      [](std::size_t n) { return n; });
   };
   const BS::Crossing_path up = { 0, 0, { 0, 0, -1 }, { 0, 0, 1 } }, down = { 0, 0, { 0, 0, 1 }, { 0, 0, -1 } };
   CHECK(match({ 0 }, up).verdict() == Verdict::PROVED);

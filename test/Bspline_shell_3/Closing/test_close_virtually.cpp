@@ -1,4 +1,5 @@
-// close_virtually.h: caps where they leave room, back sheets elsewhere; the closed mesh never intersects itself, and what cannot be closed is refused.
+// close_virtually.h: caps where they leave room, back sheets elsewhere; the closed mesh never intersects itself, and
+// what cannot be closed is refused.
 #include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include "test_meshes.h"
 
@@ -43,7 +44,9 @@ void remove_faces(Mesh& mesh, const std::function<bool(const Point_3&)>& is_remo
   std::vector<Mesh::Face_index> faces;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    if(is_removed(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))))) faces.push_back(f);
+    if(is_removed(
+         CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))))
+      faces.push_back(f);
   }
   for(auto f : faces) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   mesh.collect_garbage();
@@ -67,7 +70,8 @@ Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
   for(auto v : mesh.vertices())
     if(mesh.is_border(v)) {
       ++border;
-      CHECK(found.closing->border_point({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() }) < found.closing->number_of_border_points());
+      CHECK(found.closing->border_point({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() })
+            < found.closing->number_of_border_points());
     }
   CHECK(found.closing->number_of_border_points() == border);
   return whole;
@@ -115,11 +119,11 @@ TEST_CASE("Closing: an annulus in a plane, with a slit and a flat tip")
     const double angle = -1.96 * CGAL_PI * u, r = 0.5 + 0.5 * v;
     return Point_3(r * std::cos(angle), r * std::sin(angle), 0);
   });
-  closed(annulus, 0.05, report);       // the slit is 0.06 wide at the inner circle
+  closed(annulus, 0.05, report); // the slit is 0.06 wide at the inner circle
   CHECK(report.sheets == 1);
   CHECK(report.largest_offset <= 0.05 * (1 + 1e-12));
 
-  Mesh tip;       // five degrees
+  Mesh tip; // five degrees
   const double t = std::tan(5 * CGAL_PI / 180);
   tip.add_face(tip.add_vertex(Point_3(0, 0, 0)), tip.add_vertex(Point_3(1, 0, 0)), tip.add_vertex(Point_3(1, t, 0)));
   closed(tip, 0.02, report);
@@ -198,7 +202,7 @@ TEST_CASE("Closing: components that are closed stay as they are")
 
 TEST_CASE("Closing: a dish gets no cap that leaves a thin wall")
 {
-  Mesh dish = sphere(5);      // 0.28 wide and 0.01 deep
+  Mesh dish = sphere(5); // 0.28 wide and 0.01 deep
   remove_faces(dish, [](const Point_3& p) { return p.z() < 0.99; });
   BS::Closing_report report;
   closed(dish, 0.1, report);

@@ -1,4 +1,5 @@
-// Shells of open meshes: certified with what closes them; certificates, edits, maps and files take open meshes, and leave their borders alone.
+// Shells of open meshes: certified with what closes them; certificates, edits, maps and files take open meshes, and
+// leave their borders alone.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -43,7 +44,9 @@ std::vector<double> steps(int number)
 // hills and hollows over the unit square, which any cap would cut through: it gets a back sheet
 const Mesh& hill()
 {
-  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) { return 0.1 * std::sin(2 * CGAL_PI * x) * std::sin(2 * CGAL_PI * y); });
+  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) {
+    return 0.1 * std::sin(2 * CGAL_PI * x) * std::sin(2 * CGAL_PI * y);
+  });
   return mesh;
 }
 const Shell& hill_shell()
@@ -60,7 +63,8 @@ const Mesh& lantern()
     std::vector<Mesh::Face_index> removed;
     for(auto f : m.faces()) {
       const auto h = m.halfedge(f);
-      if(std::abs(CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h)))).z()) > 0.8) removed.push_back(f);
+      if(std::abs(CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h)))).z()) > 0.8)
+        removed.push_back(f);
     }
     for(auto f : removed) CGAL::Euler::remove_face(m.halfedge(f), m);
     m.collect_garbage();
@@ -103,7 +107,10 @@ void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
   std::size_t lost = 0, far = 0, moved = 0;
   const auto check = [&](const Map::Source_location& location, const Point_3& p) {
     const auto image = map(location);
-    if(!image) { ++lost; return Point_3(); }
+    if(!image) {
+      ++lost;
+      return Point_3();
+    }
     const auto again = back(image.location);
     if(!again) ++lost;
     else if(CGAL::squared_distance(again.point, p) > tolerance * tolerance) ++far;
@@ -114,8 +121,9 @@ void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
     if(from.is_border(v) && image != from.point(v)) ++moved;
   }
   for(auto f : from.faces())
-    for(const std::array<double, 3>& b : { std::array<double, 3>{ 0.2, 0.3, 0.5 }, std::array<double, 3>{ 0.5, 0.5, 0 },
-                                           std::array<double, 3>{ 0, 0.25, 0.75 }, std::array<double, 3>{ 0.75, 0, 0.25 } }) {
+    for(const std::array<double, 3>& b :
+        { std::array<double, 3>{ 0.2, 0.3, 0.5 }, std::array<double, 3>{ 0.5, 0.5, 0 },
+          std::array<double, 3>{ 0, 0.25, 0.75 }, std::array<double, 3>{ 0.75, 0, 0.25 } }) {
       const auto p = map.point({ f, b });
       check({ f, b }, Point_3(p[0], p[1], p[2]));
     }
@@ -147,7 +155,7 @@ TEST_CASE("Open meshes: the shell is certified with what closes them")
 
 TEST_CASE("Open meshes: polygons, too")
 {
-  Mesh mesh;      // a box without its top, of quadrangles
+  Mesh mesh; // a box without its top, of quadrangles
   const Mesh whole = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
   mesh = whole;
   for(auto f : whole.faces()) {
@@ -179,7 +187,7 @@ TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
     CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
     break;
   }
-  Mesh smaller = hill();      // without a facet at the border
+  Mesh smaller = hill(); // without a facet at the border
   for(auto h : smaller.halfedges())
     if(smaller.is_border(h)) {
       CGAL::Euler::remove_face(smaller.opposite(h), smaller);
@@ -190,14 +198,15 @@ TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
   Mesh turned = hill();
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
   CHECK_FALSE(certificate.verify(turned));
-  Mesh closed = hill();       // by the same triangles, before it is asked for
+  Mesh closed = hill(); // by the same triangles, before it is asked for
   REQUIRE(hill_shell().closing()->attach(closed, closed.points()));
   CHECK(certificate.verify(closed));
 }
 
 TEST_CASE("Open meshes: simplified, their borders stay, and each point goes there and back")
 {
-  for(const auto& [mesh, shell] : { std::make_pair(hill(), &hill_shell()), std::make_pair(lantern(), &lantern_shell()) }) {
+  for(const auto& [mesh, shell] :
+      { std::make_pair(hill(), &hill_shell()), std::make_pair(lantern(), &lantern_shell()) }) {
     Mesh coarse = mesh;
     const auto result = BS::simplify_in_shell(coarse, *shell, parameters::locate_vertices(true));
     REQUIRE(result.status == BS::Edit_status::SUCCESS);
@@ -220,7 +229,8 @@ TEST_CASE("Open meshes: a number of facets that is asked for is that of the open
 {
   const std::size_t asked = hill().number_of_faces() / 2;
   Mesh coarse = hill();
-  const auto result = BS::simplify_in_shell(coarse, hill_shell(), parameters::stop(BS::Facet_count_stop_predicate(asked)));
+  const auto result = BS::simplify_in_shell(coarse, hill_shell(),
+                                            parameters::stop(BS::Facet_count_stop_predicate(asked)));
   REQUIRE(result);
   CHECK(result.facets <= asked);
   CHECK(result.facets + 2 >= asked);
@@ -232,8 +242,12 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   auto is_constrained = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
   std::size_t constrained = 0;
   for(auto e : coarse.edges()) {
-    const double x = coarse.point(coarse.source(coarse.halfedge(e))).x(), y = coarse.point(coarse.target(coarse.halfedge(e))).x();
-    if(x == 0.5 && y == 0.5) { is_constrained[e] = true; ++constrained; }
+    const double x = coarse.point(coarse.source(coarse.halfedge(e))).x(),
+                 y = coarse.point(coarse.target(coarse.halfedge(e))).x();
+    if(x == 0.5 && y == 0.5) {
+      is_constrained[e] = true;
+      ++constrained;
+    }
   }
   REQUIRE(constrained == 16);
   auto result = BS::simplify_in_shell(coarse, hill_shell(), parameters::edge_is_constrained_map(is_constrained));
@@ -263,7 +277,8 @@ TEST_CASE("Open meshes: an exception leaves a mesh as it was")
 {
   Mesh mesh = hill();
   REQUIRE(mesh.number_of_edges() > 700);
-  CHECK_THROWS_AS(BS::simplify_in_shell(mesh, hill_shell(), parameters::stop(Throwing_predicate())), std::runtime_error);
+  CHECK_THROWS_AS(BS::simplify_in_shell(mesh, hill_shell(), parameters::stop(Throwing_predicate())),
+                  std::runtime_error);
   mesh.collect_garbage();
   CHECK(mesh.is_valid());
   CHECK(mesh.number_of_faces() == hill().number_of_faces());
@@ -316,7 +331,7 @@ TEST_CASE("Open meshes: other types of meshes are edited, too, and other borders
   CHECK(result.status == BS::Edit_status::SUCCESS);
   CHECK(mesh.is_valid());
   CHECK(mesh.size_of_facets() == result.facets);
-  CHECK(mesh.size_of_border_edges() == 0);       // of the normalized part: what counts is that there is one
+  CHECK(mesh.size_of_border_edges() == 0); // of the normalized part: what counts is that there is one
   mesh.normalize_border();
   CHECK(mesh.size_of_border_edges() == border(hill()).size());
 
@@ -344,7 +359,8 @@ TEST_CASE("Open meshes: attributes, with those of the border as they were")
   }
 }
 
-TEST_CASE("Open meshes: images of points that are beyond the border by less than the tolerance are moved to it, and marked")
+TEST_CASE(
+  "Open meshes: images of points that are beyond the border by less than the tolerance are moved to it, and marked")
 {
   const Map map(hill_shell(), hill(), hill());
   std::size_t snapped = 0;
@@ -411,7 +427,8 @@ TEST_CASE("Open meshes: closed by the caller's own triangles")
   CHECK(shell.report().triangles == 6);
   Certificate certificate(shell);
   CHECK(certificate.verify(mesh));
-  const BS::Shell_closing_3 other({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } }, 3, { { 0, 1, 2 } }, { BS::Shell_closing_3::Kind::CAP });
+  const BS::Shell_closing_3 other({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } }, 3, { { 0, 1, 2 } },
+                                  { BS::Shell_closing_3::Kind::CAP });
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::closing(other)).status() == BS::Shell_status::OPEN_MESH);
 }
 

@@ -38,7 +38,8 @@ TEST_CASE("Marked cells: around a cell are those within half of its width, of an
         const auto q = cells.corner(n);
         const double near = cells.width(c) / 2;
         bool is_near = true;
-        for(int a = 0; a < 3; ++a) is_near = is_near && q[a] <= p[a] + cells.width(c) + near && p[a] - near <= q[a] + cells.width(n);
+        for(int a = 0; a < 3; ++a)
+          is_near = is_near && q[a] <= p[a] + cells.width(c) + near && p[a] - near <= q[a] + cells.width(n);
         if(is_near) expected.insert(n);
       }
       CHECK(visited == expected);
@@ -46,7 +47,8 @@ TEST_CASE("Marked cells: around a cell are those within half of its width, of an
   }
 }
 
-TEST_CASE("Marked cells: with its neighbors are those of the same size, across faces, edges or vertices; each is marked once, in their order")
+TEST_CASE("Marked cells: with its neighbors are those of the same size, across faces, edges or vertices; each is "
+          "marked once, in their order")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -76,7 +78,8 @@ TEST_CASE("Marked cells: with its neighbors are those of the same size, across f
 TEST_CASE("Marked cells: those that are as small as may be are left out")
 {
   Hierarchy cells = some_hierarchy(1);
-  while(cells.number_of_levels() <= cells.max_level()) cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
+  while(cells.number_of_levels() <= cells.max_level())
+    cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
   const Index smallest = cells.first_leaf(cells.max_level());
   REQUIRE(cells.level(smallest) == cells.max_level());
   BS::Marked_cells marked(cells);

@@ -51,7 +51,7 @@ struct Problem
     CGAL::Random random(seed);
     set([&](const BS::Lattice_3::Point& g) {
       const std::array<double, 3> p = field.cells().lattice().corner(g);
-      return std::sqrt(p[0]*p[0] + p[1]*p[1] + p[2]*p[2]) - 1 + random.get_double(-noise, noise);
+      return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - 1 + random.get_double(-noise, noise);
     });
   }
 
@@ -68,7 +68,8 @@ struct Problem
             std::array<double, 3> x;
             for(int a = 0; a < 3; ++a) {
               const double p = clipped.point(piece.first)[a];
-              x[a] = p + (clipped.point(piece.first + v)[a] - p) * i / steps + (clipped.point(piece.first + v + 1)[a] - p) * j / steps;
+              x[a] = p + (clipped.point(piece.first + v)[a] - p) * i / steps
+                     + (clipped.point(piece.first + v + 1)[a] - p) * j / steps;
             }
             visit(piece, cell.value(x));
           }
@@ -83,15 +84,22 @@ struct Problem
   }
 };
 
-Problem ball() { return Problem(sphere(2), BS::Lattice_3(CGAL::Bbox_3(-1.01, -1.02, -0.99, 1, 1, 1), 0.3)); }
+Problem ball()
+{
+  return Problem(sphere(2), BS::Lattice_3(CGAL::Bbox_3(-1.01, -1.02, -0.99, 1, 1, 1), 0.3));
+}
 
 const auto everywhere = [](double size) { return [size](Ranges::Cell_index) { return size; }; };
 
-double size_of(const Range& r) { return (std::max)(-r.min, r.max); }
+double size_of(const Range& r)
+{
+  return (std::max)(-r.min, r.max);
+}
 
 bool are_equal(const std::vector<Range>& a, const std::vector<Range>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Range& r, const Range& s) { return r.min == s.min && r.max == s.max; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Range& r, const Range& s) { return r.min == s.min && r.max == s.max; });
 }
 
 } // namespace
@@ -140,7 +148,9 @@ TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell wh
       for(const BS::Thick_cell& t : ranges.thick_cells()) {
         const auto triangle = problem.input.triangle(BS::Input_mesh_3::Face_index(t.facet));
         const Point_3 p(t.point[0], t.point[1], t.point[2]);
-        wrong += !(CGAL::squared_distance(p, CGAL::Triangle_3<CGAL::Kernel_traits<Point_3>::Kernel>(triangle[0], triangle[1], triangle[2])) < 1e-24);
+        wrong += !(CGAL::squared_distance(
+                     p, CGAL::Triangle_3<CGAL::Kernel_traits<Point_3>::Kernel>(triangle[0], triangle[1], triangle[2]))
+                   < 1e-24);
         wrong += !(std::abs(problem.field.cell(t.cell).value(t.point)) > 0.9 * size_of(sampled[t.cell]));
       }
       CHECK(wrong == 0);
@@ -156,7 +166,7 @@ TEST_CASE("Ranges on the mesh: a peak between the corners decides")
   problem.set([&](const BS::Lattice_3::Point& g) {
     const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
     const double x = p[0] - 0.3, y = p[1] - 0.2;
-    return 1 - (x*x + y*y - 2 * h*h / 3) / 4;
+    return 1 - (x * x + y * y - 2 * h * h / 3) / 4;
   });
   for(double size : { 1 - 1e-3, 1 + 1e-3 }) {
     Ranges ranges(problem.field.number_of_cells());
@@ -166,7 +176,8 @@ TEST_CASE("Ranges on the mesh: a peak between the corners decides")
     CHECK(most < 1 + 1e-12);
     CHECK(ranges.mesh().max >= most);
     CHECK(ranges.thick_cells().empty() == (size > 1));
-    for(const BS::Thick_cell& t : ranges.thick_cells()) CHECK(std::abs(t.point[0] - 0.3) + std::abs(t.point[1] - 0.2) < 0.5);
+    for(const BS::Thick_cell& t : ranges.thick_cells())
+      CHECK(std::abs(t.point[0] - 0.3) + std::abs(t.point[1] - 0.2) < 0.5);
   }
 }
 
@@ -212,7 +223,8 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   for(const BS::Thick_cell& t : ranges.thick_cells()) wanted.insert(n - 1 - t.cell);
   CHECK(thick == wanted);
   for(std::uint32_t c = 0; c < n; ++c)
-    wrong += reversed.cells()[n-1-c].min != ranges.cells()[c].min || reversed.cells()[n-1-c].max != ranges.cells()[c].max;
+    wrong += reversed.cells()[n - 1 - c].min != ranges.cells()[c].min
+             || reversed.cells()[n - 1 - c].max != ranges.cells()[c].max;
   CHECK(wrong == 0);
 
   // one that is not kept
@@ -223,7 +235,8 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   others.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SUFFICIENT);
   CHECK(others.thick_cells().size() == thick_before - 2);
   for(std::uint32_t c = 0; c < n; ++c)
-    if(c != fresh) wrong += others.cells()[c].min != ranges.cells()[c].min || others.cells()[c].max != ranges.cells()[c].max;
+    if(c != fresh)
+      wrong += others.cells()[c].min != ranges.cells()[c].min || others.cells()[c].max != ranges.cells()[c].max;
   CHECK(wrong == 0);
 }
 
@@ -237,14 +250,17 @@ TEST_CASE("Ranges on the mesh: those of facets enclose the field; any number of 
   const std::vector<Range> facets = ranges.facets<Sequential>(problem.field, problem.clipped);
   REQUIRE(facets.size() == problem.input.mesh().number_of_faces());
   std::size_t escaped = 0;
-  problem.sample([&](const BS::Clipped_mesh_3::Piece& piece, double f) { escaped += !(facets[piece.facet].min <= f && f <= facets[piece.facet].max); });
+  problem.sample([&](const BS::Clipped_mesh_3::Piece& piece, double f) {
+    escaped += !(facets[piece.facet].min <= f && f <= facets[piece.facet].max);
+  });
   CHECK(escaped == 0);
   CHECK(are_equal(parallel.cells(), ranges.cells()));
   CHECK(are_equal(parallel.facets<CGAL::Parallel_if_available_tag>(problem.field, problem.clipped), facets));
   REQUIRE(parallel.thick_cells().size() == ranges.thick_cells().size());
   std::size_t different = 0;
   for(std::size_t n = 0; n < ranges.thick_cells().size(); ++n)
-    different += parallel.thick_cells()[n].cell != ranges.thick_cells()[n].cell || parallel.thick_cells()[n].point != ranges.thick_cells()[n].point;
+    different += parallel.thick_cells()[n].cell != ranges.thick_cells()[n].cell
+                 || parallel.thick_cells()[n].point != ranges.thick_cells()[n].point;
   CHECK(different == 0);
 }
 } // namespace test_Mesh_ranges

@@ -1,5 +1,5 @@
-// Narrowed_thresholds.h: as wide as asked for where that is proved to be free of critical points, narrower elsewhere, and what is kept from
-// field to field makes no difference.
+// Narrowed_thresholds.h: as wide as asked for where that is proved to be free of critical points, narrower elsewhere,
+// and what is kept from field to field makes no difference.
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -26,7 +26,8 @@ typedef BS::Narrowed_thresholds<Field> Thresholds;
 typedef BS::Threshold_obstacle Obstacle;
 typedef Field::Cell_index Index;
 
-// A function near the distance to the unit sphere, whose only critical point is near the center, on cells of width 1/2 and smaller ones.
+// A function near the distance to the unit sphere, whose only critical point is near the center, on cells of width 1/2
+// and smaller ones.
 struct Ball
 {
   BS::Input_mesh_3 input;
@@ -39,7 +40,8 @@ struct Ball
     const Mesh mesh = sphere(3);
     REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
     CGAL::Random random(1);
-    const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }), { -5, -5, -5 }, { 4, 4, 4 }));
+    const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }),
+                                     { -5, -5, -5 }, { 4, 4, 4 }));
     set_field(cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) }), level, scale);
   }
 
@@ -47,7 +49,8 @@ struct Ball
   {
     field = Field(cells);
     Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(Index n = 0; n < field.number_of_coefficients(); ++n) x[n] = scale * (std::sqrt(squared_distance(field.support(n))) - level);
+    for(Index n = 0; n < field.number_of_coefficients(); ++n)
+      x[n] = scale * (std::sqrt(squared_distance(field.support(n))) - level);
     set_coefficients(x);
   }
 
@@ -61,7 +64,8 @@ struct Ball
   template <typename ConcurrencyTag = Tag>
   std::vector<Obstacle> choose(Thresholds& thresholds, const BS::Narrowing_limits& limits = {}) const
   {
-    return thresholds.choose<ConcurrencyTag>([&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return ranges; }, limits);
+    return thresholds.choose<ConcurrencyTag>(
+      [&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return ranges; }, limits);
   }
 
 private:
@@ -73,15 +77,31 @@ private:
   }
 };
 
-std::vector<Field::Point_3> seed() { return { Field::Point_3(1, 0, 0) }; }
+std::vector<Field::Point_3> seed()
+{
+  return { Field::Point_3(1, 0, 0) };
+}
 
-// thicknesses asked for; with the second, both the center and the end of the domain are between thresholds as wide as that
-double thin(const Point_3&) { return 0.4; }
+// thicknesses asked for; with the second, both the center and the end of the domain are between thresholds as wide as
+// that
+double thin(const Point_3&)
+{
+  return 0.4;
+}
 constexpr double half = 1.7;
-double thick(const Point_3&) { return 2 * half; }
+double thick(const Point_3&)
+{
+  return 2 * half;
+}
 
-Eigen::VectorXd inner(const Thresholds& t) { return t.inner().field().coefficients(); }
-Eigen::VectorXd outer(const Thresholds& t) { return t.outer().field().coefficients(); }
+Eigen::VectorXd inner(const Thresholds& t)
+{
+  return t.inner().field().coefficients();
+}
+Eigen::VectorXd outer(const Thresholds& t)
+{
+  return t.outer().field().coefficients();
+}
 
 bool are_equal(const std::vector<Obstacle>& a, const std::vector<Obstacle>& b)
 {
@@ -110,7 +130,8 @@ TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no criti
   CHECK_FALSE(thresholds.are_chosen());
 }
 
-TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the threshold next to them alone")
+TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the "
+          "threshold next to them alone")
 {
   const Ball ball;
   Thresholds thresholds(seed());
@@ -119,7 +140,7 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(thresholds.undecided_volume() == 0);
   const double at_center = ball.field.value(Point_3(0, 0, 0)).value();
   const double at_end = ball.field.value(Point_3(2.499, 0, 0)).value();
-  REQUIRE(at_center > -half);                             // so that something had to be done
+  REQUIRE(at_center > -half); // so that something had to be done
   REQUIRE(at_end < half);
   CHECK(thresholds.inner().value(Point_3(0, 0, 0)) > at_center);
   CHECK(thresholds.outer().value(Point_3(2.499, 0, 0)) < at_end);
@@ -151,8 +172,8 @@ TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as lon
 {
   const Ball large(1.9);
   constexpr double width = 1.6;
-  REQUIRE(large.field.value(Point_3(0, 0, 0)).value() < -width / 2 - 0.3);        // not in the shell
-  REQUIRE(large.field.value(Point_3(2.499, 0, 0)).value() < width / 2);           // in it
+  REQUIRE(large.field.value(Point_3(0, 0, 0)).value() < -width / 2 - 0.3); // not in the shell
+  REQUIRE(large.field.value(Point_3(2.499, 0, 0)).value() < width / 2);    // in it
   Thresholds thresholds(seed());
   BS::Narrowing_limits limits;
   limits.max_passes = 1;
@@ -184,17 +205,19 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   Thresholds needing(seed());
   needing.begin(ball.field, thick);
   const std::vector<BS::Level_range> everywhere(ball.field.number_of_cells(), BS::Level_range{ -half, half });
-  const std::vector<Obstacle> left =
-    needing.choose<Tag>([&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return everywhere; }, BS::Narrowing_limits());
+  const std::vector<Obstacle> left = needing.choose<Tag>(
+    [&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return everywhere; },
+    BS::Narrowing_limits());
   REQUIRE_FALSE(left.empty());
   const auto are_near = [&](const std::array<double, 3>& p) {
     constexpr double near = 0.2;
     return std::any_of(left.begin(), left.end(), [&](const Obstacle& o) {
-      return std::abs(o.point[0] - p[0]) < near && std::abs(o.point[1] - p[1]) < near && std::abs(o.point[2] - p[2]) < near;
+      return std::abs(o.point[0] - p[0]) < near && std::abs(o.point[1] - p[1]) < near
+             && std::abs(o.point[2] - p[2]) < near;
     });
   };
-  CHECK(are_near({ 0, 0, 0 }));         // the critical point
-  CHECK(are_near({ 2.5, 0, 0 }));       // the end of the domain
+  CHECK(are_near({ 0, 0, 0 }));   // the critical point
+  CHECK(are_near({ 2.5, 0, 0 })); // the end of the domain
   CHECK_FALSE(are_near({ 1, 0, 0 }));
   // constant ones are not narrowed, either
   needing.forget();
@@ -205,25 +228,28 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   CHECK(outer(needing).minCoeff() == 0.2);
 }
 
-// ((r - R)^2 - (g / 2)^2) / h on cells of width h, all around: zero on both sides of the wall of a hollow ball, and critical in its middle
+// ((r - R)^2 - (g / 2)^2) / h on cells of width h, all around: zero on both sides of the wall of a hollow ball, and
+// critical in its middle
 struct Hollow_ball
 {
   static constexpr double width = 0.25, radius = 2, small = 0.006;
   double depth;
   Field field;
-  std::vector<BS::Level_range> ranges;        // on the mesh, as they are at the rims of walls
+  std::vector<BS::Level_range> ranges; // on the mesh, as they are at the rims of walls
 
   explicit Hollow_ball(double wall) : depth(wall * wall / (4 * width))
   {
     CGAL::Random random(1);
     const Lattice_point first = { -14, -14, -14 }, last = { 13, 13, 13 };
-    field = Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last)));
+    field = Field(
+      Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last)));
     Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
     for(Index n = 0; n < field.number_of_coefficients(); ++n) {
       const CGAL::Bbox_3 b = field.support(n);
       const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
       // splines with these coefficients exceed the squared distance by a third of the squared width
-      x[n] = (std::pow(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius, 2) - width * width / 3) / width - depth;
+      x[n] = (std::pow(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius, 2) - width * width / 3) / width
+             - depth;
     }
     field.set_coefficients(x);
     ranges.assign(field.number_of_cells(), BS::Level_range());
@@ -249,11 +275,13 @@ struct Hollow_ball
 
   std::vector<Field::Point_3> seeds() const
   {
-    return { Field::Point_3(radius - std::sqrt(depth * width), 0, 0), Field::Point_3(radius + std::sqrt(depth * width), 0, 0) };
+    return { Field::Point_3(radius - std::sqrt(depth * width), 0, 0),
+             Field::Point_3(radius + std::sqrt(depth * width), 0, 0) };
   }
 };
 
-TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell is left out, with room that is told from the field in its middle")
+TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell is left out, with room that is told "
+          "from the field in its middle")
 {
   const Hollow_ball ball(0.6 * Hollow_ball::width);
   REQUIRE(ball.depth == Approx(0.0225));
@@ -272,7 +300,8 @@ TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell
     }
 }
 
-TEST_CASE("Narrowed thresholds: places are tight where the mesh takes most of the room, and obstacles where it takes all")
+TEST_CASE(
+  "Narrowed thresholds: places are tight where the mesh takes most of the room, and obstacles where it takes all")
 {
   Hollow_ball ball(0.6 * Hollow_ball::width);
   const auto ask_for = [&](double size) {
@@ -281,8 +310,9 @@ TEST_CASE("Narrowed thresholds: places are tight where the mesh takes most of th
   };
   const auto are_there = [&](const std::vector<Obstacle>& places) {
     return places.size() > 50 && std::all_of(places.begin(), places.end(), [&](const Obstacle& o) {
-      return o.point[0] > 0.2 && o.side == CGAL::NEGATIVE && o.size > 0.6 * ball.depth && o.size < 1.2 * ball.depth;
-    });
+             return o.point[0] > 0.2 && o.side == CGAL::NEGATIVE && o.size > 0.6 * ball.depth
+                    && o.size < 1.2 * ball.depth;
+           });
   };
   ask_for(0.8 * ball.depth);
   Thresholds tight(ball.seeds());
@@ -315,7 +345,8 @@ TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider w
   Thresholds thresholds(seed());
   thresholds.begin(ball.field, thick);
   ball.choose(thresholds);
-  const double at_center = thresholds.inner().value(Point_3(0, 0, 0)), at_end = thresholds.outer().value(Point_3(2.49, 0, 0));
+  const double at_center = thresholds.inner().value(Point_3(0, 0, 0)),
+               at_end = thresholds.outer().value(Point_3(2.49, 0, 0));
   REQUIRE(at_center > -half);
   BS::Narrowing_limits once;
   once.max_passes = 1;
@@ -357,7 +388,9 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
     if(touched[u]) x[u] *= 0.1;
   std::vector<char> changed(ball.field.number_of_cells());
   for(Index c = 0; c < changed.size(); ++c)
-    ball.field.visit_coefficients(c, [&](int, Index u, double) { if(touched[u]) changed[c] = 1; });
+    ball.field.visit_coefficients(c, [&](int, Index u, double) {
+      if(touched[u]) changed[c] = 1;
+    });
   REQUIRE(std::count(changed.begin(), changed.end(), 1) < std::ptrdiff_t(changed.size()));
   ball.set_coefficients(x);
   kept.field_has_changed(changed);
@@ -381,7 +414,8 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
   CHECK(outer(fresh).maxCoeff() == 0.2);
 }
 
-TEST_CASE("Narrowed thresholds: on finer cells caps are kept, but in cells that are split, and covers under new numbers")
+TEST_CASE(
+  "Narrowed thresholds: on finer cells caps are kept, but in cells that are split, and covers under new numbers")
 {
   Ball ball;
   Thresholds kept(seed());
@@ -400,7 +434,7 @@ TEST_CASE("Narrowed thresholds: on finer cells caps are kept, but in cells that 
     if(now[c] != Field::npos && !BS::is_same_in_cell(before, c, finer.field, now[c])) now[c] = Field::npos;
     same += now[c] != Field::npos && now[c] != c;
   }
-  REQUIRE(same > 100);        // under other numbers
+  REQUIRE(same > 100); // under other numbers
   kept.cells_were_refined(now);
   CHECK_FALSE(kept.are_chosen());
   Thresholds uncovered = std::move(kept), covered(seed());

@@ -56,7 +56,7 @@ TEST_CASE("Budget: the effort of a round is its cells, and those that were fitte
   CHECK(resource(10000) == Refinement_resource::NONE);
   CHECK(resource(10001) == Refinement_resource::EFFORT);
   for(std::size_t fitted : { 3000, 500 }) {
-    budget.begin_round().cells = 3500;        // of which a part may be fitted
+    budget.begin_round().cells = 3500; // of which a part may be fitted
     budget.add_fitted_cells(fitted);
   }
   CHECK(resource(6500) == Refinement_resource::NONE);
@@ -65,7 +65,8 @@ TEST_CASE("Budget: the effort of a round is its cells, and those that were fitte
 
 TEST_CASE("Budget: a partial round was in vain if it left as much to be mended, or did not get as far")
 {
-  const auto was_in_vain = [](bool is_partial, bool examined_before, bool examined, std::size_t undecided_before, std::size_t undecided) {
+  const auto was_in_vain = [](bool is_partial, bool examined_before, bool examined, std::size_t undecided_before,
+                              std::size_t undecided) {
     Budget budget(limits(no_limit));
     add_round(budget, false, examined_before);
     budget.round().undecided_cells = undecided_before;

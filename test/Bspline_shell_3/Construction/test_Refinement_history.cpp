@@ -33,26 +33,42 @@ TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed
     history.add_round(round_with(0, 5, 100), 1);
     CHECK_FALSE(history.is_in_vain());
   }
-  SECTION("one more") {
+  SECTION("one more")
+  {
     history.add_round(round_with(0, 9, 200), 2);
     CHECK(history.is_in_vain());
   }
-  SECTION("one that leads on begins the count anew") {
-    SECTION("fewer facets") { history.add_round(round_with(0, 4, 100), 1); }
-    SECTION("clearly fewer obstacles") { history.add_round(round_with(0, 5, 89), 1); }
-    SECTION("clearly less volume of obstacles") { history.add_round(round_with(0, 5, 100), 0.89); }
-    SECTION("cells that are still too thick say nothing yet") { history.add_round(round_with(1, 5, 100), 1); }
+  SECTION("one that leads on begins the count anew")
+  {
+    SECTION("fewer facets")
+    {
+      history.add_round(round_with(0, 4, 100), 1);
+    }
+    SECTION("clearly fewer obstacles")
+    {
+      history.add_round(round_with(0, 5, 89), 1);
+    }
+    SECTION("clearly less volume of obstacles")
+    {
+      history.add_round(round_with(0, 5, 100), 0.89);
+    }
+    SECTION("cells that are still too thick say nothing yet")
+    {
+      history.add_round(round_with(1, 5, 100), 1);
+    }
     CHECK_FALSE(history.is_in_vain());
     for(int n = 0; n < tuning.max_rounds_in_vain; ++n) history.add_round(round_with(0, 5, 100), 1);
     CHECK(history.is_in_vain());
   }
-  SECTION("hardly fewer obstacles are as many") {
+  SECTION("hardly fewer obstacles are as many")
+  {
     history.add_round(round_with(0, 5, 91), 0.91);
     CHECK(history.is_in_vain());
   }
 }
 
-TEST_CASE("Refinement history: a facet is a reason to refine a few times only, and once in a round however many cells it fails in")
+TEST_CASE("Refinement history: a facet is a reason to refine a few times only, and once in a round however many cells "
+          "it fails in")
 {
   BS::Refinement_tuning tuning;
   tuning.max_refinements_of_a_facet = 2;
@@ -88,12 +104,14 @@ TEST_CASE("Refinement history: many obstacles of a field that was too large on t
   CHECK(history.kind_of_obstacles(9, 1000, true) == Obstacle_kind::FEW);
 }
 
-TEST_CASE("Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row; that stays so")
+TEST_CASE(
+  "Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row; that stays so")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
   const std::size_t all = 12000;
-  SECTION("very many") {
+  SECTION("very many")
+  {
     CHECK(history.kind_of_obstacles(2400, all, false) == Obstacle_kind::MANY);
     BS::Refinement_history other(0, tuning);
     CHECK(other.kind_of_obstacles(2401, all, false) == Obstacle_kind::NARROW_GAPS);
@@ -102,11 +120,13 @@ TEST_CASE("Refinement history: gaps are narrow if very many cells have obstacles
     CHECK(other.kind_of_obstacles(2401, all, true) == Obstacle_kind::THICK_FIELD);
     CHECK(other.are_gaps_narrow());
   }
-  SECTION("many, twice") {
+  SECTION("many, twice")
+  {
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::NARROW_GAPS);
   }
-  SECTION("many, with fewer in between") {
+  SECTION("many, with fewer in between")
+  {
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
     CHECK(history.kind_of_obstacles(999, all, false) == Obstacle_kind::MANY);
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);

@@ -27,10 +27,16 @@ typedef Field::Cell_index Index;
 const double inf = std::numeric_limits<double>::infinity();
 constexpr CGAL::Sign sides[] = { CGAL::NEGATIVE, CGAL::POSITIVE };
 
-double asked(const Point_3&) { return 0.5; }
+double asked(const Point_3&)
+{
+  return 0.5;
+}
 
 // the coefficients, with a sign that makes both thresholds grow outwards
-double sign(CGAL::Sign side) { return side == CGAL::POSITIVE ? 1 : -1; }
+double sign(CGAL::Sign side)
+{
+  return side == CGAL::POSITIVE ? 1 : -1;
+}
 
 // cells of width 1/2 and smaller ones around the unit sphere, and the ranges of a bumpy function on its mesh
 struct Problem
@@ -45,7 +51,8 @@ struct Problem
     const Mesh mesh = sphere(2);
     REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
     CGAL::Random random(1);
-    Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }), { -5, -5, -5 }, { 4, 4, 4 }));
+    Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }),
+                               { -5, -5, -5 }, { 4, 4, 4 }));
     for(int n = 0; n < 2; ++n) cells = cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) });
     field = Field(cells);
     REQUIRE(field.number_of_levels() == 3);
@@ -53,7 +60,7 @@ struct Problem
     for(Index n = 0; n < field.number_of_coefficients(); ++n) {
       const CGAL::Bbox_3 b = field.support(n);
       const double c[3] = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-      x[n] = std::sqrt(c[0]*c[0] + c[1]*c[1] + c[2]*c[2]) - 1 + random.get_double(-0.3, 0.3);
+      x[n] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) - 1 + random.get_double(-0.3, 0.3);
     }
     field.set_coefficients(x);
     clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
@@ -80,7 +87,8 @@ Level_range hull(const Field& threshold, Index c)
 
 Point_3 random_point(CGAL::Random& random, const CGAL::Bbox_3& b)
 {
-  return Point_3(random.get_double(b.xmin(), b.xmax()), random.get_double(b.ymin(), b.ymax()), random.get_double(b.zmin(), b.zmax()));
+  return Point_3(random.get_double(b.xmin(), b.xmax()), random.get_double(b.ymin(), b.ymax()),
+                 random.get_double(b.zmin(), b.zmax()));
 }
 
 const CGAL::Bbox_3 domain(-2.5, -2.5, -2.5, 2.5, 2.5, 2.5);
@@ -89,7 +97,7 @@ double squared_distance(const Point_3& p, const CGAL::Bbox_3& b)
 {
   double squared = 0;
   for(int a = 0; a < 3; ++a) {
-    const double gap = (std::max)({ 0., p[a] - (b.max)(a), (b.min)(a) - p[a] });
+    const double gap = (std::max)({ 0., p[a] - (b.max)(a), (b.min)(a)-p[a] });
     squared += gap * gap;
   }
   return squared;
@@ -103,8 +111,8 @@ Field capped_once(const Field& field, double slope, Index c, CGAL::Sign side, do
   return thresholds.threshold<Tag>(side);
 }
 
-// The largest slope at many points. Differences of coefficients are bounded along lines; across them, the spline's slope can
-// be larger, by little where a distance is what they grow with.
+// The largest slope at many points. Differences of coefficients are bounded along lines; across them, the spline's
+// slope can be larger, by little where a distance is what they grow with.
 double steepest(const Field& threshold, CGAL::Random& random)
 {
   double largest = 0;
@@ -167,7 +175,8 @@ TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps the
   }
 }
 
-TEST_CASE("Thresholds: what the mesh needs in a cell is what it needs of the functions that act there: comparison with a search")
+TEST_CASE("Thresholds: what the mesh needs in a cell is what it needs of the functions that act there: comparison with "
+          "a search")
 {
   const Problem& p = problem();
   Thresholds thresholds(p.field, asked);
@@ -202,7 +211,8 @@ TEST_CASE("Thresholds: a cap holds in its cell, where the mesh allows it, and on
     needing += needed > size;
     Thresholds without(p.field, asked);
     without.set_mesh_ranges(p.ranges);
-    CHECK(thresholds.threshold<Tag>(CGAL::opposite(side)).coefficients() == without.threshold<Tag>(CGAL::opposite(side)).coefficients());
+    CHECK(thresholds.threshold<Tag>(CGAL::opposite(side)).coefficients()
+          == without.threshold<Tag>(CGAL::opposite(side)).coefficients());
     // one that is wider than what is asked for, and the same again
     const Eigen::VectorXd x = thresholds.threshold<Tag>(side).coefficients();
     thresholds.cap(c, side, sign(side) * 0.25);
@@ -219,7 +229,8 @@ TEST_CASE("Thresholds: caps can be given to others, also on cells of which some 
   CGAL::Random random(9);
   const Field finer(p.field.cells().refined({ p.random_cell(random), p.random_cell(random) }));
   Thresholds capped(p.field, asked), again(p.field, asked), on_finer(finer, asked);
-  for(int n = 0; n < 8; ++n) capped.cap(p.random_cell(random), sides[n % 2], sign(sides[n % 2]) * random.get_double(0, 0.2));
+  for(int n = 0; n < 8; ++n)
+    capped.cap(p.random_cell(random), sides[n % 2], sign(sides[n % 2]) * random.get_double(0, 0.2));
   REQUIRE(capped.caps().size() == 8);
   for(const Thresholds::Cap& cap : capped.caps()) {
     again.cap(cap);
@@ -227,13 +238,16 @@ TEST_CASE("Thresholds: caps can be given to others, also on cells of which some 
   }
   CHECK(again.caps().size() == 8);
   for(CGAL::Sign side : sides) {
-    const Eigen::VectorXd x = capped.threshold<Tag>(side).coefficients(), y = on_finer.threshold<Tag>(side).coefficients();
+    const Eigen::VectorXd x = capped.threshold<Tag>(side).coefficients(),
+                          y = on_finer.threshold<Tag>(side).coefficients();
     CHECK(again.threshold<Tag>(side).coefficients() == x);
     std::size_t common = 0, below = 0;
     for(int l = 0; l < p.field.number_of_levels(); ++l)
       for(Index n = 0; n < p.field.points(l).size(); ++n) {
-        const Index u = p.field.coefficient_of_point(p.field.first_point(l) + n), m = finer.points(l).index(p.field.points(l).point(n));
-        const Index v = u == Field::npos || m == Field::npos ? Field::npos : finer.coefficient_of_point(finer.first_point(l) + m);
+        const Index u = p.field.coefficient_of_point(p.field.first_point(l) + n),
+                    m = finer.points(l).index(p.field.points(l).point(n));
+        const Index v = u == Field::npos || m == Field::npos ? Field::npos
+                                                             : finer.coefficient_of_point(finer.first_point(l) + m);
         if(v == Field::npos) continue;
         ++common;
         below += std::abs(x[u]) < 0.25;
@@ -251,7 +265,8 @@ TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
   for(double slope : { 0.1, 0.2, 0.5 })
     for(int n = 0; n < 12; ++n) {
       const CGAL::Sign side = sides[n % 2];
-      const Index c = n % 3 == 0 ? Index(p.field.number_of_cells() - 1 - Index(random.get_int(0, 20))) : p.random_cell(random);
+      const Index c = n % 3 == 0 ? Index(p.field.number_of_cells() - 1 - Index(random.get_int(0, 20)))
+                                 : p.random_cell(random);
       const double size = random.get_double(0, 0.2);
       const Field threshold = capped_once(p.field, slope, c, side, size);
       const CGAL::Bbox_3 b = p.field.cell(c).bbox();
@@ -274,10 +289,15 @@ TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
 TEST_CASE("Thresholds: beyond a cap the slope is bounded, on cells of the same size")
 {
   CGAL::Random random(7);
-  const Field field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -10, -10, -10 }, { 9, 9, 9 }), { -10, -10, -10 }, { 9, 9, 9 })));
+  const Field field(
+    Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -10, -10, -10 }, { 9, 9, 9 }),
+                         { -10, -10, -10 }, { 9, 9, 9 })));
   for(double slope : { 0.1, 0.3 })
     for(int n = 0; n < 6; ++n)
-      CHECK(steepest(capped_once(field, slope, Index(random.get_int(0, int(field.number_of_cells()))), sides[n % 2], 0.05), random) <= slope * 1.25);
+      CHECK(
+        steepest(capped_once(field, slope, Index(random.get_int(0, int(field.number_of_cells()))), sides[n % 2], 0.05),
+                 random)
+        <= slope * 1.25);
 }
 
 TEST_CASE("Thresholds: beyond a cap the slope is bounded, also where cells of different sizes meet")
@@ -293,7 +313,12 @@ TEST_CASE("Thresholds: several caps are the least of each, in any order")
 {
   const Problem& p = problem();
   CGAL::Random random(5);
-  struct Cap { Index cell; CGAL::Sign side; double size; };
+  struct Cap
+  {
+    Index cell;
+    CGAL::Sign side;
+    double size;
+  };
   std::vector<Cap> caps;
   for(int n = 0; n < 12; ++n) caps.push_back({ p.random_cell(random), sides[n % 2], random.get_double(-0.1, 0.2) });
   const auto capped = [&](const std::vector<Cap>& list, CGAL::Sign side) {
@@ -370,7 +395,8 @@ TEST_CASE("Thresholds: the number of threads does not matter")
   Thresholds thresholds(p.field, asked);
   thresholds.set_mesh_ranges(p.ranges);
   thresholds.cap(5, CGAL::POSITIVE, 0.1);
-  const Field one = thresholds.threshold<CGAL::Sequential_tag>(CGAL::POSITIVE), two = thresholds.threshold<CGAL::Parallel_if_available_tag>(CGAL::POSITIVE);
+  const Field one = thresholds.threshold<CGAL::Sequential_tag>(CGAL::POSITIVE),
+              two = thresholds.threshold<CGAL::Parallel_if_available_tag>(CGAL::POSITIVE);
   CHECK(one.coefficients() == two.coefficients());
   for(Index c = 0; c < p.field.number_of_cells(); ++c)
     CHECK(std::equal(one.cell(c).coefficients(), one.cell(c).coefficients() + 64, two.cell(c).coefficients()));

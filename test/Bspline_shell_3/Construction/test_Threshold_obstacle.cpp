@@ -19,7 +19,10 @@ typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Threshold_obstacle Obstacle;
 typedef Field::Cell_index Index;
 
-BS::Lattice_3 lattice() { return BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -6, -6, -6 }, { 5, 5, 5 }); }
+BS::Lattice_3 lattice()
+{
+  return BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -6, -6, -6 }, { 5, 5, 5 });
+}
 
 std::vector<Index> functions(const Field& field, Index c)
 {
@@ -36,19 +39,27 @@ bool share_a_function(const std::vector<Index>& a, const std::vector<Index>& b)
   return !both.empty();
 }
 
-bool contains(const std::vector<Index>& cells, Index c) { return std::binary_search(cells.begin(), cells.end(), c); }
+bool contains(const std::vector<Index>& cells, Index c)
+{
+  return std::binary_search(cells.begin(), cells.end(), c);
+}
 
-Obstacle obstacle(Index c, CGAL::Sign side, double size) { return { c, { 0, 0, 0 }, side, size }; }
+Obstacle obstacle(Index c, CGAL::Sign side, double size)
+{
+  return { c, { 0, 0, 0 }, side, size };
+}
 
 } // namespace
 
 TEST_CASE("Threshold obstacles: their cells, each once")
 {
   CHECK(BS::cells_of({}).empty());
-  CHECK(BS::cells_of({ obstacle(7, CGAL::ZERO, 0), obstacle(3, CGAL::POSITIVE, 1), obstacle(7, CGAL::NEGATIVE, 1) }) == std::vector<Index>{ 3, 7 });
+  CHECK(BS::cells_of({ obstacle(7, CGAL::ZERO, 0), obstacle(3, CGAL::POSITIVE, 1), obstacle(7, CGAL::NEGATIVE, 1) })
+        == std::vector<Index>{ 3, 7 });
 }
 
-TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and where the field is too large on the mesh, on the obstacle's side")
+TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and where the field is too large on the "
+          "mesh, on the obstacle's side")
 {
   CGAL::Random random(3);
   const Field equal(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
@@ -65,7 +76,9 @@ TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and wh
         const std::vector<Index> culprits = BS::culprits_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) }, 0.5);
         CHECK(std::is_sorted(culprits.begin(), culprits.end()));
         found += culprits.size();
-        const auto is_too_large = [&](Index d) { return (side == CGAL::POSITIVE ? ranges[d].max : -ranges[d].min) > 0.4; };
+        const auto is_too_large = [&](Index d) {
+          return (side == CGAL::POSITIVE ? ranges[d].max : -ranges[d].min) > 0.4;
+        };
         for(Index d = 0; d < ranges.size(); ++d) {
           const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
           missed += expected && !contains(culprits, d);
@@ -88,7 +101,8 @@ TEST_CASE("Culprits: the obstacle's own cell, where none is too large, or the pl
   CHECK(BS::culprits_of<Tag>(field, ranges, {}, 0.5).empty());
   CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::NEGATIVE, 0.3) }, 0.5) == std::vector<Index>{ 5 });
   CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::POSITIVE, 0.3) }, 0.5).size() > 50);
-  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(9, CGAL::ZERO, 0), obstacle(5, CGAL::ZERO, 0) }, 0.5) == std::vector<Index>{ 5, 9 });
+  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(9, CGAL::ZERO, 0), obstacle(5, CGAL::ZERO, 0) }, 0.5)
+        == std::vector<Index>{ 5, 9 });
 }
 
 TEST_CASE("Culprits: the same with one and several threads")
@@ -99,9 +113,11 @@ TEST_CASE("Culprits: the same with one and several threads")
   std::vector<Obstacle> obstacles;
   for(Index c = 0; c < ranges.size(); ++c) {
     ranges[c] = { -random.get_double(), random.get_double() };
-    if(random.get_double() < 0.1) obstacles.push_back(obstacle(c, random.get_bool() ? CGAL::POSITIVE : CGAL::NEGATIVE, random.get_double()));
+    if(random.get_double() < 0.1)
+      obstacles.push_back(obstacle(c, random.get_bool() ? CGAL::POSITIVE : CGAL::NEGATIVE, random.get_double()));
   }
   REQUIRE(obstacles.size() > 50);
-  CHECK(BS::culprits_of<Tag>(field, ranges, obstacles, 0.9) == BS::culprits_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
+  CHECK(BS::culprits_of<Tag>(field, ranges, obstacles, 0.9)
+        == BS::culprits_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
 }
 } // namespace test_Threshold_obstacle

@@ -39,13 +39,14 @@ void for_each_point_on_mesh(const Mesh& mesh, double distance, const Function& f
   for(auto face : mesh.faces()) {
     std::vector<Point_3> c;
     for(auto v : mesh.vertices_around_face(mesh.halfedge(face))) c.push_back(mesh.point(v));
-    for(std::size_t t = 1; t + 1 < c.size(); ++t) {      // convex polygons
-      const double longest = std::sqrt((std::max)({ CGAL::squared_distance(c[0], c[t]), CGAL::squared_distance(c[t], c[t+1]),
-                                                    CGAL::squared_distance(c[t+1], c[0]) }));
+    for(std::size_t t = 1; t + 1 < c.size(); ++t) { // convex polygons
+      const double longest = std::sqrt(
+        (std::max)({ CGAL::squared_distance(c[0], c[t]), CGAL::squared_distance(c[t], c[t + 1]),
+                     CGAL::squared_distance(c[t + 1], c[0]) }));
       const int density = int(longest / distance) + 1;
       for(int i = 0; i <= density; ++i)
         for(int j = 0; j <= density - i; ++j)
-          f(n, c[0] + double(i) / density * (c[t] - c[0]) + double(j) / density * (c[t+1] - c[0]));
+          f(n, c[0] + double(i) / density * (c[t] - c[0]) + double(j) / density * (c[t + 1] - c[0]));
     }
     ++n;
   }
@@ -100,7 +101,7 @@ void check_shell(const Shell& shell, const Mesh& mesh)
 struct Step_recorder
 {
   std::vector<Step> steps;
-  std::size_t stop_at = 0;      // counted from 1
+  std::size_t stop_at = 0; // counted from 1
   bool start_step(Step step)
   {
     steps.push_back(step);
@@ -127,7 +128,7 @@ struct Pinned_distance : Sphere_distance
 bool same(const Shell& a, const Shell& b)
 {
   return a.inner_level() == b.inner_level() && a.outer_level() == b.outer_level()
-      && a.field().coefficients() == b.field().coefficients();
+         && a.field().coefficients() == b.field().coefficients();
 }
 
 // what a function writes to the standard output and error
@@ -165,18 +166,34 @@ TEST_CASE("A shell encloses its mesh")
   const auto check = [](const Mesh& mesh, double resolution) {
     check_shell(CGAL::bspline_shell_3(mesh, P::resolution(resolution)), mesh);
   };
-  SECTION("smooth") { check(sphere(2), 16); }
-  SECTION("polygons") { check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16); }
-  SECTION("genus one") { check(torus(3, 1.2, 20, 12), 16); }
-  SECTION("facets larger than cells, off the origin") { check(sphere(0, 2, Point_3(70, -30, 10)), 20); }
-  SECTION("a user's mesh") { check(demo_mesh("blobby.off"), 20); }
+  SECTION("smooth")
+  {
+    check(sphere(2), 16);
+  }
+  SECTION("polygons")
+  {
+    check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
+  }
+  SECTION("genus one")
+  {
+    check(torus(3, 1.2, 20, 12), 16);
+  }
+  SECTION("facets larger than cells, off the origin")
+  {
+    check(sphere(0, 2, Point_3(70, -30, 10)), 20);
+  }
+  SECTION("a user's mesh")
+  {
+    check(demo_mesh("blobby.off"), 20);
+  }
 }
 
 TEST_CASE("A mesh with removed facets has one range for each that is left")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Mesh gone;
-  const auto p = gone.add_vertex(Point_3(5, 0, 0)), q = gone.add_vertex(Point_3(6, 0, 0)), r = gone.add_vertex(Point_3(5, 1, 0));
+  const auto p = gone.add_vertex(Point_3(5, 0, 0)), q = gone.add_vertex(Point_3(6, 0, 0)),
+             r = gone.add_vertex(Point_3(5, 1, 0));
   const auto f = gone.add_face(p, q, r);
   CGAL::copy_face_graph(mesh, gone);
   CGAL::Euler::remove_face(gone.halfedge(f), gone);
@@ -210,7 +227,8 @@ TEST_CASE("On the boundary is where f is one of the levels, in cells of the shel
   for(int i : { -1, 0 }) keys.push_back(BS::Lattice_key::encode(i, 0, 0));
   Shell::Field field(BS::Cell_complex_3(lattice, keys));
   Eigen::VectorXd x(field.number_of_coefficients());
-  for(Shell::Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n) x[n] = field.functions().point(n)[0] - 0.5;
+  for(Shell::Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n)
+    x[n] = field.functions().point(n)[0] - 0.5;
   field.set_coefficients(x);
   BS::Level_range levels;
   levels.min = 0;
@@ -231,7 +249,8 @@ TEST_CASE("On the boundary is where f is one of the levels, in cells of the shel
 TEST_CASE("resolution and grid_spacing are two ways to ask for the same cells")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(4, 2, 2));
-  const Shell a = CGAL::bspline_shell_3(mesh, P::resolution(16)), b = CGAL::bspline_shell_3(mesh, P::grid_spacing(0.25)),
+  const Shell a = CGAL::bspline_shell_3(mesh, P::resolution(16)),
+              b = CGAL::bspline_shell_3(mesh, P::grid_spacing(0.25)),
               c = CGAL::bspline_shell_3(mesh, CGAL::parameters::grid_spacing(0.25)),
               d = CGAL::bspline_shell_3(mesh, P::resolution(8));
   for(const Shell* shell : { &a, &b, &c, &d }) REQUIRE(*shell);
@@ -300,7 +319,8 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is a
 {
   const Mesh mesh = sphere(1);
   BS::Conjugate_gradient_solver<> solver(1e-8);
-  const Shell by_value = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8))),
+  const Shell by_value = CGAL::bspline_shell_3(mesh,
+                                               P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8))),
               by_reference = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(std::ref(solver)));
   REQUIRE(by_value);
   REQUIRE(by_reference);
@@ -308,7 +328,8 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is a
   CHECK(solver.residual() <= 1e-8);
   CHECK(solver.residual() == by_reference.report().fit.residual);
 
-  const Shell failed = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
+  const Shell failed = CGAL::bspline_shell_3(mesh,
+                                             P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
   CHECK_FALSE(failed);
   CHECK(failed.status() == Status::SOLVER_FAILED);
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
@@ -357,12 +378,13 @@ TEST_CASE("A user's distance replaces that to the mesh")
   larger.radius = 1.05;
   BS::Energy_weights none;
   none.mu = 0;
-  const Shell shifted = CGAL::bspline_shell_3(mesh, P::resolution(10).energy_weights(none).signed_distance_oracle(larger));
+  const Shell shifted = CGAL::bspline_shell_3(mesh,
+                                              P::resolution(10).energy_weights(none).signed_distance_oracle(larger));
   REQUIRE(shifted);
   CHECK(*shifted.field().value(Point_3(1.05, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shifted.field().value(Point_3(0, 0, -1)) == Approx(-0.05).margin(0.01));
-  // and the package's own oracle is one that a user may pass, with the same result as by default, but for distances that
-  // are rounded in another way and the solver's tolerance
+  // and the package's own oracle is one that a user may pass, with the same result as by default, but for distances
+  // that are rounded in another way and the solver's tolerance
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
   const BS::Mesh_signed_distance_3 distance(input);
@@ -404,11 +426,11 @@ TEST_CASE("GRID_TOO_FINE: cells too small for the coordinates or for the lattice
     return CGAL::bspline_shell_3(mesh, P::resolution(resolution).memory_limit(1e8)).status();
   };
   const Mesh near = sphere(1), far = sphere(1, 1, Point_3(1e9, 0, 0));
-  CHECK(status(near, 4e6) == Status::GRID_TOO_FINE);      // more than 2^21 cells along an axis
+  CHECK(status(near, 4e6) == Status::GRID_TOO_FINE); // more than 2^21 cells along an axis
   CHECK(status(near, 1e15) == Status::GRID_TOO_FINE);
   CHECK(status(near, 1e300) == Status::GRID_TOO_FINE);
   CHECK(status(far, 10) == Status::SUCCESS);
-  CHECK(status(far, 1e3) == Status::GRID_TOO_FINE);       // 1e9 * 500 is beyond 2^36 cells
+  CHECK(status(far, 1e3) == Status::GRID_TOO_FINE); // 1e9 * 500 is beyond 2^36 cells
   CHECK(CGAL::bspline_shell_3(near, P::grid_spacing(1e-12)).status() == Status::GRID_TOO_FINE);
 }
 
@@ -417,8 +439,8 @@ TEST_CASE("MEMORY_LIMIT_EXCEEDED: found out before the memory is taken")
   const Mesh mesh = sphere(1);
   const auto build = [&](double resolution, double limit, bool dense) {
     Step_recorder recorder;
-    const Shell shell = CGAL::bspline_shell_3(mesh,
-      P::resolution(resolution).memory_limit(limit).dense_grid(dense).visitor(std::ref(recorder)));
+    const Shell shell = CGAL::bspline_shell_3(
+      mesh, P::resolution(resolution).memory_limit(limit).dense_grid(dense).visitor(std::ref(recorder)));
     if(shell.status() == Status::MEMORY_LIMIT_EXCEEDED) CHECK(recorder.steps.back() == Step::CELLS);
     return shell.status();
   };
@@ -492,7 +514,8 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells());
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(
     BS::Mesh_signed_distance_3(input), shell.field().cells());
-  const BS::Fit_energy<Shell::Field> energy(shell.field(), samples, clipped, shell.report().gamma, BS::Energy_weights());
+  const BS::Fit_energy<Shell::Field> energy(shell.field(), samples, clipped, shell.report().gamma,
+                                            BS::Energy_weights());
   CHECK(energy.value(BS::Energy_term::DISTANCE, Eigen::VectorXd(shell.field().coefficients() / w))
         == Approx(shell.report().fit.energy[std::size_t(BS::Energy_term::DISTANCE)]).epsilon(1e-9));
 
@@ -533,10 +556,10 @@ TEST_CASE("The distance to another mesh is a user's distance like any other")
   REQUIRE(input.build<CGAL::Sequential_tag>(larger, get(CGAL::vertex_point, larger), {}) == Status::SUCCESS);
   const BS::Mesh_signed_distance_3 distance(input);
   BS::Energy_weights weights;
-  weights.mu = 1e-6;          // all but interpolates the samples
-  const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(10).energy_weights(weights).number_of_rings(4)
-                                                   .allow_open_shell(true)
-                                                   .signed_distance_oracle(std::cref(distance)));
+  weights.mu = 1e-6; // all but interpolates the samples
+  const Shell shell = CGAL::bspline_shell_3(
+    mesh, P::resolution(10).energy_weights(weights).number_of_rings(4).allow_open_shell(true).signed_distance_oracle(
+            std::cref(distance)));
   REQUIRE(shell);
   for(double r : { 0.8, 1., 1.2, 1.4 }) {
     const Point_3 p(0.6 * r, 0.64 * r, 0.48 * r);
@@ -553,7 +576,8 @@ TEST_CASE("DISTANCE_NOT_FINITE: the oracle returns no number")
       return p.x() > 0.9 ? std::numeric_limits<double>::quiet_NaN() : Sphere_distance::operator()(p);
     }
   };
-  CHECK(CGAL::bspline_shell_3(sphere(1), P::resolution(8).signed_distance_oracle(Hole())).status() == Status::DISTANCE_NOT_FINITE);
+  CHECK(CGAL::bspline_shell_3(sphere(1), P::resolution(8).signed_distance_oracle(Hole())).status()
+        == Status::DISTANCE_NOT_FINITE);
 }
 
 TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are off")
@@ -607,12 +631,16 @@ TEST_CASE("The library prints nothing")
   Mesh open = mesh;
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
   // the trap works
-  REQUIRE(printed_by([]() { std::cerr << "a" << std::flush; std::printf("b"); }) == "ab");
+  REQUIRE(printed_by([]() {
+            std::cerr << "a" << std::flush;
+            std::printf("b");
+          })
+          == "ab");
   CHECK(printed_by([&]() {
-    CGAL::bspline_shell_3(mesh, P::resolution(8));
-    CGAL::bspline_shell_3(open, P::resolution(8));
-    CGAL::bspline_shell_3(mesh, P::resolution(1e9));
-    CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
-  }).empty());
+          CGAL::bspline_shell_3(mesh, P::resolution(8));
+          CGAL::bspline_shell_3(open, P::resolution(8));
+          CGAL::bspline_shell_3(mesh, P::resolution(1e9));
+          CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(BS::Conjugate_gradient_solver<>(1e-8, 1)));
+        }).empty());
 }
 } // namespace test_bspline_shell_3

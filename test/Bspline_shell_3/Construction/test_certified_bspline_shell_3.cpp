@@ -112,12 +112,14 @@ Mesh squares(int n, const Is_kept& is_kept)
 TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned, of any size")
 {
   const auto is_in_L = [](int i, int j) { return i < 5 || j < 5; };
-  const std::pair<Mesh, double> meshes[] = {
-    { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80), 1 },     // its closing's 80 largest facets are alike, at a crease
-    { rings({ 0.5, 1. }, 7), 1e6 }, { squares(1, is_in_L), 1e-6 }, { squares(10, is_in_L), 1 },
-    { subdivided(subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)))), 1e-6 }, { pyramid(6, 1.), 1e6 },
-    { torus(1, 0.4, 32, 16), 1 }
-  };
+  const std::pair<Mesh, double> meshes[] = { { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80),
+                                               1 }, // its closing's 80 largest facets are alike, at a crease
+                                             { rings({ 0.5, 1. }, 7), 1e6 },
+                                             { squares(1, is_in_L), 1e-6 },
+                                             { squares(10, is_in_L), 1 },
+                                             { subdivided(subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)))), 1e-6 },
+                                             { pyramid(6, 1.), 1e6 },
+                                             { torus(1, 0.4, 32, 16), 1 } };
   const double c = std::cos(0.4), s = std::sin(0.4);
   for(const auto& [mesh, size] : meshes)
     for(bool is_turned : { false, true }) {
@@ -131,7 +133,8 @@ TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned
     }
 }
 
-TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the shell that was built, and change no certificate")
+TEST_CASE(
+  "certified shells: bounds on cells are shared by copies, outlive the shell that was built, and change no certificate")
 {
   const Mesh mesh = torus(2, 0.7, 24, 12);
   std::optional<Shell> built(CGAL::certified_bspline_shell_3(mesh));
@@ -164,7 +167,8 @@ TEST_CASE("certified shells: bounds on cells are shared by copies, outlive the s
 
 TEST_CASE("certified shells: simple solids are certified at the default thickness, which the thresholds keep")
 {
-  for(const Mesh& mesh : { sphere(2), box(Point_3(0, 0, 0), Point_3(3, 2, 1)), pyramid(12, 1.), torus(2, 0.7, 24, 12) }) {
+  for(const Mesh& mesh :
+      { sphere(2), box(Point_3(0, 0, 0), Point_3(3, 2, 1)), pyramid(12, 1.), torus(2, 0.7, 24, 12) }) {
     const Shell shell = CGAL::certified_bspline_shell_3(mesh);
     check_certified(mesh, shell);
     CHECK(shell.relative_thickness() <= 0.01 * (1 + 1e-9));
@@ -184,7 +188,8 @@ TEST_CASE("certified shells: the result does not depend on the number of threads
   CHECK(one.report().certificate.least_gradient == two.report().certificate.least_gradient);
 }
 
-TEST_CASE("certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function")
+TEST_CASE(
+  "certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell coarse = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.02));
@@ -194,7 +199,8 @@ TEST_CASE("certified shells: a smaller thickness takes more cells, and thickness
   CHECK(coarse.relative_thickness() == Approx(0.02));
   CHECK(fine.thickness() == Approx(0.003));
   CHECK(fine.report().cells > coarse.report().cells);
-  const Shell varying = CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3& p) { return p.x() < 1 ? 0.01 : 0.04; }));
+  const Shell varying = CGAL::certified_bspline_shell_3(
+    mesh, parameters::sizing([](const Point_3& p) { return p.x() < 1 ? 0.01 : 0.04; }));
   check_certified(mesh, varying);
   CHECK(width_at(varying, Point_3(0.2, 0.5, 1)) == Approx(0.01).epsilon(0.01));
   CHECK(width_at(varying, Point_3(1.8, 0.5, 1)) == Approx(0.04).epsilon(0.01));
@@ -203,7 +209,8 @@ TEST_CASE("certified shells: a smaller thickness takes more cells, and thickness
 TEST_CASE("certified shells: between two plates the shell is narrower than elsewhere, however small the gap")
 {
   for(double gap : { 0.1, 0.008 }) {
-    const Mesh mesh = together(box(Point_3(0, 0, 0), Point_3(1, 1, 0.2)), box(Point_3(0.3, 0.3, 0.2 + gap), Point_3(0.7, 0.7, 0.5)));
+    const Mesh mesh = together(box(Point_3(0, 0, 0), Point_3(1, 1, 0.2)),
+                               box(Point_3(0.3, 0.3, 0.2 + gap), Point_3(0.7, 0.7, 0.5)));
     const Shell shell = CGAL::certified_bspline_shell_3(mesh);
     check_certified(mesh, shell);
     CHECK(shell.relative_thickness() == Approx(0.01).epsilon(1e-6));
@@ -236,7 +243,8 @@ TEST_CASE("certified shells: facets at a sharp apex are passed the right way, as
   }
 }
 
-TEST_CASE("certified shells: a mesh with a singular vertex that is not to be truncated is refused, and the vertex is named")
+TEST_CASE(
+  "certified shells: a mesh with a singular vertex that is not to be truncated is refused, and the vertex is named")
 {
   const Mesh mesh = demo_mesh("femur.off");
   const Shell refused = CGAL::certified_bspline_shell_3(mesh, parameters::truncate(false));
@@ -250,7 +258,7 @@ TEST_CASE("certified shells: limits end refinement with what there is")
   const double thin = 0.003;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7));
   REQUIRE(shell);
-  CHECK(shell.relative_thickness() > thin);       // not what was asked for, whether or not it is certified
+  CHECK(shell.relative_thickness() > thin); // not what was asked for, whether or not it is certified
   CHECK(shell.report().refinement == Refinement_status::LIMIT_REACHED);
   CHECK(shell.report().rounds.size() == 1);
   CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
@@ -260,8 +268,8 @@ TEST_CASE("certified shells: limits end refinement with what there is")
   CHECK(shell.report().limit.cells > shell.report().cells);
   const BS::Refinement_limit memory = shell.report().limit;
   CHECK(memory.resource == BS::Refinement_resource::MEMORY);
-  const Shell little_effort
-    = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).effort_limit(1));
+  const Shell little_effort = CGAL::certified_bspline_shell_3(mesh,
+                                                              parameters::relative_thickness(thin).effort_limit(1));
   REQUIRE(little_effort);
   CHECK(little_effort.report().limit.resource == BS::Refinement_resource::EFFORT);
   CHECK(little_effort.report().rounds.size() == 1);
@@ -270,7 +278,8 @@ TEST_CASE("certified shells: limits end refinement with what there is")
   CHECK(memory.bytes > 5e7);
   CHECK(memory.bytes < 5e9);
   CHECK(CGAL::certified_bspline_shell_3(mesh).report().limit.resource == BS::Refinement_resource::NONE);
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
+  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::memory_limit(1e4)).status()
+        == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
 }
 
 TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as they should be")
@@ -288,7 +297,9 @@ TEST_CASE("certified shells: limits have sentences")
   BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 4.2e9 };
   CHECK(message(limit).empty());
   limit.resource = BS::Refinement_resource::MEMORY;
-  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
+  CHECK(
+    message(limit)
+    == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
   limit.resource = BS::Refinement_resource::NUMBERS;
   CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
   limit.resource = BS::Refinement_resource::EFFORT;
@@ -349,7 +360,10 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   };
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros())).status() == Status::SOLVER_FAILED);
   CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
-  struct Canceling { bool start_step(BS::Shell_step step) { return step != BS::Shell_step::CERTIFICATE; } };
+  struct Canceling
+  {
+    bool start_step(BS::Shell_step step) { return step != BS::Shell_step::CERTIFICATE; }
+  };
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(Canceling())).status() == Status::CANCELED);
 }
 
@@ -377,19 +391,28 @@ Mesh globe(int latitudes, double x)
   return mesh;
 }
 
-TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh intersects itself")
+TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh "
+          "intersects itself")
 {
   // limits after the first and the second round: the field of the latter was changed after it was bounded on the mesh
-  struct Case { Mesh mesh; double megabytes; };
+  struct Case
+  {
+    Mesh mesh;
+    double megabytes;
+  };
   const Mesh overlapping = together(globe(8, 0), globe(8, 1.2)), other = together(globe(4, 0), globe(4, 1.2)),
              plate = box(Point_3(-1, -1, -0.004), Point_3(1, 1, 0.004));
   std::size_t shells = 0;
-  for(const Case& c : { Case{ overlapping, 1 }, Case{ overlapping, 40 }, Case{ overlapping, 80 }, Case{ other, 60 }, Case{ plate, 80 } }) {
+  for(const Case& c : { Case{ overlapping, 1 }, Case{ overlapping, 40 }, Case{ overlapping, 80 }, Case{ other, 60 },
+                        Case{ plate, 80 } }) {
     CAPTURE(c.megabytes);
-    const Shell shell = CGAL::certified_bspline_shell_3(c.mesh, parameters::allow_self_intersections(true).memory_limit(c.megabytes * 1e6)
-                                                                           .resolution(10).relative_thickness(0.04));
+    const Shell shell = CGAL::certified_bspline_shell_3(c.mesh, parameters::allow_self_intersections(true)
+                                                                  .memory_limit(c.megabytes * 1e6)
+                                                                  .resolution(10)
+                                                                  .relative_thickness(0.04));
     if(!shell) {
-      CHECK((shell.status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED || shell.status() == BS::Shell_status::MESH_NOT_CONTAINED));
+      CHECK((shell.status() == BS::Shell_status::MEMORY_LIMIT_EXCEEDED
+             || shell.status() == BS::Shell_status::MESH_NOT_CONTAINED));
       continue;
     }
     ++shells;

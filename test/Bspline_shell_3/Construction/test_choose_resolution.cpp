@@ -35,7 +35,8 @@ TEST_CASE("Resolution: a cube is bent in the cells at its edges, and folded in t
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   for(int n : { 4, 8, 32 }) {
     // its faces are in the middle of cells, of which each edge enters n + 1
-    const double all = (n+1) * (n+1) * (n+1) - (n-1) * (n-1) * (n-1), at_edges = 12 * (n-1), at_corners = 8;
+    const double all = (n + 1) * (n + 1) * (n + 1) - (n - 1) * (n - 1) * (n - 1), at_edges = 12 * (n - 1),
+                 at_corners = 8;
     const BS::Bend_shares s = shares(cube, 1. / n);
     CHECK(s.bent == Approx((at_edges + at_corners) / all));
     CHECK(s.folded == Approx(at_corners / all));
@@ -62,11 +63,13 @@ TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickne
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::finest_resolution);
 }
 
-TEST_CASE("Resolution: a shell has the one that is chosen, or the one that is asked for; the number of threads does not matter")
+TEST_CASE(
+  "Resolution: a shell has the one that is chosen, or the one that is asked for; the number of threads does not matter")
 {
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   CHECK(CGAL::certified_bspline_shell_3(cube).report().gamma == Approx(20));
-  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::resolution(12).relative_thickness(0.05)).report().gamma == Approx(12));
+  CHECK(CGAL::certified_bspline_shell_3(cube, parameters::resolution(12).relative_thickness(0.05)).report().gamma
+        == Approx(12));
   CHECK(CGAL::certified_bspline_shell_3(cube, parameters::relative_thickness(0.005)).report().gamma
         == Approx(BS::finest_resolution));
   const Mesh elephant = demo_mesh("elephant.off");

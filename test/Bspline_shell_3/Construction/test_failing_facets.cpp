@@ -24,7 +24,8 @@ struct In_rising_field
   In_rising_field()
   {
     const Mesh mesh = sphere(2, 0.5);
-    REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects()) == BS::Shell_status::SUCCESS);
+    REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects())
+            == BS::Shell_status::SUCCESS);
   }
 
   bool faces_up(std::size_t facet) const
@@ -40,7 +41,8 @@ TEST_CASE("Failing facets: those that face away from the gradient, and no others
 {
   const In_rising_field problem;
   const std::size_t size = problem.input.mesh().number_of_faces();
-  const auto failures = BS::failing_facets<CGAL::Sequential_tag>(problem.field, problem.input, std::vector<char>(size, 1));
+  const auto failures = BS::failing_facets<CGAL::Sequential_tag>(problem.field, problem.input,
+                                                                 std::vector<char>(size, 1));
   std::set<std::size_t> failing;
   for(const BS::Facet_failure& f : failures) {
     failing.insert(f.facet);
@@ -48,8 +50,10 @@ TEST_CASE("Failing facets: those that face away from the gradient, and no others
     const auto t = problem.input.triangle(BS::Input_mesh_3::Face_index(f.facet));
     const Point_3 p(f.point[0], f.point[1], f.point[2]);
     CHECK(f.cell == problem.field.locate(p));
-    CHECK(std::sqrt(CGAL::squared_distance(p, Kernel::Triangle_3(Point_3(t[0].x(), t[0].y(), t[0].z()), Point_3(t[1].x(), t[1].y(), t[1].z()),
-                                                                 Point_3(t[2].x(), t[2].y(), t[2].z())))) < 1e-12);
+    CHECK(std::sqrt(CGAL::squared_distance(p, Kernel::Triangle_3(Point_3(t[0].x(), t[0].y(), t[0].z()),
+                                                                 Point_3(t[1].x(), t[1].y(), t[1].z()),
+                                                                 Point_3(t[2].x(), t[2].y(), t[2].z()))))
+          < 1e-12);
   }
   CHECK(failing.size() == failures.size());
   for(std::size_t facet = 0; facet < size; ++facet) CHECK(problem.faces_up(facet) == (failing.count(facet) == 0));

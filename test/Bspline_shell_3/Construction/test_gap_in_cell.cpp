@@ -6,7 +6,8 @@
 namespace test_gap_in_cell {
 namespace BS = CGAL::Bspline_shells;
 
-TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both; no more than is looked for, and nothing of other cells")
+TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both; no more than is looked for, and "
+          "nothing of other cells")
 {
   // a plate 0.3 thick, and 0.2 above it one that is 0.1 thick, for y > 0
   Mesh mesh = box(Point_3(-3, -3, 0.1), Point_3(3, 3, 0.4));
@@ -14,13 +15,16 @@ TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or b
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
   CGAL::Random random(1);
-  const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -8, -8, -8 }, { 7, 7, 7 }), { -8, -8, -8 }, { 7, 7, 7 }));
+  const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -8, -8, -8 }, { 7, 7, 7 }),
+                                   { -8, -8, -8 }, { 7, 7, 7 }));
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
   const BS::Local_gap_3 gap(input);
   const auto in_cell = [&](double y, double z, CGAL::Sign side, double most) {
     return BS::gap_in_cell(gap, clipped, cells.locate(Point_3(1.1, y, z)), side, most);
   };
-  const auto narrowest = [&](double y, double z, double most) { return BS::gap_in_cell(gap, clipped, cells.locate(Point_3(1.1, y, z)), most); };
+  const auto narrowest = [&](double y, double z, double most) {
+    return BS::gap_in_cell(gap, clipped, cells.locate(Point_3(1.1, y, z)), most);
+  };
   // both sides of the lower plate
   CHECK(in_cell(-1.2, 0.2, CGAL::NEGATIVE, 1) == Approx(0.3));
   CHECK(in_cell(-1.2, 0.2, CGAL::POSITIVE, 1) == 1);

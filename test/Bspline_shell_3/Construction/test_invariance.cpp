@@ -54,9 +54,10 @@ CGAL::Bspline_shells::Energy_weights gentle_weights()
 
 Shell tight_shell(const Mesh& mesh, double spacing)
 {
-  const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh,
-    P::grid_spacing(spacing).energy_weights(gentle_weights())
-     .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver<>(1e-12, 20000)));
+  const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(
+    mesh, P::grid_spacing(spacing)
+            .energy_weights(gentle_weights())
+            .spd_solver(CGAL::Bspline_shells::Conjugate_gradient_solver<>(1e-12, 20000)));
   REQUIRE(shell);
   return shell;
 }
@@ -77,8 +78,8 @@ std::vector<Point_3> probes(const Mesh& mesh, double offset)
 }
 
 // Whether `other` is `scale` times `shell` at the mapped points, to within `tolerance` (user units of `shell`).
-void check_same(const Shell& shell, const Shell& other, const std::vector<Point_3>& points, const Map& map, double scale,
-                double tolerance)
+void check_same(const Shell& shell, const Shell& other, const std::vector<Point_3>& points, const Map& map,
+                double scale, double tolerance)
 {
   CHECK(other.report().surface_cells == shell.report().surface_cells);
   CHECK(other.report().cells == shell.report().cells);
@@ -88,12 +89,12 @@ void check_same(const Shell& shell, const Shell& other, const std::vector<Point_
   CHECK(std::abs(other.inner_level() / scale - shell.inner_level()) <= level_tolerance);
   CHECK(std::abs(other.outer_level() / scale - shell.outer_level()) <= level_tolerance);
   double worst = 0;
-  for(const Point_3& p : points)      // throws outside the domain
+  for(const Point_3& p : points) // throws outside the domain
     worst = (std::max)(worst, std::abs(other.field().value(map(p)).value() / scale - shell.field().value(p).value()));
   CHECK(worst <= tolerance);
 }
 
-constexpr double spacing = 0.5;      // with few digits, so that the lattice is exact wherever the mesh is
+constexpr double spacing = 0.5; // with few digits, so that the lattice is exact wherever the mesh is
 
 // The lattice and the quadrature turn with the mesh. Nothing differs but the order of sums: 1e-16, and the solver's
 // tolerance of 1e-12, times condition numbers of up to 1e5.
@@ -128,8 +129,8 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
   const Shell shell = tight_shell(mesh, spacing);
   for(double scale : { 1e-6, 1e6, 3. }) {
     CAPTURE(scale);
-    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the three cells of half the box a lattice plane moves by 3e-6
-    // of a cell, and the field, which is off by hundredths of a cell at the edges, by less than that.
+    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the three cells of half the box a lattice plane moves by
+    // 3e-6 of a cell, and the field, which is off by hundredths of a cell at the edges, by less than that.
     const Shell other = tight_shell(mapped(mesh, scaling(scale)), scale * spacing);
     check_same(shell, other, points, scaling(scale), scale, 1e-5 * spacing);
   }
@@ -166,9 +167,11 @@ TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
   mesh = mapped(mesh, [&](const Point_3& p) { return p - center; });
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
-  for(double distance : { std::ldexp(1., 10), std::ldexp(1., 21) }) {      // up to a million times the box
+  for(double distance : { std::ldexp(1., 10), std::ldexp(1., 21) }) { // up to a million times the box
     CAPTURE(distance);
-    const Map map = [distance](const Point_3& p) { return Point_3(p.x() + distance, p.y() - distance, p.z() + distance); };
+    const Map map = [distance](const Point_3& p) {
+      return Point_3(p.x() + distance, p.y() - distance, p.z() + distance);
+    };
     // Every vertex and the spacing are kept exactly. What is computed from them is rounded to 2^-53 of the coordinates,
     // and bounds allow for that: 9 times 64 eps times coordinates over width (level_bounds.h) times the range of the
     // field on a cell, which is less than three cells. The solver's tolerance comes on top.
@@ -207,7 +210,7 @@ TEST_CASE("Sides that lie in lattice planes are no exception")
   CGAL::copy_face_graph(box(Point_3(0.75, -1, -1), Point_3(2.5, 1, 1)), mesh);
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
-  REQUIRE(shell.report().surface_cells == 2 * (4 * 5 * 5 - 2 * 3 * 3));    // all but the inner ones
+  REQUIRE(shell.report().surface_cells == 2 * (4 * 5 * 5 - 2 * 3 * 3)); // all but the inner ones
   const Map turn = [](const Point_3& p) { return Point_3(-p.y(), p.x(), p.z()); };
   const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
   check_same(shell, tight_shell(mapped(mesh, turn), spacing), points, turn, 1, rounding);
@@ -220,7 +223,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
 {
   Mesh mesh = lump();
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
-  Mesh hole = mapped(mesh, scaling(0.25));      // so that the mesh is no ball, and a ball is not its inside-out
+  Mesh hole = mapped(mesh, scaling(0.25)); // so that the mesh is no ball, and a ball is not its inside-out
   CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
   CGAL::copy_face_graph(hole, mesh);
   const Shell shell = tight_shell(mesh, spacing);
@@ -233,7 +236,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
   for(const Point_3& p : points)
     worst = (std::max)(worst, std::abs(reversed.field().value(p).value() + shell.field().value(p).value()));
   CHECK(worst < rounding);
-  CHECK(shell.thickness() > 1e-3 * spacing);     // so that the levels above are not all the same
+  CHECK(shell.thickness() > 1e-3 * spacing); // so that the levels above are not all the same
 }
 
 TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit")
@@ -258,7 +261,7 @@ TEST_CASE("The shell is the same in every run and with any number of threads, to
     bool same = other.facet_ranges().size() == shell.facet_ranges().size();
     for(std::size_t n = 0; same && n < shell.facet_ranges().size(); ++n)
       same = other.facet_ranges()[n].min == shell.facet_ranges()[n].min
-          && other.facet_ranges()[n].max == shell.facet_ranges()[n].max;
+             && other.facet_ranges()[n].max == shell.facet_ranges()[n].max;
     CHECK(same);
   };
   check_identical(build(CGAL::Sequential_tag()));

@@ -29,7 +29,7 @@ typedef std::vector<Rational> Polynomial;
 Rational value(const Polynomial& p, const Rational& t)
 {
   Rational sum(0);
-  for(std::size_t n = p.size(); n-- > 0; ) sum = sum * t + p[n];
+  for(std::size_t n = p.size(); n-- > 0;) sum = sum * t + p[n];
   return sum;
 }
 
@@ -39,7 +39,7 @@ Polynomial with_critical_points(const std::vector<Rational>& roots)
   Polynomial p = { Rational(1) };
   for(const Rational& root : roots) {
     p.push_back(Rational(0));
-    for(std::size_t n = p.size(); n-- > 0; ) p[n] = (n > 0 ? p[n-1] : Rational(0)) - root * p[n];
+    for(std::size_t n = p.size(); n-- > 0;) p[n] = (n > 0 ? p[n - 1] : Rational(0)) - root * p[n];
   }
   Polynomial integral = { Rational(0) };
   for(std::size_t n = 0; n < p.size(); ++n) integral.push_back(p[n] / Rational(int(n) + 1));
@@ -65,7 +65,7 @@ Nonic bernstein(const Polynomial& p)
 double de_casteljau(Nonic b, double t)
 {
   for(int n = 9; n > 0; --n)
-    for(int i = 0; i < n; ++i) b[i] = (1 - t) * b[i] + t * b[i+1];
+    for(int i = 0; i < n; ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
   return b[0];
 }
 
@@ -106,29 +106,39 @@ struct Problem
     CGAL::Random random(seed);
     set([&](const BS::Lattice_3::Point& g) {
       const std::array<double, 3> p = field.cells().lattice().corner(g);
-      return std::sqrt((Point_3(p[0], p[1], p[2]) - center).squared_length()) - radius + random.get_double(-noise, noise);
+      return std::sqrt((Point_3(p[0], p[1], p[2]) - center).squared_length()) - radius
+             + random.get_double(-noise, noise);
     });
   }
 };
 
-CGAL::Bbox_3 around(const Point_3& p) { return (p + Vector_3(-1.01, -1.02, -0.99)).bbox() + (p + Vector_3(1, 1, 1)).bbox(); }
+CGAL::Bbox_3 around(const Point_3& p)
+{
+  return (p + Vector_3(-1.01, -1.02, -0.99)).bbox() + (p + Vector_3(1, 1, 1)).bbox();
+}
 
 } // namespace
 
 TEST_CASE("extrema on an edge: polynomials with known critical points")
 {
   const auto r = [](int a, int b) { return Rational(a, b); };
-  const std::vector<std::vector<Rational> > cases = {
-    {}, { r(1,3) }, { r(1,4), r(2,3) }, { r(1,7), r(1,2), r(9,10) },
-    { r(1,9), r(2,9), r(3,9), r(4,9), r(5,9), r(6,9), r(7,9), r(8,9) },
-    { r(-1,2), r(1,2), r(3,2) },                                        // some beyond the ends
-    { r(-2,1), r(5,1), r(9,1) },                                        // all
-    { r(0,1), r(1,1) },                                                 // at the ends
-    { r(1,2), r(1,2) }, { r(1,3), r(1,3), r(3,4) },                     // double roots are no extrema
-    { r(1,2), r(1,2), r(1,2) },                                         // triple ones are
-    { r(1,2), r(1,2), r(1,2), r(1,2), r(1,2), r(1,2), r(1,2) },
-    { r(1,1000), r(999,1000) }, { r(1,2), r(501,1000) },
-    { r(1,3), r(10000,1) }, { r(1,3), r(-10000000,1) } };               // coefficients that nearly vanish
+  const std::vector<std::vector<Rational> > cases = { {},
+                                                      { r(1, 3) },
+                                                      { r(1, 4), r(2, 3) },
+                                                      { r(1, 7), r(1, 2), r(9, 10) },
+                                                      { r(1, 9), r(2, 9), r(3, 9), r(4, 9), r(5, 9), r(6, 9), r(7, 9),
+                                                        r(8, 9) },
+                                                      { r(-1, 2), r(1, 2), r(3, 2) }, // some beyond the ends
+                                                      { r(-2, 1), r(5, 1), r(9, 1) }, // all
+                                                      { r(0, 1), r(1, 1) },           // at the ends
+                                                      { r(1, 2), r(1, 2) },
+                                                      { r(1, 3), r(1, 3), r(3, 4) }, // double roots are no extrema
+                                                      { r(1, 2), r(1, 2), r(1, 2) }, // triple ones are
+                                                      { r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2) },
+                                                      { r(1, 1000), r(999, 1000) },
+                                                      { r(1, 2), r(501, 1000) },
+                                                      { r(1, 3), r(10000, 1) },
+                                                      { r(1, 3), r(-10000000, 1) } }; // coefficients that nearly vanish
   for(const std::vector<Rational>& roots : cases)
     for(double scale : { 1., -1., 1e-200, 1e200 })
       for(int constant : { 0, 100 }) {
@@ -159,8 +169,10 @@ TEST_CASE("extrema on an edge: no sample is beyond, and they are attained")
   for(int n = 0; n < 300; ++n) {
     Nonic b;
     for(double& x : b) x = random.get_double(-1, 1);
-    if(n % 3 == 1) for(double& x : b) x += 1000;
-    if(n % 3 == 2) for(int m = 0; m < 10; ++m) b[m] = m + 0.3 * b[m];       // nearly monotone
+    if(n % 3 == 1)
+      for(double& x : b) x += 1000;
+    if(n % 3 == 2)
+      for(int m = 0; m < 10; ++m) b[m] = m + 0.3 * b[m]; // nearly monotone
     const Range range = BS::bernstein_range(b);
     double least = inf, most = -inf;
     constexpr int samples = 2000;
@@ -259,17 +271,17 @@ TEST_CASE("bounds on facets: they see a peak that lies between the edges")
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   problem.set([](const BS::Lattice_3::Point& g) {
     const double u = g[0], v = g[1];
-    return -(u*u - 1/3. - u + 0.25) - (v*v - 1/3. - v/2 + 0.0625);
+    return -(u * u - 1 / 3. - u + 0.25) - (v * v - 1 / 3. - v / 2 + 0.0625);
   });
   // the nearest edges: those of lattice planes at a distance of 1/4, and a side's diagonal, if it runs that way
-  double expected = -1/16.;
+  double expected = -1 / 16.;
   for(auto e : problem.input.mesh().edges()) {
     const Vector_3 d = problem.input.mesh().point(problem.input.mesh().vertex(e, 0))
-                     - problem.input.mesh().point(problem.input.mesh().vertex(e, 1));
-    if(d.x() == d.y() && d.x() != 0) expected = -1/32.;
+                       - problem.input.mesh().point(problem.input.mesh().vertex(e, 1));
+    if(d.x() == d.y() && d.x() != 0) expected = -1 / 32.;
   }
-  const double lowest = -(2.5*2.5 + 2.25*2.25);       // at a corner of the box
-  const double rounding = 64 * eps * 16;              // the largest coefficient is less than 16
+  const double lowest = -(2.5 * 2.5 + 2.25 * 2.25); // at a corner of the box
+  const double rounding = 64 * eps * 16;            // the largest coefficient is less than 16
   const Range edges = BS::edge_range<CGAL::Sequential_tag>(problem.field, problem.clipped);
   CHECK(std::abs(edges.max - expected) <= rounding);
   CHECK(std::abs(edges.min - lowest) <= rounding);
@@ -277,7 +289,7 @@ TEST_CASE("bounds on facets: they see a peak that lies between the edges")
   for(double tolerance : { 1e-1, 1e-3, 1e-6, 1e-9 }) {
     const Range mesh = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped, tolerance).mesh;
     CAPTURE(tolerance);
-    CHECK(mesh.max >= -rounding);               // coefficients are rounded
+    CHECK(mesh.max >= -rounding); // coefficients are rounded
     CHECK(mesh.min <= lowest + rounding);
     CHECK(mesh.max <= tolerance * (0 - lowest) + 10 * rounding);
     CHECK(mesh.min >= lowest - tolerance * (0 - lowest) - 10 * rounding);
@@ -293,10 +305,11 @@ TEST_CASE("bounds on facets: no part of a facet is forgotten, wherever the peak 
   for(int n = 0; n < 30; ++n) {
     const double a = random.get_double(-2, 2), b = random.get_double(-2, 2);
     problem.set([&](const BS::Lattice_3::Point& g) {
-      return -(g[0]*g[0] - 1/3. - 2*a*g[0] + a*a) - (g[1]*g[1] - 1/3. - 2*b*g[1] + b*b);
+      return -(g[0] * g[0] - 1 / 3. - 2 * a * g[0] + a * a) - (g[1] * g[1] - 1 / 3. - 2 * b * g[1] + b * b);
     });
-    const double tolerance = 1e-9, lowest = -(2 + std::abs(a)) * (2 + std::abs(a)) - (2 + std::abs(b)) * (2 + std::abs(b));
-    const double rounding = 640 * eps * 50;           // as above; the largest coefficient is less than 50
+    const double tolerance = 1e-9,
+                 lowest = -(2 + std::abs(a)) * (2 + std::abs(a)) - (2 + std::abs(b)) * (2 + std::abs(b));
+    const double rounding = 640 * eps * 50; // as above; the largest coefficient is less than 50
     const Range mesh = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped, tolerance).mesh;
     CHECK(mesh.max >= -rounding);
     CHECK(mesh.max <= -tolerance * lowest + rounding);
@@ -314,7 +327,8 @@ TEST_CASE("bounds on facets: of a linear field they are its values at the vertic
     const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
     return d * Vector_3(p[0], p[1], p[2]);
   });
-  // the allowances of Piece_in_cell and Form_error for values up to 10 that vary by 2 in a cell; coordinates of 4 spacings
+  // the allowances of Piece_in_cell and Form_error for values up to 10 that vary by 2 in a cell; coordinates of 4
+  // spacings
   const double allowance = eps * (57 * 10 + 9 * 2 * (64 * 5 + 32));
   const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
   Range whole;
@@ -360,7 +374,7 @@ TEST_CASE("bounds on facets: the allowance for rounding is needed, and is enough
 TEST_CASE("bounds on facets: the same with any number of threads")
 {
   Problem problem(sphere(2), BS::Lattice_3(around(CGAL::ORIGIN), 0.1));
-  REQUIRE(problem.clipped.number_of_pieces() > 3000);       // several chunks
+  REQUIRE(problem.clipped.number_of_pieces() > 3000); // several chunks
   problem.set_noisy_distance(CGAL::ORIGIN, 1, 0.01, 4);
   const BS::Facet_ranges a = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
   const BS::Facet_ranges b = BS::facet_ranges<CGAL::Parallel_if_available_tag>(problem.field, problem.clipped);

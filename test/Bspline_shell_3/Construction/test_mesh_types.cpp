@@ -42,11 +42,12 @@ void check_identical(const Shell& a, const Shell& b)
   CHECK(a.inner_level() == b.inner_level());
   CHECK(a.outer_level() == b.outer_level());
   REQUIRE(a.field().number_of_coefficients() == b.field().number_of_coefficients());
-  CHECK((a.field().coefficients() == b.field().coefficients()));      // not to be printed
+  CHECK((a.field().coefficients() == b.field().coefficients())); // not to be printed
   REQUIRE(a.facet_ranges().size() == b.facet_ranges().size());
   bool same = true;
   for(std::size_t n = 0; n < a.facet_ranges().size(); ++n)
-    same = same && a.facet_ranges()[n].min == b.facet_ranges()[n].min && a.facet_ranges()[n].max == b.facet_ranges()[n].max;
+    same = same && a.facet_ranges()[n].min == b.facet_ranges()[n].min
+           && a.facet_ranges()[n].max == b.facet_ranges()[n].max;
   CHECK(same);
 }
 
@@ -82,7 +83,8 @@ TEST_CASE("Polyhedron_3: the same shell, its facets in the order of the polyhedr
   for(auto f : faces(polyhedron)) {
     for(auto h : CGAL::halfedges_around_face(halfedge(f, polyhedron), polyhedron)) {
       const double value = shell.field().value(target(h, polyhedron)->point()).value();
-      enclosed = enclosed && value >= shell.facet_ranges()[n].min - 1e-14 && value <= shell.facet_ranges()[n].max + 1e-14;
+      enclosed = enclosed && value >= shell.facet_ranges()[n].min - 1e-14
+                 && value <= shell.facet_ranges()[n].max + 1e-14;
     }
     ++n;
   }
@@ -121,7 +123,7 @@ TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
 TEST_CASE("Numbers that are evaluated lazily count for what they are, however they came about")
 {
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
-    // Zero, but the interval around it is wide and lopsided: a third, times a large number, minus the same, squared.
+  // Zero, but the interval around it is wide and lopsided: a third, times a large number, minus the same, squared.
   const auto third = []() { return Epeck::FT(1) / Epeck::FT(3); };
   const Epeck::FT large(std::ldexp(1., 42));
   Exact_mesh lazy = mixed_mesh<Exact_mesh>();
@@ -140,14 +142,14 @@ TEST_CASE("The vertex point map is honored, first or last in the parameters, our
   std::unordered_map<Mesh::Vertex_index, Point_3> points;
   for(auto v : mesh.vertices()) {
     points[v] = mesh.point(v);
-    mesh.point(v) = Point_3(0, 0, 0);      // of no use without the map
+    mesh.point(v) = Point_3(0, 0, 0); // of no use without the map
   }
   REQUIRE(CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10)).status() == BS::Shell_status::DEGENERATE_FACET);
   const auto vpm = boost::make_assoc_property_map(points);
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10).vertex_point_map(vpm)));
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(vpm).resolution(10)));
-  check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh,
-    P::number_of_rings(2).vertex_point_map(vpm).memory_limit(1e9).resolution(10)));
+  check_identical(reference(), CGAL::bspline_shell_3<Tag>(
+                                 mesh, P::number_of_rings(2).vertex_point_map(vpm).memory_limit(1e9).resolution(10)));
   const double spacing = reference().field().cells().width();
   const Shell by_spacing = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::grid_spacing(spacing));
   check_identical(by_spacing,

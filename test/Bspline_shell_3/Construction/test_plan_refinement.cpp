@@ -29,7 +29,10 @@ Hierarchy block()
   return Hierarchy(some_cells(random, lattice, { -3, -3, -3 }, { 3, 3, 3 }));
 }
 
-Index cell_at(const Hierarchy& cells, const Lattice_point& p) { return cells.leaf(0, p); }
+Index cell_at(const Hierarchy& cells, const Lattice_point& p)
+{
+  return cells.leaf(0, p);
+}
 
 std::vector<BS::Threshold_obstacle> obstacles_in(const Cells& cells)
 {
@@ -44,7 +47,10 @@ BS::Refinement_plan plan_for(const Hierarchy& cells, const BS::Round_findings& f
 }
 
 // of cells with up to so many different coordinates, next to the middle
-std::size_t number_of_neighbors(int axes) { return axes == 0 ? 1 : axes == 1 ? 7 : 27; }
+std::size_t number_of_neighbors(int axes)
+{
+  return axes == 0 ? 1 : axes == 1 ? 7 : 27;
+}
 
 } // namespace
 
@@ -57,27 +63,32 @@ TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
   CHECK(plan.nearer_to_zero.empty());
 }
 
-TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large in few; alone where in many")
+TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large "
+          "in few; alone where in many")
 {
   const Hierarchy cells = block();
   const Index middle = cell_at(cells, { 0, 0, 0 }), other = cell_at(cells, { 3, 3, 3 });
   BS::Round_findings found;
-  SECTION("slopes") {
+  SECTION("slopes")
+  {
     found.sloping = { middle };
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
-  SECTION("few thick") {
+  SECTION("few thick")
+  {
     found.thick = { middle };
-    found.thick_at_first = { other };       // mended
+    found.thick_at_first = { other }; // mended
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
-  SECTION("many thick, with those that are nearly so") {
+  SECTION("many thick, with those that are nearly so")
+  {
     found.thick = { middle };
     found.are_many_thick = true;
     found.thick_at_first = { other };
     CHECK(plan_for(cells, found).split == Cells{ (std::min)(middle, other), (std::max)(middle, other) });
   }
-  SECTION("two sheets") {
+  SECTION("two sheets")
+  {
     found.two_sheets = { middle };
     CHECK(plan_for(cells, found).split == Cells{ middle });
   }
@@ -108,26 +119,31 @@ TEST_CASE("Refinement plan: the fewer cells with obstacles, the more of their ne
 TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
 {
   const Hierarchy cells = block();
-  const Index obstacle = cell_at(cells, { 0, 0, 0 }), culprit = cell_at(cells, { 2, 0, 0 }), thick = cell_at(cells, { 0, 3, 0 });
+  const Index obstacle = cell_at(cells, { 0, 0, 0 }), culprit = cell_at(cells, { 2, 0, 0 }),
+              thick = cell_at(cells, { 0, 3, 0 });
   BS::Round_findings found;
   found.obstacles = obstacles_in({ obstacle, obstacle });
   found.thick_at_first = { thick };
-  SECTION("few") {
+  SECTION("few")
+  {
     CHECK(plan_for(cells, found).at_gaps.empty());
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(1));
   }
-  SECTION("many are split more often at gaps") {
+  SECTION("many are split more often at gaps")
+  {
     found.kind = Obstacle_kind::MANY;
     CHECK(plan_for(cells, found).at_gaps == Cells{ obstacle });
   }
-  SECTION("those of a thick field are left alone") {
+  SECTION("those of a thick field are left alone")
+  {
     found.kind = Obstacle_kind::THICK_FIELD;
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ thick });
     CHECK(plan.at_gaps.empty());
     CHECK(plan.nearer_to_zero.empty());
   }
-  SECTION("at narrow gaps, culprits are split in their place, and the next field is to be nearer to zero in both") {
+  SECTION("at narrow gaps, culprits are split in their place, and the next field is to be nearer to zero in both")
+  {
     found.kind = Obstacle_kind::NARROW_GAPS;
     found.culprits = { culprit };
     found.similar = { thick };
@@ -135,14 +151,16 @@ TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
     CHECK(plan.split == Cells{ culprit });
     CHECK(plan.at_gaps == Cells{ culprit });
     CHECK(plan.similar == Cells{ thick });
-    CHECK(std::is_permutation(plan.nearer_to_zero.begin(), plan.nearer_to_zero.end(), Cells{ obstacle, culprit }.begin()));
+    CHECK(
+      std::is_permutation(plan.nearer_to_zero.begin(), plan.nearer_to_zero.end(), Cells{ obstacle, culprit }.begin()));
   }
 }
 
 TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if culprits are as small as may be")
 {
   Hierarchy cells = block();
-  while(cells.number_of_levels() <= cells.max_level()) cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
+  while(cells.number_of_levels() <= cells.max_level())
+    cells = cells.refined({ cells.first_leaf(cells.number_of_levels() - 1) }, 0);
   const Index smallest = cells.first_leaf(cells.max_level());
   BS::Round_findings found;
   found.kind = Obstacle_kind::NARROW_GAPS;

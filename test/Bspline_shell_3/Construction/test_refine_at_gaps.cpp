@@ -53,8 +53,9 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than four
       const BS::Local_gap_3 gap(input);
       const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
       const Index middle = cells.locate(Point_3(4.5, 4.5, 1.5)), empty = cells.locate(Point_3(4.5, 4.5, 0.5));
-      const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit);
-      const int wanted = thickness == 0.3 ? 1 : thickness == 0.1 ? 2 : 5;       // halvings of one
+      const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap,
+                                                                      clipped, no_limit);
+      const int wanted = thickness == 0.3 ? 1 : thickness == 0.1 ? 2 : 5; // halvings of one
       std::size_t wrong = 0;
       const int expected = (std::min)(halvings, wanted);
       for(double x : { 4.01, 4.3, 4.99 })
@@ -62,13 +63,17 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than four
       CHECK(wrong == 0);
       CHECK(fine.number_of_levels() == expected + 1);
       // an obstacle without a part of the mesh is split once, and so is what is only marked
-      const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, 1, { empty }, halvings, gap, clipped, no_limit);
+      const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, 1, { empty }, halvings,
+                                                                      gap, clipped, no_limit);
       CHECK(are_equal(once, cells.refined({ middle, empty }, 1)));
       // a limit ends it after what was marked
       const auto is_too_many = [&](std::size_t size) { return size > cells.refined({ middle }, 1).number_of_cells(); };
-      CHECK(are_equal(BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, is_too_many),
-                      cells.refined({ middle }, 1)));
-      CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, no_limit), fine));
+      CHECK(are_equal(
+        BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, is_too_many),
+        cells.refined({ middle }, 1)));
+      CHECK(are_equal(BS::refine_at_gaps<CGAL::Parallel_if_available_tag>(cells, { middle }, 1, { middle }, halvings,
+                                                                          gap, clipped, no_limit),
+                      fine));
     }
 }
 } // namespace test_refine_at_gaps

@@ -1,4 +1,5 @@
-// refinement_obstacles.h: walls and gaps at the places that are in the way, narrowest first; and what a report says of them.
+// refinement_obstacles.h: walls and gaps at the places that are in the way, narrowest first; and what a report says of
+// them.
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -31,19 +32,21 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   CGAL::Random random(1);
   const auto cells_of_width = [&](double width) {
     const int n = int(4 / width);
-    return Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }), { -n, -n, -n },
-                                { n - 1, n - 1, n - 1 }));
+    return Hierarchy(some_cells(random,
+                                BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
+                                { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
   };
   const Hierarchy cells = cells_of_width(0.25);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
   const BS::Local_gap_3 gap(input);
   std::map<Index, std::array<double, 3> > places;
   const auto add = [&](double x, double y, double z) { places[cells.locate(Point_3(x, y, z))] = { x, y, z }; };
-  add(0.1, -1.1, 1.05);       // a wall
-  add(0.1, 1.1, 1.3);         // the gap
-  add(0.1, 1.1, 2.1);         // a wall
-  add(0.1, 1.1, 3.1);         // nothing
-  const std::vector<BS::Refinement_obstacle> found = BS::refinement_obstacles<CGAL::Sequential_tag>(cells, clipped, gap, places);
+  add(0.1, -1.1, 1.05); // a wall
+  add(0.1, 1.1, 1.3);   // the gap
+  add(0.1, 1.1, 2.1);   // a wall
+  add(0.1, 1.1, 3.1);   // nothing
+  const std::vector<BS::Refinement_obstacle> found = BS::refinement_obstacles<CGAL::Sequential_tag>(cells, clipped, gap,
+                                                                                                    places);
   REQUIRE(found.size() == 4);
   const double gaps[] = { 0.2, 0.3, 0.6 }, heights[] = { 1.3, 1.05, 2.1, 3.1 };
   for(int n = 0; n < 4; ++n) {
@@ -54,7 +57,8 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   }
   CHECK(std::isinf(found[3].gap));
   const auto same = BS::refinement_obstacles<CGAL::Parallel_if_available_tag>(cells, clipped, gap, places);
-  CHECK(std::equal(same.begin(), same.end(), found.begin(), [](const auto& a, const auto& b) { return a.point == b.point && a.gap == b.gap; }));
+  CHECK(std::equal(same.begin(), same.end(), found.begin(),
+                   [](const auto& a, const auto& b) { return a.point == b.point && a.gap == b.gap; }));
 
   // far wider than small cells
   const Hierarchy small = cells_of_width(0.125);
@@ -63,7 +67,8 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   CHECK(std::isinf(BS::refinement_obstacles<CGAL::Sequential_tag>(small, in_small, gap, one).front().gap));
 }
 
-TEST_CASE("Obstacles: where a limit ends refinement, the report has the wall, where it is and how small cells may have to be")
+TEST_CASE(
+  "Obstacles: where a limit ends refinement, the report has the wall, where it is and how small cells may have to be")
 {
   const double thickness = 0.002;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
@@ -98,7 +103,8 @@ TEST_CASE("Obstacles: sentences say gap or wall, and where nothing is narrow, th
   o.cell_width = 0.5;
   CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
   o.gap = 0.1;
-  CHECK(message(o, 10) == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
+  CHECK(message(o, 10)
+        == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
   o.is_wall = true;
   o.gap = 1;
   CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");

@@ -17,7 +17,10 @@ namespace BS = CGAL::Bspline_shells;
 typedef Hierarchy::Index Index;
 typedef std::vector<BS::Level_range> Ranges;
 
-double largest(const BS::Level_range& r) { return (std::max)(-r.min, r.max); }
+double largest(const BS::Level_range& r)
+{
+  return (std::max)(-r.min, r.max);
+}
 
 bool are_neighbors(const Hierarchy& cells, Index a, Index b)
 {
@@ -33,11 +36,12 @@ std::vector<Index> by_search(const Hierarchy& cells, const Ranges& ranges, const
   for(Index start : given) {
     std::vector<char> reached(cells.number_of_cells(), 0);
     reached[start] = 1;
-    for(bool more = true; more; ) {
+    for(bool more = true; more;) {
       more = false;
       for(Index c = 0; c < reached.size(); ++c)
         for(Index n = 0; n < reached.size() && !reached[c]; ++n)
-          if(reached[n] && are_neighbors(cells, c, n) && largest(ranges[c]) >= 0.7 * largest(ranges[start])) more = reached[c] = is_similar[c] = 1;
+          if(reached[n] && are_neighbors(cells, c, n) && largest(ranges[c]) >= 0.7 * largest(ranges[start]))
+            more = reached[c] = is_similar[c] = 1;
     }
   }
   for(Index c : given) is_similar[c] = 0;
@@ -49,16 +53,20 @@ std::vector<Index> by_search(const Hierarchy& cells, const Ranges& ranges, const
 
 } // namespace
 
-TEST_CASE("Similar cells: those that are reached from a given one through cells of its size with fields about as large, whatever the order")
+TEST_CASE("Similar cells: those that are reached from a given one through cells of its size with fields about as "
+          "large, whatever the order")
 {
   CGAL::Random random(3);
   std::size_t most = 0;
   for(int trial = 0; trial < 12; ++trial) {
-    const Hierarchy cells = random_hierarchy(random, some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 },
-                                                                { 4, 4, 2 }), 2, 2);
+    const Hierarchy cells = random_hierarchy(
+      random,
+      some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 },
+                 { 4, 4, 2 }),
+      2, 2);
     Ranges ranges(cells.number_of_cells());
     for(BS::Level_range& r : ranges)
-      if(random.get_double() < 0.7) r.include(random.get_double(-1, 1));       // others have no part of the mesh
+      if(random.get_double() < 0.7) r.include(random.get_double(-1, 1)); // others have no part of the mesh
     std::vector<Index> given;
     for(Index c = 0; c < ranges.size(); ++c)
       if(largest(ranges[c]) > 0 && random.get_double() < 0.05) given.push_back(c);
@@ -69,7 +77,8 @@ TEST_CASE("Similar cells: those that are reached from a given one through cells 
     most = (std::max)(most, similar.size());
   }
   CHECK(most > 10);
-  const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 }, { 4, 4, 2 }));
+  const Hierarchy cells(
+    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 }, { 4, 4, 2 }));
   CHECK(BS::similar_cells(cells, Ranges(cells.number_of_cells()), {}).empty());
 }
 } // namespace test_similar_cells

@@ -1,4 +1,5 @@
-// slope_conditions.h: slopes that vertices allow, points on the mesh in each cell, and directions that facets have in common.
+// slope_conditions.h: slopes that vertices allow, points on the mesh in each cell, and directions that facets have in
+// common.
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -37,8 +38,9 @@ struct In_cells
     REQUIRE(input.build<Tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
     CGAL::Random random(1);
     const int n = int(4 / width);
-    field = Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
-                                       { -n, -n, -n }, { n - 1, n - 1, n - 1 })));
+    field = Field(Hierarchy(
+      some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
+                 { -n, -n, -n }, { n - 1, n - 1, n - 1 })));
     clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
   }
 
@@ -60,10 +62,12 @@ const auto any_size = [](Index) { return std::numeric_limits<double>::infinity()
 
 } // namespace
 
-TEST_CASE("Slope conditions: a part of the slope that the narrowest vertex of a facet allows, and none at singular vertices")
+TEST_CASE(
+  "Slope conditions: a part of the slope that the narrowest vertex of a facet allows, and none at singular vertices")
 {
   for(double fraction : { 0.2, 0.5 }) {
-    const std::vector<double> cube = BS::wanted_slopes<Tag>(In_cells(box(Point_3(-1, -1, -1), Point_3(1, 1, 1))).input, fraction);
+    const std::vector<double> cube = BS::wanted_slopes<Tag>(In_cells(box(Point_3(-1, -1, -1), Point_3(1, 1, 1))).input,
+                                                            fraction);
     CHECK(cube.size() == 12);
     for(double slope : cube) CHECK(slope == Approx(fraction / std::sqrt(3.)).epsilon(1e-6));
   }
@@ -87,15 +91,19 @@ TEST_CASE("Slope conditions: a part of the slope that the narrowest vertex of a 
   CHECK(zero >= 6);
 }
 
-TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part, along its normal; no more than a few in cells with many facets")
+TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part, along its normal; no more than a few "
+          "in cells with many facets")
 {
   for(int subdivisions : { 0, 1, 6 }) {
     const In_cells in(sphere(subdivisions));
     std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
     wanted[3] = 0;
-    const auto in_triangles = [&](Index c, std::uint32_t facet) { return c % 2 == 0 ? wanted[facet] : wanted[facet] / 4; };
+    const auto in_triangles = [&](Index c, std::uint32_t facet) {
+      return c % 2 == 0 ? wanted[facet] : wanted[facet] / 4;
+    };
     const auto size = [](Index c) { return 1. + c; };
-    const std::vector<BS::Slope_condition> conditions = BS::slope_conditions(in.field, in.clipped, in_triangles, everywhere, size);
+    const std::vector<BS::Slope_condition> conditions = BS::slope_conditions(in.field, in.clipped, in_triangles,
+                                                                             everywhere, size);
     std::map<Index, std::size_t> in_cell, pieces;
     for(const auto& piece : in.clipped.pieces())
       if(piece.facet != 3) ++pieces[piece.cell];
@@ -105,11 +113,13 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
       const auto t = in.input.triangle(BS::Input_mesh_3::Face_index(c.facet));
       const Point_3 p = in.point(c);
       for(double x : c.position) wrong += !(x > -1e-12 && x < 1 + 1e-12);
-      wrong += !(CGAL::squared_distance(p, Kernel::Triangle_3(t[0], t[1], t[2])) < 1e-24) || c.direction != in.clipped.normal(c.facet);
+      wrong += !(CGAL::squared_distance(p, Kernel::Triangle_3(t[0], t[1], t[2])) < 1e-24)
+               || c.direction != in.clipped.normal(c.facet);
       wrong += c.least != in_triangles(c.cell, c.facet) || c.largest != 1. + c.cell || c.facet == 3;
     }
     CHECK(wrong == 0);
-    CHECK(std::is_sorted(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; }));
+    CHECK(std::is_sorted(conditions.begin(), conditions.end(),
+                         [](const auto& a, const auto& b) { return a.cell < b.cell; }));
     CHECK(in_cell.size() == pieces.size());
     std::size_t most = 0, most_pieces = 0;
     for(const auto& n : in_cell) {
@@ -124,11 +134,11 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
       if(size > 8 && size == pieces[n.first]) wrong += n.second != (size + stride - 1) / stride;
     }
     CHECK(wrong == 0);
-    const std::vector<BS::Slope_condition> in_parallel =
-      BS::slope_conditions<CGAL::Parallel_if_available_tag>(in.field, in.clipped, in_triangles, everywhere, size);
-    CHECK(std::equal(conditions.begin(), conditions.end(), in_parallel.begin(), in_parallel.end(), [](const auto& a, const auto& b) {
-      return a.cell == b.cell && a.facet == b.facet && a.position == b.position;
-    }));
+    const std::vector<BS::Slope_condition> in_parallel = BS::slope_conditions<CGAL::Parallel_if_available_tag>(
+      in.field, in.clipped, in_triangles, everywhere, size);
+    CHECK(std::equal(
+      conditions.begin(), conditions.end(), in_parallel.begin(), in_parallel.end(),
+      [](const auto& a, const auto& b) { return a.cell == b.cell && a.facet == b.facet && a.position == b.position; }));
     CHECK(most <= 48 * (subdivisions < 6 ? 8 : 1));
     CHECK((most_pieces > 48) == (subdivisions == 6));
   }
@@ -136,13 +146,15 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
   const In_cells in(sphere(2));
   const std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
   const Index c = in.clipped.pieces().front().cell;
-  const auto there = BS::slope_conditions(in.field, in.clipped, [&](Index, std::uint32_t facet) { return wanted[facet]; },
-                                         [&](Index n) { return n == c; }, any_size);
+  const auto there = BS::slope_conditions(
+    in.field, in.clipped, [&](Index, std::uint32_t facet) { return wanted[facet]; }, [&](Index n) { return n == c; },
+    any_size);
   CHECK_FALSE(there.empty());
   CHECK(std::all_of(there.begin(), there.end(), [&](const auto& condition) { return condition.cell == c; }));
 }
 
-TEST_CASE("Slope conditions: beside a side of a box its normal is the common direction, beside an edge the middle of two, inside a plate there is none")
+TEST_CASE("Slope conditions: beside a side of a box its normal is the common direction, beside an edge the middle of "
+          "two, inside a plate there is none")
 {
   const In_cells in(box(Point_3(-3, -3, -3), Point_3(3, 3, 3)));
   const auto side = in.common({ 0.1, 0.2, 3.3 }, 0.3);

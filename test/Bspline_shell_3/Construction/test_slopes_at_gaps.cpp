@@ -19,7 +19,8 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, which splines on the cells attain; no limit where the wall is no narrower")
+TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, which splines on the cells attain; no "
+          "limit where the wall is no narrower")
 {
   CGAL::Random random(1);
   for(double width : { 0.25, 0.5, 1. })
@@ -28,18 +29,21 @@ TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, whic
       BS::Input_mesh_3 input;
       REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
       const int n = int(4 / width);
-      const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }), { -n, -n, -n },
-                                       { n - 1, n - 1, n - 1 }));
+      const Hierarchy cells(
+        some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
+                   { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
       const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
       const BS::Local_gap_3 gap(input);
       const Index below = cells.locate(Point_3(1.1, 1.2, 0.2)), empty = cells.locate(Point_3(1.1, 1.2, 2.2));
-      const std::vector<double> slopes = BS::slopes_at_gaps<CGAL::Sequential_tag>(cells, { below, empty }, gap, clipped);
+      const std::vector<double> slopes = BS::slopes_at_gaps<CGAL::Sequential_tag>(cells, { below, empty }, gap,
+                                                                                  clipped);
       REQUIRE(slopes.size() == 2);
       CHECK(slopes[1] == std::numeric_limits<double>::infinity());
       if(thickness < width) CHECK(slopes[0] == Approx(thickness / width / 4));
       else CHECK(slopes[0] == std::numeric_limits<double>::infinity());
 
-      // (z - low) (z - high) / width: coefficients of a quadratic polynomial are its values at the nodes, less width^2 / 3 times its leading coefficient
+      // (z - low) (z - high) / width: coefficients of a quadratic polynomial are its values at the nodes, less width^2
+      // / 3 times its leading coefficient
       Field field(cells);
       std::vector<double> coefficients(field.number_of_coefficients());
       for(Index u = 0; u < coefficients.size(); ++u) {
@@ -47,7 +51,8 @@ TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, whic
         const double z = (support.zmin() + support.zmax()) / 2;
         coefficients[u] = ((z - 0.2) * (z - 0.2 - thickness) - width * width / 3) / width;
       }
-      field.set_coefficients<CGAL::Sequential_tag>(Eigen::Map<const Eigen::VectorXd>(coefficients.data(), Eigen::Index(coefficients.size())));
+      field.set_coefficients<CGAL::Sequential_tag>(
+        Eigen::Map<const Eigen::VectorXd>(coefficients.data(), Eigen::Index(coefficients.size())));
       const Field::Point_3 on_mesh(1.1, 1.2, 0.2);
       CHECK(std::abs(*field.value(on_mesh)) < 1e-12);
       const double slope = -(*field.gradient(on_mesh))[2];

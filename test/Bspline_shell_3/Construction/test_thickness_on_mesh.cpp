@@ -1,4 +1,5 @@
-// thickness_on_mesh.h: the widest place, and the share of the area that is narrower than asked for, against a sum over cells.
+// thickness_on_mesh.h: the widest place, and the share of the area that is narrower than asked for, against a sum over
+// cells.
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -27,14 +28,14 @@ TEST_CASE("Thickness on a mesh: all of it as asked for, or narrower in the cells
   BS::Input_mesh_3 input;
   REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
   CGAL::Random random(1);
-  const Field field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -8, -8, -8 }, { 7, 7, 7 }), { -8, -8, -8 },
-                                         { 7, 7, 7 })));
+  const Field field(Hierarchy(some_cells(
+    random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -8, -8, -8 }, { 7, 7, 7 }), { -8, -8, -8 }, { 7, 7, 7 })));
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
   const double asked = 0.25;
   BS::Shell_thresholds_3<Field> thresholds(field, [&](const Point_3&) { return asked; });
   const auto thickness = [&](double wanted) {
-    return BS::thickness_on_mesh(clipped, Threshold(thresholds.threshold<Tag>(CGAL::NEGATIVE)), Threshold(thresholds.threshold<Tag>(CGAL::POSITIVE)),
-                                 [&](Index) { return wanted; });
+    return BS::thickness_on_mesh(clipped, Threshold(thresholds.threshold<Tag>(CGAL::NEGATIVE)),
+                                 Threshold(thresholds.threshold<Tag>(CGAL::POSITIVE)), [&](Index) { return wanted; });
   };
   CHECK(thickness(asked).largest == Approx(asked));
   CHECK(thickness(asked).narrowed_area == 0);
@@ -45,7 +46,7 @@ TEST_CASE("Thickness on a mesh: all of it as asked for, or narrower in the cells
   const Field inner = thresholds.threshold<Tag>(CGAL::NEGATIVE), outer = thresholds.threshold<Tag>(CGAL::POSITIVE);
   double area = 0, narrow = 0;
   for(const auto& piece : clipped.pieces()) {
-    double least = 1;       // of the coefficients in the cell; both are sums of functions that add up to one
+    double least = 1; // of the coefficients in the cell; both are sums of functions that add up to one
     for(int n = 0; n < 64; ++n)
       least = (std::min)(least, outer.cell(piece.cell).coefficients()[n] - inner.cell(piece.cell).coefficients()[n]);
     area += clipped.area(piece);

@@ -31,7 +31,10 @@ double width_at(const Shell& shell, const Point_3& p)
   return shell.outer_threshold().value(p) - shell.inner_threshold().value(p);
 }
 
-bool is_outside(const Shell& shell, const Point_3& p) { return shell.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; }
+bool is_outside(const Shell& shell, const Point_3& p)
+{
+  return shell.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE;
+}
 
 void check_certified(const Mesh& mesh, const Shell& shell)
 {
@@ -130,7 +133,8 @@ TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is t
 {
   const double thickness = 0.01;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
-  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::resolution(15.).relative_thickness(2 * thickness));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh,
+                                                      parameters::resolution(15.).relative_thickness(2 * thickness));
   check_certified(mesh, shell);
   const auto& cells = shell.field().cells();
   CHECK(cells.lattice().spacing() / double(1 << (cells.number_of_levels() - 1)) > 1.5 * thickness);
@@ -144,7 +148,8 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
   check_certified(mesh, shell);
   const Field& field = shell.field();
-  // the function whose center is best placed for a bump that hangs over the outer boundary: one and a half of its cells beyond
+  // the function whose center is best placed for a bump that hangs over the outer boundary: one and a half of its cells
+  // beyond
   const double level = shell.outer_threshold().value(Point_3(0, 0.6, 0.8));
   Index bump = Field::npos;
   double width = 0, nearest = std::numeric_limits<double>::infinity();
@@ -154,7 +159,12 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
     const Point_3 c((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
     if(!field.value(c)) continue;
     const double w = b.x_span() / 4, distance = std::abs((field.value(c).value() - level) / w - 1.5);
-    if(distance < nearest) { nearest = distance; bump = n; width = w; center = c; }
+    if(distance < nearest) {
+      nearest = distance;
+      bump = n;
+      width = w;
+      center = c;
+    }
   }
   REQUIRE(nearest < 0.1);
   Vector_3 r = center - CGAL::ORIGIN;
@@ -208,30 +218,38 @@ TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certi
   for(double margin : { 0.1, 0.01 }) {
     Mesh::Vertex_index vertex;
     const Mesh mesh = folded(margin, vertex);
-    const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.06).resolution(15).truncate(false));
+    const Shell shell = CGAL::certified_bspline_shell_3(
+      mesh, parameters::relative_thickness(0.06).resolution(15).truncate(false));
     REQUIRE(shell);
     CHECK(shell.report().rounds.size() < BS::Refinement_parameters().max_rounds);
     CHECK(shell.report().certificate.least_cone_margin == Approx(margin).epsilon(1e-2));
     CHECK(shell.report().certificate.singular_vertices.empty());
-    if(shell.is_certified()) { check_certified(mesh, shell); continue; }
+    if(shell.is_certified()) {
+      check_certified(mesh, shell);
+      continue;
+    }
     CHECK(shell.report().refinement == BS::Refinement_status::NOTHING_TO_REFINE);
     bool named = false;
     for(const BS::Certificate_witness& w : shell.report().certificate.witnesses)
       if((w.claim == Claim::TRANSVERSALITY || w.claim == Claim::GRADIENT)
-         && CGAL::squared_distance(Point_3(w.point[0], w.point[1], w.point[2]), mesh.point(vertex)) < 0.3 * 0.3) named = true;
+         && CGAL::squared_distance(Point_3(w.point[0], w.point[1], w.point[2]), mesh.point(vertex)) < 0.3 * 0.3)
+        named = true;
     CHECK(named);
   }
 }
 
-TEST_CASE("Thin parts: the number of threads does not matter where slopes are enforced, thresholds narrowed, and parts fitted")
+TEST_CASE(
+  "Thin parts: the number of threads does not matter where slopes are enforced, thresholds narrowed, and parts fitted")
 {
   const Mesh mesh = demo_mesh("triceratops.off");
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),
               two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
   REQUIRE(one);
   REQUIRE(two);
-  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.sloping_cells > 0; }));
-  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(), [](const auto& round) { return round.partial; }));
+  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(),
+                    [](const auto& round) { return round.sloping_cells > 0; }));
+  CHECK(std::any_of(one.report().rounds.begin(), one.report().rounds.end(),
+                    [](const auto& round) { return round.partial; }));
   CHECK(one.report().narrowed_area > 0);
   CHECK(one.field().coefficients() == two.field().coefficients());
   CHECK(one.inner_threshold().field().coefficients() == two.inner_threshold().field().coefficients());

@@ -59,13 +59,17 @@ void sweep(std::size_t polls, const Function& f)
 }
 
 // a shell of several rounds
-Mesh wall() { return box(Point_3(0, 0, 0), Point_3(1, 1, 0.03)); }
+Mesh wall()
+{
+  return box(Point_3(0, 0, 0), Point_3(1, 1, 0.03));
+}
 
 bool are_equal(const Shell& a, const Shell& b)
 {
-  return a.status() == b.status() && a.is_certified() == b.is_certified() && a.field().number_of_cells() == b.field().number_of_cells()
-      && a.field().coefficients() == b.field().coefficients() && a.report().thickness == b.report().thickness
-      && a.report().rounds.size() == b.report().rounds.size();
+  return a.status() == b.status() && a.is_certified() == b.is_certified()
+         && a.field().number_of_cells() == b.field().number_of_cells()
+         && a.field().coefficients() == b.field().coefficients() && a.report().thickness == b.report().thickness
+         && a.report().rounds.size() == b.report().rounds.size();
 }
 
 BS::Polygon_soup soup_of(const Mesh& mesh)
@@ -112,7 +116,8 @@ TEST_CASE("Limits of time: a shell is the same with a limit that is not reached,
   for(double wrong : { 0., -1., std::nan("") }) {
     CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::time_limit(wrong)).status() == Status::INVALID_PARAMETER);
     CHECK(CGAL::bspline_shell_3(mesh, parameters::time_limit(wrong)).status() == Status::INVALID_PARAMETER);
-    CHECK(CGAL::certified_shell_of_soup_3(soup_of(mesh), parameters::time_limit(wrong)).status() == Status::INVALID_PARAMETER);
+    CHECK(CGAL::certified_shell_of_soup_3(soup_of(mesh), parameters::time_limit(wrong)).status()
+          == Status::INVALID_PARAMETER);
   }
 }
 
@@ -120,13 +125,15 @@ TEST_CASE("Cancel: a shell can be canceled at any poll of any step, with nothing
 {
   const Mesh mesh = wall();
   Impatient_visitor visitor;
-  const Shell shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh, parameters::visitor(std::ref(visitor)));
+  const Shell shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh,
+                                                                            parameters::visitor(std::ref(visitor)));
   REQUIRE(shell.is_certified());
   for(std::size_t polls : visitor.polls_of_step) CHECK(polls > 1);
   sweep(visitor.polls, [&](std::size_t n) {
     Impatient_visitor impatient;
     impatient.most = n;
-    const Shell canceled = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh, parameters::visitor(std::ref(impatient)));
+    const Shell canceled = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
+      mesh, parameters::visitor(std::ref(impatient)));
     CHECK(canceled.status() == Status::CANCELED);
     CHECK_FALSE(canceled);
     CHECK(impatient.polls == n);
@@ -141,7 +148,8 @@ TEST_CASE("Cancel: shells on equal cells, and shells that several threads build,
   for(std::size_t n : { 1, 4 }) {
     Impatient_visitor impatient;
     impatient.most = n;
-    CHECK(CGAL::bspline_shell_3(mesh, parameters::resolution(20).visitor(std::ref(impatient))).status() == Status::CANCELED);
+    CHECK(CGAL::bspline_shell_3(mesh, parameters::resolution(20).visitor(std::ref(impatient))).status()
+          == Status::CANCELED);
     impatient = {};
     impatient.most = n;
     CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(std::ref(impatient))).status() == Status::CANCELED);
@@ -153,7 +161,8 @@ TEST_CASE("Limits of time: proxies are the same with a limit that is not reached
 {
   const BS::Polygon_soup soup = fan();
   const auto of_soup = [&](const auto& np) { return CGAL::certified_shell_of_soup_3(soup, np); };
-  const BS::Shell_of_soup_3 any = of_soup(parameters::alpha(0.2)), limited = of_soup(parameters::alpha(0.2).time_limit(long_time));
+  const BS::Shell_of_soup_3 any = of_soup(parameters::alpha(0.2)),
+                            limited = of_soup(parameters::alpha(0.2).time_limit(long_time));
   REQUIRE(any.is_certified());
   REQUIRE(any.proxy);
   REQUIRE(limited.proxy);
@@ -163,9 +172,11 @@ TEST_CASE("Limits of time: proxies are the same with a limit that is not reached
   CHECK_FALSE(late);
   CHECK(late.status() == Status::TIME_LIMIT_EXCEEDED);
   CHECK(late.message() == std::string(message(Status::TIME_LIMIT_EXCEEDED)));
-  CHECK(CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::time_limit(no_time)).status() == Status::TIME_LIMIT_EXCEEDED);
+  CHECK(CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::time_limit(no_time)).status()
+        == Status::TIME_LIMIT_EXCEEDED);
   // a mesh that would get a shell itself gets no proxy instead
-  CHECK(CGAL::certified_shell_of_soup_3(soup_of(wall()), parameters::time_limit(no_time)).proxy_status == Status::NOT_BUILT);
+  CHECK(CGAL::certified_shell_of_soup_3(soup_of(wall()), parameters::time_limit(no_time)).proxy_status
+        == Status::NOT_BUILT);
 }
 
 TEST_CASE("Cancel: a proxy can be canceled at any poll: within the wrap, its check, and its shell")

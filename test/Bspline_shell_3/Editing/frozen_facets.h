@@ -14,8 +14,9 @@
 #include <string>
 #include <vector>
 
-// A sphere of slices, in so many turns: its triangles get the thinner, the nearer the poles, which are the first two vertices. With two turns, it is
-// a sphere that covers another one twice: every facet faces outwards, and the fans at the poles wind twice.
+// A sphere of slices, in so many turns: its triangles get the thinner, the nearer the poles, which are the first two
+// vertices. With two turns, it is a sphere that covers another one twice: every facet faces outwards, and the fans at
+// the poles wind twice.
 inline Mesh sliced_sphere(int slices, int rings, int turns = 1)
 {
   Mesh mesh;
@@ -42,18 +43,20 @@ inline Mesh sliced_sphere(int slices, int rings, int turns = 1)
 inline std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);
-  return {{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) }};
+  return { { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) } };
 }
 
-// What is promised of a mesh with frozen facets, by an oracle of its own: these are what they were, all others are accepted, and so are the fans
-// without one of them.
+// What is promised of a mesh with frozen facets, by an oracle of its own: these are what they were, all others are
+// accepted, and so are the fans without one of them.
 template <typename Shell>
-void check_frozen_result(const CGAL::Bspline_shells::Edit_report& report, const Shell& shell, const Mesh& before, const Mesh& mesh)
+void check_frozen_result(const CGAL::Bspline_shells::Edit_report& report, const Shell& shell, const Mesh& before,
+                         const Mesh& mesh)
 {
   using namespace CGAL::Bspline_shells;
   CHECK(std::string(message(report.status)) == message(Edit_status::EDITED_EXCEPT_FROZEN));
   CHECK_FALSE(report);
-  CHECK(std::any_of(report.certificate.verdicts.begin(), report.certificate.verdicts.end(), [](Verdict v) { return v != Verdict::PROVED; }));
+  CHECK(std::any_of(report.certificate.verdicts.begin(), report.certificate.verdicts.end(),
+                    [](Verdict v) { return v != Verdict::PROVED; }));
   CHECK(mesh.is_valid());
   CHECK(CGAL::is_closed(mesh));
   CHECK(report.facets == mesh.number_of_faces());

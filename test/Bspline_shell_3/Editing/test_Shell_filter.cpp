@@ -1,5 +1,5 @@
-// Shell_filter.h, Shell_facet_oracle_3.h, Triangle_predicate_oracle.h, Collapse_visitor.h: what leaves the shell, faces away or
-// winds twice is rejected, for that reason, and what is accepted is proved.
+// Shell_filter.h, Shell_facet_oracle_3.h, Triangle_predicate_oracle.h, Collapse_visitor.h: what leaves the shell, faces
+// away or winds twice is rejected, for that reason, and what is accepted is proved.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
@@ -40,7 +40,8 @@ const Shell& tight_shell()
 // with room around it
 const Shell& shell()
 {
-  static const Shell shell(tight_shell().field(), BS::Level_range{ tight_shell().inner_level() - 0.08, tight_shell().outer_level() + 0.08 },
+  static const Shell shell(tight_shell().field(),
+                           BS::Level_range{ tight_shell().inner_level() - 0.08, tight_shell().outer_level() + 0.08 },
                            std::vector<char>(tight_shell().field().number_of_cells(), 1), tight_shell().facet_ranges(),
                            tight_shell().report());
   return shell;
@@ -64,7 +65,7 @@ Placement_verdict judge(const Point_3& p, const std::vector<Point_3>& link)
 {
   Oracle::Memory memory;
   const Placement_verdict verdict = oracle()(p, link, memory);
-  CHECK(oracle()(p, link, memory) == verdict);      // it does not depend on what is remembered
+  CHECK(oracle()(p, link, memory) == verdict); // it does not depend on what is remembered
   return verdict;
 }
 
@@ -83,7 +84,10 @@ struct Edge_count_stop
 {
   std::size_t edges;
   template <typename FT, typename Profile>
-  bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const { return current < edges; }
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t current) const
+  {
+    return current < edges;
+  }
 };
 
 // Collapses edges to their middles, shortest first, under a filter, to n edges.
@@ -91,14 +95,19 @@ template <typename Filter, typename Visitor = SMS::internal::Dummy_visitor>
 int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
 {
   return SMS::edge_collapse(mesh, Edge_count_stop{ edges },
-                            CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>()).get_placement(SMS::Midpoint_placement<Mesh>())
-                                             .filter(filter).visitor(visitor));
+                            CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
+                              .get_placement(SMS::Midpoint_placement<Mesh>())
+                              .filter(filter)
+                              .visitor(visitor));
 }
 
 struct Refuse
 {
   template <typename Profile, typename OptionalPoint>
-  OptionalPoint operator()(const Profile&, const OptionalPoint&) const { return OptionalPoint(); }
+  OptionalPoint operator()(const Profile&, const OptionalPoint&) const
+  {
+    return OptionalPoint();
+  }
 };
 
 } // namespace
@@ -130,7 +139,8 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
   CHECK(judge(pole, polar_link({ 0, 2, 4, 1, 3 }, 0.3)) == Placement_verdict::WINDS_TWICE);
   // each of its facets alone is as good as any other
   const std::vector<Point_3> star = polar_link({ 0, 2, 4, 1, 3 }, 0.3);
-  for(std::size_t n = 0; n < star.size(); ++n) CHECK(oracle()(pole, star[n], star[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
+  for(std::size_t n = 0; n < star.size(); ++n)
+    CHECK(oracle()(pole, star[n], star[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
   CHECK(oracle().winding_number(pole, star) == 2);
 }
 
@@ -138,9 +148,10 @@ TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of 
 {
   // where the shell may be, as far as its cells tell: not below
   std::vector<char> cells(shell().field().number_of_cells());
-  for(std::size_t c = 0; c < cells.size(); ++c) cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
-  const Shell upper(shell().field(), BS::Level_range{ shell().inner_level(), shell().outer_level() }, cells, shell().facet_ranges(),
-                    shell().report());
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
+  const Shell upper(shell().field(), BS::Level_range{ shell().inner_level(), shell().outer_level() }, cells,
+                    shell().facet_ranges(), shell().report());
   const Oracle of_upper(upper);
   const Mesh mesh = sphere(3);
   int above = 0, below = 0;
@@ -165,28 +176,36 @@ TEST_CASE("Oracle: the facets that touch a threshold are accepted")
   const Oracle tight(tight_shell());
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    CHECK(tight(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))) == Placement_verdict::ACCEPTED);
+    CHECK(tight(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+          == Placement_verdict::ACCEPTED);
   }
 }
 
-TEST_CASE("Oracle: it accepts facets of all sizes and shapes only where the predicates prove both claims, and most of those")
+TEST_CASE(
+  "Oracle: it accepts facets of all sizes and shapes only where the predicates prove both claims, and most of those")
 {
   const BS::Field_predicates_3<Shell::Field> predicates(shell().field());
   CGAL::Random random(5);
   std::size_t accepted = 0, missed = 0, rejected = 0;
   for(int n = 0; n < 400; ++n) {
     const double size = std::ldexp(0.5, -(n % 8));
-    const auto on_sphere = [&](const Vector_3& d, double radius) { return CGAL::ORIGIN + radius / std::sqrt(d.squared_length()) * d; };
-    const auto noise = [&]() { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
+    const auto on_sphere = [&](const Vector_3& d, double radius) {
+      return CGAL::ORIGIN + radius / std::sqrt(d.squared_length()) * d;
+    };
+    const auto noise = [&]() {
+      return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
+    };
     const Vector_3 d = noise();
     const double unit = size * std::sqrt(d.squared_length()), off = random.get_double(-0.02, 0.02);
     const Point_3 p = on_sphere(d, 0.97 + off), q = on_sphere(d + unit * noise(), 0.97 + off);
     // every third one is a needle
-    const Point_3 r = n % 3 == 0 ? on_sphere(q - CGAL::ORIGIN + 1e-6 * noise(), 0.97 + off) : on_sphere(d + unit * noise(), 0.97 + off);
+    const Point_3 r = n % 3 == 0 ? on_sphere(q - CGAL::ORIGIN + 1e-6 * noise(), 0.97 + off)
+                                 : on_sphere(d + unit * noise(), 0.97 + off);
     const std::array<Point_3, 3> t = { p, q, r };
     const bool proved = !CGAL::collinear(p, q, r)
-                     && predicates.values_within(t, shell().inner_threshold(), shell().outer_threshold()) == BS::Verdict::PROVED
-                     && predicates.crosses_upwards(t) == BS::Verdict::PROVED;
+                        && predicates.values_within(t, shell().inner_threshold(), shell().outer_threshold())
+                             == BS::Verdict::PROVED
+                        && predicates.crosses_upwards(t) == BS::Verdict::PROVED;
     if(oracle()(p, q, r) == Placement_verdict::ACCEPTED) {
       ++accepted;
       CHECK(proved);
@@ -205,8 +224,9 @@ TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, an
   const Mesh start = sphere(3);
   for(auto f : start.faces()) {
     const auto h = start.halfedge(f);
-    REQUIRE(oracle()(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
-              == Placement_verdict::ACCEPTED);
+    REQUIRE(
+      oracle()(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
+      == Placement_verdict::ACCEPTED);
   }
   const BS::Shell_filter<Oracle> filter(oracle());
   BS::Collapse_visitor<Mesh> visitor;
@@ -218,7 +238,7 @@ TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, an
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-            == Placement_verdict::ACCEPTED);
+          == Placement_verdict::ACCEPTED);
   }
   for(auto v : mesh.vertices()) CHECK(oracle().winding_number(mesh.point(v), link_of(mesh, v)) == 1);
 

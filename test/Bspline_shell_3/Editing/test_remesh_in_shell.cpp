@@ -1,6 +1,6 @@
-// remesh_in_shell.h: edges get the length asked for and triangles good angles as far as the shell allows; what comes out is certified, what
-// cannot be done leaves the mesh as it was, and what the caller constrains stays.
-#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>       // first: it must bring what it needs
+// remesh_in_shell.h: edges get the length asked for and triangles good angles as far as the shell allows; what comes
+// out is certified, what cannot be done leaves the mesh as it was, and what the caller constrains stays.
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h> // first: it must bring what it needs
 
 #include "frozen_facets.h"
 #include "test_meshes.h"
@@ -81,14 +81,15 @@ double length(const Mesh& mesh, Mesh::Edge_index e)
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
-// twice the inradius divided by the circumradius, of all facets, the worst first: 1 for equilateral ones. Twice the inradius is 4 area / (a + b + c)
-// and the circumradius abc / (4 area).
+// twice the inradius divided by the circumradius, of all facets, the worst first: 1 for equilateral ones. Twice the
+// inradius is 4 area / (a + b + c) and the circumradius abc / (4 area).
 std::vector<double> qualities(const Mesh& mesh)
 {
   std::vector<double> all;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const double a = length(mesh, mesh.edge(h)), b = length(mesh, mesh.edge(mesh.next(h))), c = length(mesh, mesh.edge(mesh.prev(h)));
+    const double a = length(mesh, mesh.edge(h)), b = length(mesh, mesh.edge(mesh.next(h))),
+                 c = length(mesh, mesh.edge(mesh.prev(h)));
     const double area = std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                                                      mesh.point(mesh.target(mesh.next(h)))));
     all.push_back(16 * area * area / ((a + b + c) * a * b * c));
@@ -97,15 +98,23 @@ std::vector<double> qualities(const Mesh& mesh)
   return all;
 }
 
-double median(const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; }
-double percentile(const std::vector<double>& sorted) { return sorted[sorted.size() / 100]; }
+double median(const std::vector<double>& sorted)
+{
+  return sorted[sorted.size() / 2];
+}
+double percentile(const std::vector<double>& sorted)
+{
+  return sorted[sorted.size() / 100];
+}
 
 // of all edges, relative to the length asked for in their middles, the shortest first
 template <typename Sizing>
 std::vector<double> relative_lengths(const Mesh& mesh, const Sizing& sizing)
 {
   std::vector<double> all;
-  for(auto e : mesh.edges()) all.push_back(length(mesh, e) / sizing(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  for(auto e : mesh.edges())
+    all.push_back(length(mesh, e)
+                  / sizing(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -117,7 +126,8 @@ double share_of_good_lengths(const std::vector<double>& relative)
   return double(good) / double(relative.size());
 }
 
-// What every result promises, by means that the function did not use itself: CGAL's exact test, a new certificate, fans one by one.
+// What every result promises, by means that the function did not use itself: CGAL's exact test, a new certificate, fans
+// one by one.
 template <typename AnyShell>
 void check_result(const BS::Remeshing_report& report, const AnyShell& shell, const Mesh& mesh)
 {
@@ -189,12 +199,13 @@ struct Computed_points
   typedef Point_3 reference;
   typedef boost::read_write_property_map_tag category;
 
-  std::shared_ptr<std::unordered_map<Mesh::Vertex_index, Point_3> > eightfold = std::make_shared<std::unordered_map<Mesh::Vertex_index, Point_3> >();
+  std::shared_ptr<std::unordered_map<Mesh::Vertex_index, Point_3> > eightfold =
+    std::make_shared<std::unordered_map<Mesh::Vertex_index, Point_3> >();
 
   friend Point_3 get(const Computed_points& map, Mesh::Vertex_index v)
   {
     const Point_3& p = map.eightfold->at(v);
-    return Point_3(p.x() / 8, p.y() / 8, p.z() / 8);      // powers of two: exact
+    return Point_3(p.x() / 8, p.y() / 8, p.z() / 8); // powers of two: exact
   }
   friend void put(const Computed_points& map, Mesh::Vertex_index v, const Point_3& p)
   {
@@ -212,7 +223,10 @@ struct Flags_outside
 
   std::shared_ptr<std::vector<char> > flags = std::make_shared<std::vector<char> >();
 
-  friend bool get(const Flags_outside& map, Mesh::Edge_index e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()] != 0; }
+  friend bool get(const Flags_outside& map, Mesh::Edge_index e)
+  {
+    return e.idx() < map.flags->size() && (*map.flags)[e.idx()] != 0;
+  }
   friend void put(const Flags_outside& map, Mesh::Edge_index e, bool value)
   {
     if(e.idx() >= map.flags->size()) map.flags->resize(e.idx() + 1);
@@ -236,8 +250,8 @@ struct Constraints
 
   // `value_of_new` is what edges get that are added later
   explicit Constraints(Mesh& mesh, bool value_of_new = false)
-    : edges(mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", value_of_new).first)
-    , vertices(mesh.add_property_map<Mesh::Vertex_index, bool>("v:constrained", false).first)
+    : edges(mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", value_of_new).first),
+      vertices(mesh.add_property_map<Mesh::Vertex_index, bool>("v:constrained", false).first)
   {
     for(auto e : mesh.edges()) edges[e] = false;
   }
@@ -246,7 +260,7 @@ struct Constraints
   // the same flags in a copy of the mesh
   Constraints of(Mesh& copy) const
   {
-    return { copy.add_property_map<Mesh::Edge_index, bool>("e:constrained").first,      // it has them
+    return { copy.add_property_map<Mesh::Edge_index, bool>("e:constrained").first, // it has them
              copy.add_property_map<Mesh::Vertex_index, bool>("v:constrained").first };
   }
   auto parameters(bool protect) const
@@ -275,12 +289,14 @@ TEST_CASE("Remeshing: edges near the target length, good triangles, everything c
   CHECK(report.moves > 0);
   const auto lengths = relative_lengths(mesh, [&](const Point_3&) { return target; });
   const auto quality = qualities(mesh);
-  // The last edges are split and collapsed in the last iteration; what moves afterwards leaves few of them out of these bounds.
+  // The last edges are split and collapsed in the last iteration; what moves afterwards leaves few of them out of these
+  // bounds.
   CHECK(share_of_good_lengths(lengths) > 0.95);
   CHECK(lengths.front() > 0.4);
   CHECK(lengths.back() < 1.6);
-  // The median of 0.85 and the percentile of 0.3 are what the package promises of bad meshes in shells with room: this one is easy. An isosceles
-  // triangle with the angle 120 degrees, as four edges at a vertex of a crease make them, has 0.43.
+  // The median of 0.85 and the percentile of 0.3 are what the package promises of bad meshes in shells with room: this
+  // one is easy. An isosceles triangle with the angle 120 degrees, as four edges at a vertex of a crease make them, has
+  // 0.43.
   CHECK(before < 0.7);
   CHECK(median(quality) > 0.95);
   CHECK(percentile(quality) > 0.7);
@@ -313,8 +329,8 @@ TEST_CASE("Remeshing: a sizing function makes one side finer")
   CHECK(lengths.back() < 1.5);
   CHECK(median(quality) > 0.95);
   CHECK(quality.front() > 0.6);
-  // How many equilateral triangles that would be: area of the sphere between x and x + dx, 2 pi dx, by sqrt(3) / 4 s^2. With s = a + b x, the
-  // integral over [-1, 1] of 1 / s^2 is 2 / (a^2 - b^2).
+  // How many equilateral triangles that would be: area of the sphere between x and x + dx, 2 pi dx, by sqrt(3) / 4 s^2.
+  // With s = a + b x, the integral over [-1, 1] of 1 / s^2 is 2 / (a^2 - b^2).
   const double expected = 2 * std::acos(-1.) * 4 / std::sqrt(3.) * 2 / (0.16 * 0.16 - 0.08 * 0.08);
   CHECK(double(report.facets) == Approx(expected).epsilon(0.1));
 }
@@ -324,7 +340,8 @@ TEST_CASE("Remeshing: a sizing function that is wrong between the vertices is re
   const Mesh start = sphere(2);
   const auto f = *start.faces().begin();
   const auto h = start.halfedge(f);
-  const Point_3 middle = CGAL::centroid(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))));
+  const Point_3 middle = CGAL::centroid(start.point(start.source(h)), start.point(start.target(h)),
+                                        start.point(start.target(start.next(h))));
   for(double wrong : { 0., -1., nan_value, infinite }) {
     Mesh mesh = start;
     std::size_t calls = 0;
@@ -382,7 +399,8 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
   }
 }
 
-TEST_CASE("Remeshing: a constrained polyline stays one, with vertices on what it was; edges that are new are not constrained")
+TEST_CASE(
+  "Remeshing: a constrained polyline stays one, with vertices on what it was; edges that are new are not constrained")
 {
   // a map that gives new edges the wrong value, unless it is told
   for(bool value_of_new : { false, true }) {
@@ -434,9 +452,10 @@ TEST_CASE("Remeshing: constrained edges that are protected stay one by one, and 
       REQUIRE_FALSE(copy.is_removed(e.first));
       CHECK(of_copy.edges[e.first]);
       CHECK(std::set<Point_3>{ copy.point(copy.vertex(e.first, 0)), copy.point(copy.vertex(e.first, 1)) }
-              == std::set<Point_3>{ e.second.first, e.second.second });
+            == std::set<Point_3>{ e.second.first, e.second.second });
     }
-    CHECK(std::count_if(copy.edges().begin(), copy.edges().end(), [&](Mesh::Edge_index e) { return of_copy.edges[e]; }) == 40);
+    CHECK(std::count_if(copy.edges().begin(), copy.edges().end(), [&](Mesh::Edge_index e) { return of_copy.edges[e]; })
+          == 40);
     for(const auto& v : kept) {
       REQUIRE_FALSE(copy.is_removed(v.first));
       CHECK(copy.point(v.first) == v.second);
@@ -485,7 +504,8 @@ TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
   // What is collapsed was short, so that images are near.
   double farthest = 0;
   for(auto v : start.vertices())
-    farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(start.point(v), mesh.point(result.images[v.idx()]))));
+    farthest = (std::max)(farthest,
+                          std::sqrt(CGAL::squared_distance(start.point(v), mesh.point(result.images[v.idx()]))));
   CHECK(farthest < 3 * target);
   CHECK(farthest > 0);
   CHECK(result.locations.empty());
@@ -547,8 +567,13 @@ namespace {
 // accepts all stars, and remembers them
 struct Recording_oracle
 {
-  struct Memory {};
-  struct Star { Kernel::Point_3 center; std::vector<Kernel::Point_3> link; };
+  struct Memory
+  {};
+  struct Star
+  {
+    Kernel::Point_3 center;
+    std::vector<Kernel::Point_3> link;
+  };
 
   std::vector<Star>* stars;
 
@@ -572,8 +597,9 @@ TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in th
   const CGAL::Static_boolean_property_map<Mesh::Vertex_index, false> no_vertex;
   const BS::internal::Frozen_facets<Mesh> frozen(mesh);
   BS::Remeshing_report report;
-  BS::internal::Shell_remesher<Mesh, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>, Recording_oracle, decltype(sizing),
-                               std::remove_cv_t<decltype(no_edge)>, std::remove_cv_t<decltype(no_vertex)> >
+  BS::internal::Shell_remesher<Mesh, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>, Recording_oracle,
+                               decltype(sizing), std::remove_cv_t<decltype(no_edge)>,
+                               std::remove_cv_t<decltype(no_vertex)> >
     remesher(mesh, mesh.points(), oracle, sizing, frozen, no_edge, no_vertex, false, {}, report);
   remesher.relax<CGAL::Sequential_tag>([](const Kernel::Point_3& p) { return p; });
   REQUIRE(stars.size() > 100);
@@ -630,7 +656,8 @@ TEST_CASE("Remeshing: points may be where the caller keeps them, and be computed
     put(points, v, other.point(v));
     other.point(v) = Point_3(nan_value, 0, 0);
   }
-  const auto report = remesh(mesh, 0.2, torus_shell()), of_other = remesh(other, 0.2, torus_shell(), P::vertex_point_map(points));
+  const auto report = remesh(mesh, 0.2, torus_shell()),
+             of_other = remesh(other, 0.2, torus_shell(), P::vertex_point_map(points));
   REQUIRE(report);
   REQUIRE(of_other);
   for(auto v : other.vertices()) other.point(v) = get(points, v);
@@ -652,7 +679,7 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
 
 TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
 {
-  Mesh mesh = sphere(2);      // edges of 0.28 to 0.32
+  Mesh mesh = sphere(2); // edges of 0.28 to 0.32
   CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_end::TARGET);
 }
 
@@ -675,7 +702,8 @@ TEST_CASE("Remeshing: edges of length zero vanish")
   Mesh mesh = sphere(2);
   const auto h = *mesh.halfedges().begin();
   const Point_3 p = mesh.point(mesh.target(h));
-  const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+  const auto split = CGAL::Euler::split_vertex(
+    h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
   mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
   PMP::triangulate_faces(mesh);
   const Mesh start = mesh;
@@ -709,7 +737,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
   for(double coordinate : { nan_value, infinite }) {
     mesh = sphere(2);
     mesh.point(Mesh::Vertex_index(3)) = Point_3(0, coordinate, 0);
-    CHECK(remesh(mesh, 0.2, sphere_shell()).status == Status::NOT_FINITE);      // NaN is not equal to itself
+    CHECK(remesh(mesh, 0.2, sphere_shell()).status == Status::NOT_FINITE); // NaN is not equal to itself
   }
   for(double target : { 0., -0.2, nan_value, infinite, -infinite, 1e-6, 1e-200 }) {
     const auto report = refused(sphere(2), sphere_shell(), target);
@@ -762,7 +790,8 @@ TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, an
     CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED);
     // vertices of frozen facets are their own images
     CHECK(result.images[7] == Mesh::Vertex_index(7));
-    for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+    for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start))
+      CHECK(result.images[v.idx()] == v);
     if(target == 0.1) CHECK(result.facets > 2 * start.number_of_faces());
     else CHECK(2 * result.facets < start.number_of_faces());
     CHECK(result.moves > 0);
@@ -821,7 +850,9 @@ TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused
 {
   const Mesh start = sphere(2);
   Mesh mesh = start;
-  const auto status = [&](double target, double limit) { return remesh(mesh, target, sphere_shell(), P::memory_limit(limit)).status; };
+  const auto status = [&](double target, double limit) {
+    return remesh(mesh, target, sphere_shell(), P::memory_limit(limit)).status;
+  };
   // 3e7 facets are more than the default allows, and 700 more than a megabyte does
   CHECK(remesh(mesh, 1e-3, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(status(0.2, 1e6) == Status::MEMORY_LIMIT_EXCEEDED);
@@ -851,7 +882,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   REQUIRE(removed.size() == 4);
   for(auto f : removed) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   REQUIRE(mesh.number_of_removed_edges() == 6);
-  // Properties of several sizes: those that the remesher attached itself must not be removed in place of these, wherever they are in memory.
+  // Properties of several sizes: those that the remesher attached itself must not be removed in place of these,
+  // wherever they are in memory.
   mesh.add_property_map<Mesh::Edge_index, bool>("e:flag", true);
   mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number", 17);
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, double> >("e:pair", { 1., 2. });
@@ -868,7 +900,7 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   CHECK(is_equal(mesh, before));
   CHECK(mesh.properties<Mesh::Edge_index>() == before.properties<Mesh::Edge_index>());
   const auto numbers = mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number");
-  REQUIRE_FALSE(numbers.second);        // it is there
+  REQUIRE_FALSE(numbers.second); // it is there
   for(auto e : mesh.edges()) CHECK(numbers.first[e] == 17);
 
   // maps that the caller has stay valid, and say what they said, though constrained edges were split
@@ -877,7 +909,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   for(auto e : mesh.edges()) constraints.edges[e] = e.idx() % 10 == 0;
   for(auto v : mesh.vertices()) put(numbered, v, v.idx());
   // No facet is rejected, and so none can be frozen.
-  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false).freeze_rejected_facets(true)).status == Status::NOT_CERTIFIED);
+  CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false).freeze_rejected_facets(true)).status
+        == Status::NOT_CERTIFIED);
   CHECK(is_equal(mesh, before));
   CHECK(mesh.is_valid());
   CHECK(mesh.number_of_removed_vertices() == before.number_of_removed_vertices());
@@ -927,8 +960,9 @@ TEST_CASE("Remeshing: without success a map of constrained edges says what it sa
     for(auto e : mesh.edges())
       if(is_chosen(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) chosen.insert(e);
     const std::set<Mesh::Edge_index> before = chosen;
-    const auto report = remesh(mesh, failing_after(calls, 0.1), torus_shell(),
-                               P::edge_is_constrained_map(CGAL::Boolean_property_map<std::set<Mesh::Edge_index> >(chosen)));
+    const auto report = remesh(
+      mesh, failing_after(calls, 0.1), torus_shell(),
+      P::edge_is_constrained_map(CGAL::Boolean_property_map<std::set<Mesh::Edge_index> >(chosen)));
     REQUIRE(report.status == Status::INVALID_PARAMETER);
     CHECK(chosen == before);
   }
@@ -946,8 +980,9 @@ TEST_CASE("Remeshing: without success a map of constrained edges says what it sa
     };
     Edges chosen = are_chosen();
     REQUIRE(chosen.size() == 40);
-    const auto report = BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, failing_after(calls, 0.1), torus_shell(),
-                                                                  P::edge_is_constrained_map(CGAL::Boolean_property_map<Edges>(chosen)));
+    const auto report = BS::remesh_in_shell<CGAL::Sequential_tag>(
+      mesh, failing_after(calls, 0.1), torus_shell(),
+      P::edge_is_constrained_map(CGAL::Boolean_property_map<Edges>(chosen)));
     REQUIRE(report.status == Status::INVALID_PARAMETER);
     CHECK(chosen == are_chosen());
   }

@@ -1,5 +1,5 @@
-// simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller asks for
-// is honoured.
+// simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller
+// asks for is honoured.
 #include "frozen_facets.h"
 #include "test_meshes.h"
 
@@ -79,9 +79,15 @@ Mesh fine_box()
   for(int side = 0; side < 6; ++side)
     for(int i = 0; i < 8; ++i)
       for(int j = 0; j < 8; ++j) {
-        const auto a = vertex(side, i, j), b = vertex(side, i + 1, j), c = vertex(side, i + 1, j + 1), d = vertex(side, i, j + 1);
-        if(side % 2 == 1) { mesh.add_face(a, b, c); mesh.add_face(a, c, d); }
-        else { mesh.add_face(a, c, b); mesh.add_face(a, d, c); }
+        const auto a = vertex(side, i, j), b = vertex(side, i + 1, j), c = vertex(side, i + 1, j + 1),
+                   d = vertex(side, i, j + 1);
+        if(side % 2 == 1) {
+          mesh.add_face(a, b, c);
+          mesh.add_face(a, c, d);
+        } else {
+          mesh.add_face(a, c, b);
+          mesh.add_face(a, d, c);
+        }
       }
   return mesh;
 }
@@ -93,7 +99,8 @@ bool is_at_edge_of_box(const Point_3& p)
   return sides >= 2;
 }
 
-// Edges as a set of the caller's. A set that has only edges of the mesh, and all that are constrained, has followed them.
+// Edges as a set of the caller's. A set that has only edges of the mesh, and all that are constrained, has followed
+// them.
 typedef std::set<Mesh::Edge_index> Edge_set;
 
 template <typename Predicate>
@@ -125,7 +132,8 @@ BS::Simplification_result<Mesh> simplify(Mesh& mesh, const Shell& shell, const N
 // counts calls, and checks their order
 struct Counting_visitor : SMS::internal::Dummy_visitor
 {
-  std::string calls;        // s: started, o: selected, f: filter, c: collapsing, C: collapsed, n: not collapsable, e: finished
+  // s: started, o: selected, f: filter, c: collapsing, C: collapsed, n: not collapsable, e: finished
+  std::string calls;
 
   void OnStarted(Mesh&) { calls += 's'; }
   void OnFinished(Mesh&) { calls += 'e'; }
@@ -137,11 +145,20 @@ struct Counting_visitor : SMS::internal::Dummy_visitor
     initial_edges.insert(initial);
   }
   template <typename Profile, typename Point>
-  void OnCollapsing(const Profile&, const Point&) { calls += 'c'; }
+  void OnCollapsing(const Profile&, const Point&)
+  {
+    calls += 'c';
+  }
   template <typename Profile, typename Vertex>
-  void OnCollapsed(const Profile&, const Vertex&) { calls += 'C'; }
+  void OnCollapsed(const Profile&, const Vertex&)
+  {
+    calls += 'C';
+  }
   template <typename Profile>
-  void OnNonCollapsable(const Profile&) { calls += 'n'; }
+  void OnNonCollapsable(const Profile&)
+  {
+    calls += 'n';
+  }
 
   std::set<std::size_t> initial_edges;
 };
@@ -193,7 +210,8 @@ TEST_CASE("Simplification: on request vertices are located on the result as the 
 {
   const Mesh start = sphere(3);
   Mesh mesh = start;
-  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(300)).locate_vertices(true));
+  const auto result = simplify(mesh, sphere_shell(),
+                               P::stop(BS::Facet_count_stop_predicate(300)).locate_vertices(true));
   REQUIRE(result);
   const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
   REQUIRE(result.locations.size() == start.number_of_vertices());
@@ -219,14 +237,15 @@ TEST_CASE("Simplification: without a stop it ends where every collapse is refuse
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
     CHECK(oracle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-            == Placement_verdict::ACCEPTED);
+          == Placement_verdict::ACCEPTED);
   }
 }
 
 TEST_CASE("Simplification: an edit that is not certified is done again with all proofs, where nobody sees that")
 {
   const Mesh start = sphere(2);
-  const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result, std::vector<BS::Facet_proofs>& proofs) {
+  const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result,
+                         std::vector<BS::Facet_proofs>& proofs) {
     // the first edits move a vertex out of the shell
     const auto edit = [&](const auto& oracle, auto&, const auto& vertices_before) {
       auto vpm = get(CGAL::vertex_point, mesh);
@@ -236,9 +255,9 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
       return Status::SUCCESS;
     };
     typedef typename boost::graph_traits<std::decay_t<decltype(mesh)> >::edge_descriptor Edge;
-    return BS::internal::edit_under_proof<CGAL::Parallel_if_available_tag>(mesh, get(CGAL::vertex_point, mesh),
-                                                                           CGAL::Static_boolean_property_map<Edge, false>(), sphere_shell(),
-                                                                           may_repeat, CGAL::parameters::default_values(), result, edit);
+    return BS::internal::edit_under_proof<CGAL::Parallel_if_available_tag>(
+      mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Edge, false>(), sphere_shell(), may_repeat,
+      CGAL::parameters::default_values(), result, edit);
   };
   typedef std::vector<BS::Facet_proofs> Proofs;
   const BS::Facet_proofs all = BS::Facet_proofs::ALL, doubtful = BS::Facet_proofs::WHERE_DOUBTFUL;
@@ -274,7 +293,9 @@ TEST_CASE("Simplification: an edit that is done again finds constrained edges as
 {
   Mesh mesh = sphere(2);
   const Mesh start = mesh;
-  const auto first_edges = [&](std::size_t number) { return Edge_set(mesh.edges().begin(), std::next(mesh.edges().begin(), std::ptrdiff_t(number))); };
+  const auto first_edges = [&](std::size_t number) {
+    return Edge_set(mesh.edges().begin(), std::next(mesh.edges().begin(), std::ptrdiff_t(number)));
+  };
   Edge_set constrained = first_edges(40);
   const Edge_set before = constrained;
   CGAL::Boolean_property_map<Edge_set> map(constrained);
@@ -287,8 +308,9 @@ TEST_CASE("Simplification: an edit that is done again finds constrained edges as
     return Status::SUCCESS;
   };
   BS::Simplification_result<Mesh> result;
-  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), map, sphere_shell(), true, CGAL::parameters::default_values(),
-                                                             result, edit) == Status::SUCCESS);
+  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), map, sphere_shell(),
+                                                             true, CGAL::parameters::default_values(), result, edit)
+        == Status::SUCCESS);
   CHECK(runs == 2);
   CHECK(result.is_repeated);
   CHECK(is_equal(mesh, start));
@@ -298,14 +320,16 @@ TEST_CASE("Simplification: an edit that is done again finds constrained edges as
   CHECK(constrained == expected);
 }
 
-TEST_CASE("Simplification: what is done again is what would have been done at once, also with policies that have a state")
+TEST_CASE(
+  "Simplification: what is done again is what would have been done at once, also with policies that have a state")
 {
   // two spheres in one shell: each facet is good, but the mesh covers the shell twice
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
   const Mesh start = mesh;
   const SMS::GarlandHeckbert_triangle_policies<Mesh, Kernel> policies(mesh);
-  const auto np = P::stop(BS::Facet_count_stop_predicate(300)).get_cost(policies.get_cost()).get_placement(policies.get_placement());
+  const auto np =
+    P::stop(BS::Facet_count_stop_predicate(300)).get_cost(policies.get_cost()).get_placement(policies.get_placement());
   const auto repeated = simplify(mesh, sphere_shell(), np);
   CHECK(repeated.status == Status::NOT_CERTIFIED);
   CHECK(repeated.is_repeated);
@@ -402,8 +426,9 @@ TEST_CASE("Simplification: visitor and filter of the caller are called in the do
   Mesh mesh = sphere(2);
   Counting_visitor visitor;
   const Noting_filter filter(visitor, true);
-  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(100)).visitor(std::ref(visitor))
-                                                       .filter(std::cref(filter)));
+  const auto result = simplify(
+    mesh, sphere_shell(),
+    P::stop(BS::Facet_count_stop_predicate(100)).visitor(std::ref(visitor)).filter(std::cref(filter)));
   CHECK(result);
   const std::string& calls = visitor.calls;
   REQUIRE(calls.size() > 2);
@@ -471,7 +496,7 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
       for(int end : { 0, 1 }) CHECK(is_at_edge_of_box(mesh.point(mesh.vertex(e, end))));
       sum += length(mesh, e);
     }
-    CHECK(sum == 12);       // all lengths are multiples of 1/8
+    CHECK(sum == 12); // all lengths are multiples of 1/8
   }
 }
 
@@ -486,8 +511,9 @@ TEST_CASE("Simplification: ends of constrained polylines stay, and vertices wher
   };
   Edge_set constrained = edges_between(mesh, is_on_cross);
   REQUIRE(constrained.size() == 12);
-  const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
-                                                    .protect_constraints(false));
+  const auto result = simplify(
+    mesh, box_shell(),
+    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
   REQUIRE(result);
   CHECK(result.constrained_edges == 4);
   CHECK(constrained.size() == 4);
@@ -498,7 +524,8 @@ TEST_CASE("Simplification: ends of constrained polylines stay, and vertices wher
     for(int end : { 0, 1 }) ends.insert(mesh.point(mesh.vertex(e, end)));
   }
   CHECK(ends.count(Point_3(0.5, 0.5, 1)) == 4);
-  for(const Point_3& p : { Point_3(0.125, 0.5, 1), Point_3(0.875, 0.5, 1), Point_3(0.5, 0.125, 1), Point_3(0.5, 0.875, 1) })
+  for(const Point_3& p :
+      { Point_3(0.125, 0.5, 1), Point_3(0.875, 0.5, 1), Point_3(0.5, 0.125, 1), Point_3(0.5, 0.875, 1) })
     CHECK(ends.count(p) == 1);
 }
 
@@ -512,7 +539,8 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
   REQUIRE(constrained.size() == 40);
   std::set<Point_3> before;
   for(auto e : constrained) before.insert(mesh.point(mesh.vertex(e, 0)));
-  // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, does not tear it: another edge is split at its very end.
+  // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, does not tear it: another
+  // edge is split at its very end.
   const auto h = mesh.prev(mesh.halfedge(*constrained.begin()));
   const auto half = CGAL::Euler::split_edge(h, mesh);
   mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
@@ -521,8 +549,9 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
   REQUIRE(CGAL::is_triangle_mesh(mesh));
   const std::size_t facets = mesh.number_of_faces();
 
-  const auto result = simplify(mesh, torus_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
-                                                      .protect_constraints(false));
+  const auto result = simplify(
+    mesh, torus_shell(),
+    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
   REQUIRE(result);
   CHECK(2 * result.facets < facets);
   CHECK(result.constrained_edges == constrained.size());
@@ -544,7 +573,8 @@ TEST_CASE("Simplification: without success a map of constrained edges says what 
 {
   // A constrained edge of length zero is never collapsed, and then there is no certificate.
   Mesh mesh = fine_box();
-  Edge_set constrained = edges_between(mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
+  Edge_set constrained = edges_between(
+    mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
   const auto h = mesh.halfedge(*constrained.begin());
   const auto half = CGAL::Euler::split_edge(h, mesh);
   mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
@@ -553,8 +583,9 @@ TEST_CASE("Simplification: without success a map of constrained edges says what 
   constrained.insert(mesh.edge(half));
   const Edge_set edges_before = constrained;
   const Mesh before = mesh;
-  const auto result = simplify(mesh, box_shell(), P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained))
-                                                    .protect_constraints(false));
+  const auto result = simplify(
+    mesh, box_shell(),
+    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
   CHECK(result.status == Status::NOT_CERTIFIED);
   CHECK(result.is_repeated);
   CHECK(result.collapsed > 100);
@@ -570,7 +601,8 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
   // a vertex splits into two at the same place, with two facets that have no area between them
   const auto h = *mesh.halfedges().begin();
   const Point_3 p = mesh.point(mesh.target(h));
-  const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+  const auto split = CGAL::Euler::split_vertex(
+    h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
   mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
   PMP::triangulate_faces(mesh);
   REQUIRE(mesh.number_of_faces() == facets + 2);
@@ -590,13 +622,15 @@ TEST_CASE("Simplification: on request facets that are not in the shell are froze
   Mesh mesh = start;
   CHECK(simplify(mesh, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
   REQUIRE(is_equal(mesh, start));
-  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(200)));
+  const auto result = simplify(mesh, sphere_shell(),
+                               P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(200)));
   check_frozen_result(result, sphere_shell(), start, mesh);
   CHECK(result.facets == 200);
   CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
   CHECK(result.frozen_facets_before == result.offending_simplices.facets);
   CHECK(result.images[7] == Mesh::Vertex_index(7));
-  for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start)) CHECK(result.images[v.idx()] == v);
+  for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start))
+    CHECK(result.images[v.idx()] == v);
   // a fan that winds twice, at each pole
   const Mesh folded = sliced_sphere(25, 12, 2);
   mesh = folded;
@@ -620,7 +654,8 @@ TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and
   const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
     const auto h = mesh.halfedge(v);
     const Point_3 p = mesh.point(v);
-    const auto split = CGAL::Euler::split_vertex(h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+    const auto split = CGAL::Euler::split_vertex(
+      h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
     mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
     PMP::triangulate_faces(mesh);
   };
@@ -633,7 +668,8 @@ TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and
   start.point(out) = CGAL::ORIGIN;
   REQUIRE(start.number_of_faces() == 324);
   Mesh mesh = start;
-  const auto result = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(322)));
+  const auto result = simplify(mesh, sphere_shell(),
+                               P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(322)));
   check_frozen_result(result, sphere_shell(), start, mesh);
   CHECK(result.facets == 322);
   CHECK(result.offending_simplices.facets.size() >= ring);
@@ -688,8 +724,8 @@ TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop 
   std::size_t asked = 0;
   const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++asked > 40; };
   const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
-    mesh, sphere_shell(), P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>())
-                                         .get_placement(SMS::Midpoint_placement<Polyhedron>()));
+    mesh, sphere_shell(),
+    P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>()).get_placement(SMS::Midpoint_placement<Polyhedron>()));
   REQUIRE(result);
   CHECK(asked == 41);
   CHECK(result.end == BS::Edit_end::STOP_PREDICATE);

@@ -1,4 +1,5 @@
-// Splines on cells of different sizes: against their definition in exact arithmetic, polynomials, and themselves on other cells.
+// Splines on cells of different sizes: against their definition in exact arithmetic, polynomials, and themselves on
+// other cells.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
@@ -50,7 +51,10 @@ Eigen::VectorXd random_integers(CGAL::Random& random, std::size_t size)
   return x;
 }
 
-const Lattice_point& point(const Field& field, int level, Index n) { return field.points(level).point(n - field.first_point(level)); }
+const Lattice_point& point(const Field& field, int level, Index n)
+{
+  return field.points(level).point(n - field.first_point(level));
+}
 
 int level_of_point(const Field& field, Index n)
 {
@@ -107,7 +111,7 @@ public:
       for(int k = half(g[2]) - 1; k <= half(g[2]) + 1; ++k)
         for(int j = half(g[1]) - 1; j <= half(g[1]) + 1; ++j)
           for(int i = half(g[0]) - 1; i <= half(g[0]) + 1; ++i) {
-            const int d[3] = { g[0] - 2*i, g[1] - 2*j, g[2] - 2*k };
+            const int d[3] = { g[0] - 2 * i, g[1] - 2 * j, g[2] - 2 * k };
             if(std::abs(d[0]) > 2 || std::abs(d[1]) > 2 || std::abs(d[2]) > 2) continue;
             sum += Rational(mask[d[0] + 2] * mask[d[1] + 2] * mask[d[2] + 2]) / 512 * (*this)(level - 1, { i, j, k });
           }
@@ -125,8 +129,8 @@ public:
     for(int k = -1; k <= 2; ++k)
       for(int j = -1; j <= 2; ++j)
         for(int i = -1; i <= 2; ++i)
-          sum += (*this)(level, { p[0] + i, p[1] + j, p[2] + k })
-                 * bspline(t[0] - i, order[0]) * bspline(t[1] - j, order[1]) * bspline(t[2] - k, order[2]);
+          sum += (*this)(level, { p[0] + i, p[1] + j, p[2] + k }) * bspline(t[0] - i, order[0])
+                 * bspline(t[1] - j, order[1]) * bspline(t[2] - k, order[2]);
     for(int m = 0; m < order[0] + order[1] + order[2]; ++m) sum /= Rational(m_field->cells().width(c));
     return sum;
   }
@@ -151,7 +155,10 @@ Exact_point local(const Field& field, Index c, const Exact_point& p)
   return t;
 }
 
-double off(double x, const Rational& exact) { return std::abs(CGAL::to_double(Rational(Rational(x) - exact))); }
+double off(double x, const Rational& exact)
+{
+  return std::abs(CGAL::to_double(Rational(Rational(x) - exact)));
+}
 
 // as for uniform fields, with the radius of the leaf
 double tolerance(const Field& field, Index c, int order)
@@ -170,9 +177,13 @@ std::array<double, 64> two_scale(std::array<double, 64> x, int octant)
       if((n / stride) % 4 != 0) continue;
       double* c = &x[n];
       // at -1/2, 0, 1/2, 1, 3/2 and 2
-      const double at[6] = { (c[0] + c[stride]) / 2, (c[0] + 6*c[stride] + c[2*stride]) / 8, (c[stride] + c[2*stride]) / 2,
-                             (c[stride] + 6*c[2*stride] + c[3*stride]) / 8, (c[2*stride] + c[3*stride]) / 2, 0 };
-      for(int m = 0; m < 4; ++m) c[m*stride] = at[m + ((octant >> axis) & 1)];
+      const double at[6] = { (c[0] + c[stride]) / 2,
+                             (c[0] + 6 * c[stride] + c[2 * stride]) / 8,
+                             (c[stride] + c[2 * stride]) / 2,
+                             (c[stride] + 6 * c[2 * stride] + c[3 * stride]) / 8,
+                             (c[2 * stride] + c[3 * stride]) / 2,
+                             0 };
+      for(int m = 0; m < 4; ++m) c[m * stride] = at[m + ((octant >> axis) & 1)];
     }
   return x;
 }
@@ -188,7 +199,8 @@ std::array<double, 64> local_coefficients(const Field& field, const Eigen::Vecto
 
 } // namespace
 
-TEST_CASE("hierarchical fields: every level has the functions that act on its leaves; free are those that act on no larger one")
+TEST_CASE(
+  "hierarchical fields: every level has the functions that act on its leaves; free are those that act on no larger one")
 {
   for(unsigned seed = 1; seed <= 3; ++seed) {
     CGAL::Random random(seed);
@@ -219,7 +231,7 @@ TEST_CASE("hierarchical fields: every level has the functions that act on its le
         wrong += (coefficient != Field::npos) != (levels.second >= l);
         if(coefficient == Field::npos) {
           ++dependent;
-          wrong += levels.second != l - 1;        // never more than one level above
+          wrong += levels.second != l - 1; // never more than one level above
           double sum = 0;
           field.visit_parents(l, g, [&](Index parent, double weight) {
             wrong += parent >= field.number_of_coefficients();
@@ -246,14 +258,16 @@ TEST_CASE("hierarchical fields: around a leaf that is refined, all functions of 
   for(int levels = 1; levels <= 2; ++levels) {
     // far from the border, or else some are not
     Hierarchy cells(some_cells(random, lattice, { -5, -5, -5 }, { 5, 5, 5 }));
-    const std::array<double, 3> middle = { lattice.origin()[0] + 0.1, lattice.origin()[1] + 0.1, lattice.origin()[2] + 0.1 };
+    const std::array<double, 3> middle = { lattice.origin()[0] + 0.1, lattice.origin()[1] + 0.1,
+                                           lattice.origin()[2] + 0.1 };
     for(int l = 1; l < levels; ++l) cells = cells.refined({ cells.locate(middle) });
     const Index marked = cells.locate(middle);
     const int l = cells.level(marked) + 1;
     const Lattice_point p = cells.lattice_point(marked);
     const Field field(cells.refined({ marked }));
     int free = 0;
-    // of the ten cells a side around what was marked, 2 p - 4 and on, the first and the last four are those of functions
+    // of the ten cells a side around what was marked, 2 p - 4 and on, the first and the last four are those of
+    // functions
     for(int k = -2; k < 5; ++k)
       for(int j = -2; j < 5; ++j)
         for(int i = -2; i < 5; ++i) {
@@ -299,7 +313,8 @@ TEST_CASE("hierarchical fields: value, gradient and Hessian are those of the def
   CHECK_FALSE(field.hessian(Point(std::numeric_limits<double>::quiet_NaN(), 0, 0)));
 }
 
-TEST_CASE("hierarchical fields: the functions sum to one, and make all polynomials of degree three along each axis, exactly")
+TEST_CASE(
+  "hierarchical fields: the functions sum to one, and make all polynomials of degree three along each axis, exactly")
 {
   CGAL::Random random(6);
   Field field(some_cells_of_three_sizes(random));
@@ -311,9 +326,12 @@ TEST_CASE("hierarchical fields: the functions sum to one, and make all polynomia
   CHECK(wrong == 0);
   CHECK(*field.value(point_in_cell(field, 0, { 0.3, 0.7, 0.2 })) == Approx(1).epsilon(1e-14));
 
-  // in units of the smallest cells; the coefficient of x^n is its polar form at (g - h, g, g + h), of 3 x^2 to stay with integers
-  const auto factor = [](int a, int b, int c) { return (1 + a + 5*b*b + 11*c) % 13 - 6; };
-  const auto polar = [](int n, int g, int h) { return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3*g*g - h*h : g*g*g - g*h*h; };
+  // in units of the smallest cells; the coefficient of x^n is its polar form at (g - h, g, g + h), of 3 x^2 to stay
+  // with integers
+  const auto factor = [](int a, int b, int c) { return (1 + a + 5 * b * b + 11 * c) % 13 - 6; };
+  const auto polar = [](int n, int g, int h) {
+    return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3 * g * g - h * h : g * g * g - g * h * h;
+  };
   Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(field.number_of_coefficients()));
   for(Index n = 0; n < field.number_of_coefficients(); ++n) {
     const Index at = field.point_of_coefficient(n);
@@ -325,11 +343,14 @@ TEST_CASE("hierarchical fields: the functions sum to one, and make all polynomia
           x[n] += double(factor(a, b, c)) * polar(a, h * p[0], h) * polar(b, h * p[1], h) * polar(c, h * p[2], h);
   }
   field.set_coefficients(x);
-  const auto power = [](const Rational& u, int a) { return a == 0 ? Rational(1) : a == 1 ? u : a == 2 ? Rational(3*u*u) : Rational(u*u*u); };
+  const auto power = [](const Rational& u, int a) {
+    return a == 0 ? Rational(1) : a == 1 ? u : a == 2 ? Rational(3 * u * u) : Rational(u * u * u);
+  };
   for(int n = 0; n < 200; ++n) {
     const Index c = Index(random.get_int(0, int(field.number_of_cells())));
     const int h = 1 << (levels - 1 - field.cells().level(c));
-    const Exact_point t = { Rational(random.get_int(0, 8)) / 7, Rational(random.get_int(0, 8)) / 7, Rational(random.get_int(0, 8)) / 7 };
+    const Exact_point t = { Rational(random.get_int(0, 8)) / 7, Rational(random.get_int(0, 8)) / 7,
+                            Rational(random.get_int(0, 8)) / 7 };
     Exact_point u;
     for(int a = 0; a < 3; ++a) u[a] = h * (field.cells().lattice_point(c)[a] + t[a]);
     Rational polynomial(0);
@@ -356,11 +377,12 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
         // faces between equal leaves are many
         if(level == other_level ? c % 64 != 0 : c % 4 != 0) continue;
         ++(level == other_level ? equal : different);
-        const std::array<Rational, 64> b = field.bernstein_coefficients<Rational>(c), d = field.bernstein_coefficients<Rational>(n);
+        const std::array<Rational, 64> b = field.bernstein_coefficients<Rational>(c),
+                                       d = field.bernstein_coefficients<Rational>(n);
         const Index small = level < other_level ? n : c;
         const Rational w(field.cells().width(c)), v(field.cells().width(n));
-        // Derivatives across the face are polynomials of degree three in each coordinate: sixteen points decide for all of
-        // the face, and for all derivatives along it.
+        // Derivatives across the face are polynomials of degree three in each coordinate: sixteen points decide for all
+        // of the face, and for all derivatives along it.
         for(int j = 0; j < 4; ++j)
           for(int i = 0; i < 4; ++i) {
             Exact_point p;
@@ -385,12 +407,14 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
         Order second = { 0, 0, 0 };
         second[a] = 2;
         if(level == other_level)
-          differ_in_third += bernstein_value(b, one, second) - bernstein_value(b, begin, second) != bernstein_value(d, one, second) - bernstein_value(d, begin, second);
+          differ_in_third += bernstein_value(b, one, second) - bernstein_value(b, begin, second)
+                             != bernstein_value(d, one, second) - bernstein_value(d, begin, second);
         // copies of both, rounded, agree as far as they claim to
         const Point p = point_in_cell(field, small, { 0.3, 0.6, 0.8 });
         std::array<double, 3> q = { p.x(), p.y(), p.z() };
         q[std::size_t(a)] = field.cells().corner(n)[a];
-        edges += std::abs(field.cell(c).value(q) - field.cell(n).value(q)) > tolerance(field, c, 0) + tolerance(field, n, 0);
+        edges += std::abs(field.cell(c).value(q) - field.cell(n).value(q))
+                 > tolerance(field, c, 0) + tolerance(field, n, 0);
       }
     }
   CHECK(wrong == 0);
@@ -416,13 +440,15 @@ TEST_CASE("hierarchical fields: their functions are linearly independent")
     typedef BS::Cubic_bspline<> Basis;
     for(int s = 0; s < 64; ++s)
       for(int n = 0; n < 64; ++n)
-        values(s, n) = Basis::values((s % 4) / 3.)[n % 4] * Basis::values((s / 4 % 4) / 3.)[n / 4 % 4] * Basis::values((s / 16) / 3.)[n / 16];
+        values(s, n) = Basis::values((s % 4) / 3.)[n % 4] * Basis::values((s / 4 % 4) / 3.)[n / 4 % 4]
+                       * Basis::values((s / 16) / 3.)[n / 16];
     const Eigen::MatrixXd here = values * local;
     gram += here.transpose() * here;
   }
   const Eigen::VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
   gram = scale.asDiagonal() * gram * scale.asDiagonal();
-  const Eigen::VectorXd spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
   CAPTURE(size, spectrum[0], spectrum[size - 1]);
   CHECK(field.number_of_levels() == 3);
   CHECK(spectrum[0] > 1e-8 * spectrum[size - 1]);
@@ -432,7 +458,8 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
 {
   for(unsigned seed = 11; seed <= 13; ++seed) {
     CGAL::Random random(seed);
-    Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), int(seed - 10));
+    Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9),
+                                       int(seed - 10));
     Field field(cells);
     field.set_coefficients(random_integers(random, field.number_of_coefficients()));
     // several rounds, at leaves of all sizes
@@ -473,12 +500,14 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
       const Point p = point_in_cell(finer, c, { 0.125, 0.75, 0.5 });
       const Index coarse = field.locate(p);
       CHECK(bernstein_value(finer.bernstein_coefficients<Rational>(c), local(finer, c, exact(p)), { 0, 0, 0 })
-            == bernstein_value(field.bernstein_coefficients<Rational>(coarse), local(field, coarse, exact(p)), { 0, 0, 0 }));
+            == bernstein_value(field.bernstein_coefficients<Rational>(coarse), local(field, coarse, exact(p)),
+                               { 0, 0, 0 }));
     }
   }
 }
 
-TEST_CASE("hierarchical fields: the error radius bounds how far Bernstein coefficients are from the spline's, and is not idle")
+TEST_CASE(
+  "hierarchical fields: the error radius bounds how far Bernstein coefficients are from the spline's, and is not idle")
 {
   CGAL::Random random(14);
   Field field(some_cells_of_three_sizes(random));
@@ -502,10 +531,14 @@ TEST_CASE("hierarchical fields: the error radius bounds how far Bernstein coeffi
       const std::array<Index, 16> rows = field.coefficient_rows(c);
       for(int n = 0; n < 64; ++n) {
         const Index at = rows[n / 4] + n % 4, coefficient = field.coefficient_of_point(at);
-        if(coefficient != Field::npos) { largest = (std::max)(largest, std::abs(x[coefficient])); continue; }
+        if(coefficient != Field::npos) {
+          largest = (std::max)(largest, std::abs(x[coefficient]));
+          continue;
+        }
         is_free = false;
         const int l = field.cells().level(c);
-        field.visit_parents(l, point(field, l, at), [&](Index parent, double) { largest = (std::max)(largest, std::abs(x[parent])); });
+        field.visit_parents(l, point(field, l, at),
+                            [&](Index parent, double) { largest = (std::max)(largest, std::abs(x[parent])); });
       }
       dependent += !is_free;
       idle += scale > 1e-300 && radius > (is_free ? 11 : 38) * eps * largest;
@@ -520,9 +553,11 @@ TEST_CASE("hierarchical fields: the error radius bounds how far Bernstein coeffi
   }
 }
 
-TEST_CASE("hierarchical fields: the error radius is that of large coefficients, also where dependent ones are small averages of these")
+TEST_CASE("hierarchical fields: the error radius is that of large coefficients, also where dependent ones are small "
+          "averages of these")
 {
-  // Of the largest cells, with signs like the colors of a chessboard: averages of as many of each sign nearly vanish, but for rounding.
+  // Of the largest cells, with signs like the colors of a chessboard: averages of as many of each sign nearly vanish,
+  // but for rounding.
   CGAL::Random random(16);
   Field field(some_cells_of_three_sizes(random, 1));
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
@@ -540,7 +575,8 @@ TEST_CASE("hierarchical fields: the error radius is that of large coefficients, 
     if(largest == 0 || largest > 0.001) continue;
     ++small;
     const std::array<Rational, 64> b = field.bernstein_coefficients<Rational>(c);
-    for(int n = 0; n < 64; ++n) beyond += CGAL::abs(Rational(cell.coefficients()[n]) - b[n]) > Rational(cell.error_radius());
+    for(int n = 0; n < 64; ++n)
+      beyond += CGAL::abs(Rational(cell.coefficients()[n]) - b[n]) > Rational(cell.error_radius());
   }
   CHECK(small > 10);
   CHECK(beyond == 0);
@@ -551,8 +587,9 @@ TEST_CASE("hierarchical fields: collect is the transposed of extend")
   CGAL::Random random(15);
   const Field field(some_cells_of_three_sizes(random));
   for(int n = 0; n < 5; ++n) {
-    const Eigen::VectorXd x = random_integers(random, field.number_of_coefficients()), y = random_integers(random, field.number_of_points());
-    CHECK(field.extend(x).dot(y) == x.dot(field.collect(y)));     // sums of multiples of 1/512: exact
+    const Eigen::VectorXd x = random_integers(random, field.number_of_coefficients()),
+                          y = random_integers(random, field.number_of_points());
+    CHECK(field.extend(x).dot(y) == x.dot(field.collect(y))); // sums of multiples of 1/512: exact
   }
   // free coefficients are themselves, and dependent ones are those of the definition
   Field other = field;
@@ -575,7 +612,8 @@ TEST_CASE("hierarchical fields: where a coefficient is no number nothing is clai
   Field field(some_cells_of_three_sizes(random));
   const Eigen::VectorXd x = random_vector(random, field.number_of_coefficients());
   field.set_coefficients(x);
-  for(double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  for(double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity() })
     for(int trial = 0; trial < 12; ++trial) {
       Eigen::VectorXd y = x;
       const Index n = Index(random.get_int(0, int(y.size())));
@@ -592,7 +630,8 @@ TEST_CASE("hierarchical fields: where a coefficient is no number nothing is clai
           claimed += other.cell(c).error_radius() != std::numeric_limits<double>::infinity();
         } else
           lost += other.cell(c).error_radius() != field.cell(c).error_radius()
-                  || !std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64, other.cell(c).coefficients());
+                  || !std::equal(field.cell(c).coefficients(), field.cell(c).coefficients() + 64,
+                                 other.cell(c).coefficients());
       }
       CHECK(claimed == 0);
       CHECK(lost == 0);
@@ -614,7 +653,8 @@ TEST_CASE("hierarchical fields: without splits they are uniform fields, bit for 
   CHECK((field.extend(x) == x));
   CHECK((field.collect(x) == x));
   std::size_t different = 0;
-  for(Index n = 0; n < field.number_of_points(); ++n) different += field.points(0).point(n) != uniform.points(0).point(n);
+  for(Index n = 0; n < field.number_of_points(); ++n)
+    different += field.points(0).point(n) != uniform.points(0).point(n);
   for(Index c = 0; c < field.number_of_cells(); ++c) {
     const Field::Cell a = field.cell(c);
     const Uniform_field::Cell b = uniform.cell(c);
@@ -626,7 +666,8 @@ TEST_CASE("hierarchical fields: without splits they are uniform fields, bit for 
     different += field.value(p) != uniform.value(p) || field.gradient(p) != uniform.gradient(p);
     for(int axis = 0; axis < 3; ++axis) {
       Index n = Field::npos, m = Field::npos;
-      different += field.visit_neighbors(c, axis, true, [&](Index i) { n = i; }) != uniform.visit_neighbors(c, axis, true, [&](Index i) { m = i; });
+      different += field.visit_neighbors(c, axis, true, [&](Index i) { n = i; })
+                   != uniform.visit_neighbors(c, axis, true, [&](Index i) { m = i; });
       different += n != m;
     }
   }
@@ -637,7 +678,7 @@ TEST_CASE("hierarchical fields: a parallel change of coefficients gives the same
 {
   CGAL::Random random(18);
   Field sequential(some_cells_of_three_sizes(random));
-  REQUIRE(sequential.number_of_cells() > 1000);       // several chunks
+  REQUIRE(sequential.number_of_cells() > 1000); // several chunks
   Field parallel = sequential;
   const Eigen::VectorXd x = random_vector(random, sequential.number_of_coefficients());
   sequential.set_coefficients<CGAL::Sequential_tag>(x);
@@ -647,7 +688,8 @@ TEST_CASE("hierarchical fields: a parallel change of coefficients gives the same
   std::size_t different = 0;
   for(Index c = 0; c < sequential.number_of_cells(); ++c) {
     const Field::Cell a = sequential.cell(c), b = parallel.cell(c);
-    different += !std::equal(a.coefficients(), a.coefficients() + 64, b.coefficients()) || a.error_radius() != b.error_radius();
+    different += !std::equal(a.coefficients(), a.coefficients() + 64, b.coefficients())
+                 || a.error_radius() != b.error_radius();
   }
   CHECK(different == 0);
   CHECK(Field().number_of_cells() == 0);

@@ -19,11 +19,15 @@ typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
 typedef CGAL::Exact_rational Rational;
 
-TEST_CASE("Spline thresholds: a cell is constant where all of its coefficients are, and is enclosed and evaluated either way")
+TEST_CASE(
+  "Spline thresholds: a cell is constant where all of its coefficients are, and is enclosed and evaluated either way")
 {
   CGAL::Random random(3);
-  const Hierarchy cells = random_hierarchy(random, some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.7, { -4, -4, -4 }, { 3, 3, 3 }),
-                                                              { -4, -4, -4 }, { 3, 3, 3 }), 3);
+  const Hierarchy cells = random_hierarchy(
+    random,
+    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.7, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 },
+               { 3, 3, 3 }),
+    3);
   Field field(cells);
   Eigen::VectorXd x = Eigen::VectorXd::Constant(Eigen::Index(field.number_of_coefficients()), 0.125);
   for(int n = 0; n < 3; ++n) x[random.get_int(0, int(x.size()))] = random.get_double(0.05, 0.2);
@@ -42,12 +46,16 @@ TEST_CASE("Spline thresholds: a cell is constant where all of its coefficients a
 
     const BS::Level_range range = threshold.range(c);
     const std::array<Rational, 64> exact = field.bernstein_coefficients<Rational>(c);
-    for(const Rational& coefficient : exact) REQUIRE((coefficient >= Rational(range.min) && coefficient <= Rational(range.max)));
-    rounded += is_constant && std::any_of(exact.begin(), exact.end(), [&](const Rational& coefficient) { return coefficient != Rational(b[0]); });
+    for(const Rational& coefficient : exact)
+      REQUIRE((coefficient >= Rational(range.min) && coefficient <= Rational(range.max)));
+    rounded += is_constant && std::any_of(exact.begin(), exact.end(), [&](const Rational& coefficient) {
+                 return coefficient != Rational(b[0]);
+               });
     const auto least_and_most = std::minmax_element(exact.begin(), exact.end());
     CHECK(range.max - range.min < CGAL::to_double(Rational(*least_and_most.second - *least_and_most.first)) + 1e-14);
 
-    const std::array<double, 3> p = { cell.corner()[0] + random.get_double() * cell.width(), cell.corner()[1] + random.get_double() * cell.width(),
+    const std::array<double, 3> p = { cell.corner()[0] + random.get_double() * cell.width(),
+                                      cell.corner()[1] + random.get_double() * cell.width(),
                                       cell.corner()[2] + random.get_double() * cell.width() };
     CHECK(threshold.value(p, c) == Approx(cell.value(p)).epsilon(1e-14));
   }

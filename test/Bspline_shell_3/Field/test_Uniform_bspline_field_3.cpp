@@ -47,8 +47,8 @@ Point point_in_cell(const Field& field, Field::Cell_index c, double x, double y,
   return Point(corner[0] + x * w, corner[1] + y * w, corner[2] + z * w);
 }
 
-// How far an evaluated value may be from that of the spline: the cell's radius, and roundings in local coordinates (one,
-// times a derivative of at most 6 an axis), weights (five an axis) and sums (four an axis).
+// How far an evaluated value may be from that of the spline: the cell's radius, and roundings in local coordinates
+// (one, times a derivative of at most 6 an axis), weights (five an axis) and sums (four an axis).
 double tolerance(const Field& field, Field::Cell_index c)
 {
   double largest = 0;
@@ -63,7 +63,10 @@ double tolerance(const Field& field, Field::Cell_index c, int order)
   return tolerance(field, c) * (order == 0 ? 1 : order == 1 ? 6 / w : 36 / (w * w));
 }
 
-double off(double x, const Rational& exact) { return std::abs(CGAL::to_double(Rational(Rational(x) - exact))); }
+double off(double x, const Rational& exact)
+{
+  return std::abs(CGAL::to_double(Rational(Rational(x) - exact)));
+}
 
 std::array<int, 3> derivative(int a, int b)
 {
@@ -93,14 +96,15 @@ TEST_CASE("fields: their functions are all those that do not vanish on all cells
   CHECK(*field.value(point_in_cell(field, 0, 0.5, 0.5, 0.5)) == 0);
 }
 
-TEST_CASE("fields: the sum of all x^a y^b z^c with a, b, c up to three is reproduced, with first and second derivatives")
+TEST_CASE(
+  "fields: the sum of all x^a y^b z^c with a, b, c up to three is reproduced, with first and second derivatives")
 {
   CGAL::Random random(2);
   Field field(sparse_cells(random, -2, 2, 0.6));
   // in units of the lattice; coefficients that no symmetry can hide
-  const auto factor = [](int a, int b, int c) { return (1 + a + 5*b*b + 11*c) % 13 - 6; };
+  const auto factor = [](int a, int b, int c) { return (1 + a + 5 * b * b + 11 * c) % 13 - 6; };
   // The spline coefficient of x^n at g is its polar form at (g-1, g, g+1); 3 x^2 to stay with integers.
-  const auto polar = [](int n, int g) { return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3*g*g - 1 : g*g*g - g; };
+  const auto polar = [](int n, int g) { return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3 * g * g - 1 : g * g * g - g; };
   Eigen::VectorXd x = Eigen::VectorXd::Zero(field.number_of_coefficients());
   for(Field::Cell_index g = 0; g < field.number_of_coefficients(); ++g) {
     const BS::Lattice_3::Point& p = field.functions().point(g);
@@ -129,7 +133,7 @@ TEST_CASE("fields: the sum of all x^a y^b z^c with a, b, c up to three is reprod
     const Point p = point_in_cell(field, c, random.get_double(), random.get_double(), random.get_double());
     REQUIRE(field.locate(p) == c);
     const Exact_point u = lattice_coordinates(field, exact(p));
-    CHECK(exact_value(field, exact(p)) == polynomial(u, { 0, 0, 0 }));       // the oracle reproduces it as well
+    CHECK(exact_value(field, exact(p)) == polynomial(u, { 0, 0, 0 })); // the oracle reproduces it as well
     CHECK(off(*field.value(p), polynomial(u, { 0, 0, 0 })) <= tolerance(field, c));
     const Field::Vector_3 gradient = *field.gradient(p);
     const Eigen::Matrix3d hessian = *field.hessian(p);
@@ -176,8 +180,9 @@ TEST_CASE("fields: derivatives are the limits of difference quotients")
       const Field::Vector_3 step(a == 0 ? h : 0, a == 1 ? h : 0, a == 2 ? h : 0);
       // third derivatives are at most 8 / w^3: the quotient's error is 8/6 h^2 / w^3 and some eps / h
       const double error = 2e-8 / w;
-      CHECK(((*field.value(p + step) - *field.value(p - step)) / (2*h)) == Approx((*field.gradient(p))[a]).margin(error));
-      const Field::Vector_3 second = (*field.gradient(p + step) - *field.gradient(p - step)) / (2*h);
+      CHECK(((*field.value(p + step) - *field.value(p - step)) / (2 * h))
+            == Approx((*field.gradient(p))[a]).margin(error));
+      const Field::Vector_3 second = (*field.gradient(p + step) - *field.gradient(p - step)) / (2 * h);
       for(int b = 0; b < 3; ++b) CHECK(second[b] == Approx((*field.hessian(p))(a, b)).margin(20 * error / w));
     }
   }
@@ -195,15 +200,17 @@ TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient 
     Basis::Weights w[3];
     for(int a = 0; a < 3; ++a) {
       const Rational t = (p[a] - Rational(field.cells().corner(c)[a])) / Rational(field.cells().width());
-      w[a] = order[a] == 0 ? Basis::values(t) : order[a] == 1 ? Basis::first_derivatives(t) : Basis::second_derivatives(t);
+      w[a] = order[a] == 0   ? Basis::values(t)
+             : order[a] == 1 ? Basis::first_derivatives(t)
+                             : Basis::second_derivatives(t);
     }
     Rational sum(0);
     for(int n = 0; n < 64; ++n) sum += Rational(local[n]) * w[0][n % 4] * w[1][n / 4 % 4] * w[2][n / 16];
     for(int m = 0; m < order[0] + order[1] + order[2]; ++m) sum /= Rational(field.cells().width());
     return sum;
   };
-  const std::vector<std::array<int, 3> > orders = { { 0,0,0 }, { 1,0,0 }, { 0,1,0 }, { 0,0,1 }, { 2,0,0 }, { 0,2,0 },
-                                                    { 0,0,2 }, { 1,1,0 }, { 1,0,1 }, { 0,1,1 } };
+  const std::vector<std::array<int, 3> > orders = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 2, 0, 0 },
+                                                    { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
   int faces = 0;
   for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c)
     for(int a = 0; a < 3; ++a) {
@@ -231,8 +238,7 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
   Field field(sparse_cells(random, -1, 1, 0.7));
   for(double scale : { 1., 1e200, 1e-200, 1e-310 }) {
     Eigen::VectorXd x = random_coefficients(random, field.number_of_coefficients());
-    for(Eigen::Index n = 0; n < x.size(); ++n)
-      x[n] = scale == 1. ? x[n] + 1000 * (n % 2) : scale * x[n];
+    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = scale == 1. ? x[n] + 1000 * (n % 2) : scale * x[n];
     field.set_coefficients(x);
     int rounded = 0;
     for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
@@ -242,8 +248,8 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
         for(int n = 0; n < 64; ++n) {
           if(n / stride % 4 != 0) continue;
           const auto r = BS::Cubic_bspline<Rational>::bernstein_coefficients(
-            { b[n], b[n + stride], b[n + 2*stride], b[n + 3*stride] });
-          for(int m = 0; m < 4; ++m) b[n + m*stride] = r[m];
+            { b[n], b[n + stride], b[n + 2 * stride], b[n + 3 * stride] });
+          for(int m = 0; m < 4; ++m) b[n + m * stride] = r[m];
         }
       // both are Bernstein forms: they differ nowhere by more than their coefficients do
       const Rational radius(field.cell(c).error_radius());
@@ -259,7 +265,7 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
       CHECK(within);
       if(scale > 1e-300) CHECK(field.cell(c).error_radius() <= 1e-14 * largest);
     }
-    CHECK(rounded > 100);       // the claim is not empty
+    CHECK(rounded > 100); // the claim is not empty
   }
 }
 
@@ -294,13 +300,14 @@ TEST_CASE("fields: a cell's polynomial is within the error radius of Eq. 3.3, ev
   field.set_coefficients(random_coefficients(random, field.number_of_coefficients()));
   for(int n = 0; n < 30; ++n) {
     const Field::Cell_index c = random.get_int(0, int(field.number_of_cells()));
-    const Rational t[3] = { Rational(n % 3) / 2, Rational(n % 5) / 4, Rational(n % 7) / 6 };    // corners and faces too
+    // corners and faces too
+    const Rational t[3] = { Rational(n % 3) / 2, Rational(n % 5) / 4, Rational(n % 7) / 6 };
     Exact_point p;
     std::array<Rational, 4> b[3];
     for(int a = 0; a < 3; ++a) {
       p[a] = Rational(field.cells().corner(c)[a]) + t[a] * Rational(field.cells().width());
       const Rational s = 1 - t[a];
-      b[a] = { s*s*s, 3*s*s*t[a], 3*s*t[a]*t[a], t[a]*t[a]*t[a] };
+      b[a] = { s * s * s, 3 * s * s * t[a], 3 * s * t[a] * t[a], t[a] * t[a] * t[a] };
     }
     Rational polynomial(0);
     for(int m = 0; m < 64; ++m)
@@ -317,11 +324,11 @@ TEST_CASE("fields: there is no value outside the cells")
   field.set_coefficients(random_coefficients(random, field.number_of_coefficients()));
   const Field::Cell_index last = Field::Cell_index(field.number_of_cells() - 1);
   const Point corner = point_in_cell(field, last, 1, 1, 1);
-  CHECK(field.value(corner).has_value());          // the domain is closed
+  CHECK(field.value(corner).has_value()); // the domain is closed
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   for(const Point& p : { Point(std::nextafter(corner.x(), inf), corner.y(), corner.z()),
-                         Point(corner.x(), corner.y(), std::nextafter(corner.z(), inf)),
-                         Point(0, 0, 0), Point(nan, 0, 0), Point(corner.x(), -inf, 0) }) {
+                         Point(corner.x(), corner.y(), std::nextafter(corner.z(), inf)), Point(0, 0, 0),
+                         Point(nan, 0, 0), Point(corner.x(), -inf, 0) }) {
     CHECK(field.locate(p) == Field::npos);
     CHECK_FALSE(field.value(p));
     CHECK_FALSE(field.gradient(p));
@@ -333,7 +340,7 @@ TEST_CASE("fields: there is no value outside the cells")
 TEST_CASE("fields: a parallel change of coefficients gives the same cells, bit for bit")
 {
   CGAL::Random random(9);
-  Field sequential(sparse_cells(random, -5, 5, 0.8));       // several chunks
+  Field sequential(sparse_cells(random, -5, 5, 0.8)); // several chunks
   REQUIRE(sequential.number_of_cells() > 1000);
   Field parallel = sequential;
   const Eigen::VectorXd x = random_coefficients(random, sequential.number_of_coefficients());

@@ -15,11 +15,15 @@ namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
 
-TEST_CASE("Same in a cell: all cells but those on which a coefficient acts that is another one, be it by a rounding error")
+TEST_CASE(
+  "Same in a cell: all cells but those on which a coefficient acts that is another one, be it by a rounding error")
 {
   CGAL::Random random(1);
-  const Hierarchy cells = random_hierarchy(random, some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -4, -4, -4 }, { 3, 3, 3 }),
-                                                              { -4, -4, -4 }, { 3, 3, 3 }), 2);
+  const Hierarchy cells = random_hierarchy(
+    random,
+    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 },
+               { 3, 3, 3 }),
+    2);
   Field f(cells), g(cells);
   Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
   for(double& value : x) value = random.get_double(1, 2);

@@ -31,18 +31,21 @@ Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field)
 Hierarchy finer(CGAL::Random& random, const Hierarchy& cells, int times)
 {
   Hierarchy result = cells;
-  for(int n = 0; n < times; ++n) result = result.refined({ Index(random.get_int(0, int(result.number_of_cells()))) }, n % 2 + 1);
+  for(int n = 0; n < times; ++n)
+    result = result.refined({ Index(random.get_int(0, int(result.number_of_cells()))) }, n % 2 + 1);
   return result;
 }
 
 } // namespace
 
-TEST_CASE("Refined coefficients: the function is the same everywhere, and the very same where no cell near it was split")
+TEST_CASE(
+  "Refined coefficients: the function is the same everywhere, and the very same where no cell near it was split")
 {
   CGAL::Random random(5);
   std::size_t same_leaves = 0, split_leaves = 0;
   for(int n = 0; n < 12; ++n) {
-    const Field coarse(random_hierarchy(random, some_cells(random, lattice, { -2, -2, -2 }, { 2, 2, 2 }, n % 3 == 0 ? 0.7 : 1), 1 + n % 3));
+    const Field coarse(random_hierarchy(
+      random, some_cells(random, lattice, { -2, -2, -2 }, { 2, 2, 2 }, n % 3 == 0 ? 0.7 : 1), 1 + n % 3));
     const Field fine(finer(random, coarse.cells(), 1 + n % 4));
     const Eigen::VectorXd x = random_coefficients(random, coarse);
     Field before = coarse, after = fine;
@@ -53,15 +56,22 @@ TEST_CASE("Refined coefficients: the function is the same everywhere, and the ve
       const std::array<double, 3> corner = after.cells().corner(c);
       const double w = after.cells().width(c);
       for(int p = 0; p < 4; ++p) {
-        const Point_3 at(corner[0] + w * random.get_double(), corner[1] + w * random.get_double(), corner[2] + w * random.get_double());
+        const Point_3 at(corner[0] + w * random.get_double(), corner[1] + w * random.get_double(),
+                         corner[2] + w * random.get_double());
         worst = (std::max)(worst, std::abs(after.value(at).value() - before.value(at).value()));
       }
-      // Coefficients are integers, and sums of multiples of powers of two: exact, so that leaves that were there have the same function.
-      const Index old = after.cells().level(c) < before.number_of_levels() ? before.cells().leaf(after.cells().level(c), after.cells().lattice_point(c))
-                                                                          : Field::npos;
-      if(old == Field::npos) { ++split_leaves; continue; }
+      // Coefficients are integers, and sums of multiples of powers of two: exact, so that leaves that were there have
+      // the same function.
+      const Index old = after.cells().level(c) < before.number_of_levels()
+                          ? before.cells().leaf(after.cells().level(c), after.cells().lattice_point(c))
+                          : Field::npos;
+      if(old == Field::npos) {
+        ++split_leaves;
+        continue;
+      }
       ++same_leaves;
-      CHECK(std::equal(after.cell(c).coefficients(), after.cell(c).coefficients() + 64, before.cell(old).coefficients()));
+      CHECK(
+        std::equal(after.cell(c).coefficients(), after.cell(c).coefficients() + 64, before.cell(old).coefficients()));
     }
     CHECK(worst < 1e-9);
   }

@@ -88,7 +88,11 @@ TEST_CASE("SPD solvers: zeros, numbers that are not a solution, and vectors of a
     CHECK(status_of(solver) == Solver_status::WRONG_SOLUTION);
   }
   for(double value : { std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
-    solver.change = [&](const Vector& x) { Vector y = x; y[3] = value; return y; };
+    solver.change = [&](const Vector& x) {
+      Vector y = x;
+      y[3] = value;
+      return y;
+    };
     CHECK(status_of(solver) == Solver_status::NOT_FINITE);
   }
   // a status other than success is passed on

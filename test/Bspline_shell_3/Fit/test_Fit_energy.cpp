@@ -14,7 +14,8 @@
 namespace test_Fit_energy {
 namespace {
 
-constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL, Term::COEFFICIENTS };
+constexpr Term all_terms[] = { Term::DISTANCE,         Term::SURFACE, Term::ANGLE,
+                               Term::SINGULAR_HESSIAN, Term::NORMAL,  Term::COEFFICIENTS };
 constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 constexpr double everywhere = 1e9;
 
@@ -42,7 +43,8 @@ void for_each_sample(const Fit_problem& problem, const Function& f)
   for(Field::Cell_index c = 0; c < problem.field.number_of_cells(); ++c) {
     const std::array<double, 3> corner = problem.field.cells().corner(c);
     for(int s = 0; s < 8; ++s)
-      f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * problem.width(), corner[1] + (s & 2 ? 0.75 : 0.25) * problem.width(),
+      f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * problem.width(),
+                   corner[1] + (s & 2 ? 0.75 : 0.25) * problem.width(),
                    corner[2] + (s & 4 ? 0.75 : 0.25) * problem.width()));
   }
 }
@@ -55,9 +57,9 @@ std::vector<double> determinants(const Fit_problem& problem, const Eigen::Vector
   std::vector<double> found;
   for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
     if(!cells[c]) return;
-    const auto& h = field.cell(c).second_order_jet(p).hessian;      // xx, yy, zz, xy, xz, yz
+    const auto& h = field.cell(c).second_order_jet(p).hessian; // xx, yy, zz, xy, xz, yz
     Eigen::Matrix3d m;
-    m << h[0], h[3], h[4],  h[3], h[1], h[5],  h[4], h[5], h[2];
+    m << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
     found.push_back((m * problem.width()).determinant());
   });
   return found;
@@ -145,7 +147,8 @@ TEST_CASE("E_surface is the integral of the squared value over the facets")
   const double beta = energy.weight(Term::SURFACE), side = 4 * half * half;
   REQUIRE(beta == 30);
   // of a constant, and of x: half^2 on two sides, and on the four others its mean square, half^2 / 3
-  CHECK(energy.value(Term::SURFACE, problem.coefficients([](double, double, double) { return 3.; })) == Approx(beta * 6 * side * 9).epsilon(1e-12));
+  CHECK(energy.value(Term::SURFACE, problem.coefficients([](double, double, double) { return 3.; }))
+        == Approx(beta * 6 * side * 9).epsilon(1e-12));
   CHECK(energy.value(Term::SURFACE, problem.coefficients([](double x, double, double) { return x; }))
         == Approx(beta * side * half * half * (2 + 4 / 3.)).epsilon(1e-12));
   const Eigen::VectorXd x = Deterministic_numbers(7).vector(problem.field.number_of_coefficients());
@@ -202,7 +205,7 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
   Energy energy = problem.energy();
   const double weight = energy.weight(Term::SINGULAR_HESSIAN);
   for(double sign : { 1., -1. }) {
-    const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign);      // det H = sign, everywhere
+    const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign); // det H = sign, everywhere
     energy.set_singular_hessian_domain(x, -everywhere, everywhere);
     const double whole = weight * problem.field.number_of_cells();
     CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(whole).epsilon(1e-12));
@@ -215,35 +218,38 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
     energy.set_singular_hessian_domain(x, 1, 3);
     CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(weight * size).epsilon(1e-12));
   }
-  CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0);     // no domain yet
+  CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0); // no domain yet
 }
 
 TEST_CASE("The range on the mesh is that of the quadrature points, which lie inside the pieces")
 {
   const Fit_problem& problem = cube_problem();
-  const std::pair<double, double> range
-    = problem.energy().range_on_mesh(problem.coefficients([](double x, double y, double) { return x + 10 * y; }));
+  const std::pair<double, double> range = problem.energy().range_on_mesh(
+    problem.coefficients([](double x, double y, double) { return x + 10 * y; }));
   CHECK(range.second <= 11 * half);
   CHECK(range.second > 11 * half - 11);
   CHECK(range.first >= -11 * half);
   CHECK(range.first < -11 * half + 11);
 }
 
-TEST_CASE("E_coefficients is the squared difference of a coefficient to the distance that a cell extends linearly, by the function's share in the samples")
+TEST_CASE("E_coefficients is the squared difference of a coefficient to the distance that a cell extends linearly, by "
+          "the function's share in the samples")
 {
   const Fit_problem& problem = cube_problem();
   Energy_weights weights;
   weights.mu = 0;
   weights.coefficients = 0.5;
   const Energy energy = problem.energy(weights);
-  // in a cell, the energy is half of the sum of eight squared differences by the partition of unity, if all differ alike
+  // in a cell, the energy is half of the sum of eight squared differences by the partition of unity, if all differ
+  // alike
   const Eigen::VectorXd guess = energy.initial_guess();
   const std::vector<double> constant(problem.samples.size(), 3 * problem.width());
   const Energy of_constant(problem.field, constant, problem.clipped, problem.gamma(), weights);
   const Eigen::VectorXd five = Eigen::VectorXd::Constant(guess.size(), 5.);
   CHECK(of_constant.value(Term::COEFFICIENTS, five) == Approx(0.5 * 4 * double(problem.samples.size())).epsilon(1e-12));
   CHECK(problem.energy().value(Term::COEFFICIENTS, guess) == 0);
-  // one coefficient more than the minimizer's costs its share in all samples, and the minimizer is where the derivatives vanish
+  // one coefficient more than the minimizer's costs its share in all samples, and the minimizer is where the
+  // derivatives vanish
   CHECK(energy.gradient(Term::COEFFICIENTS, guess).cwiseAbs().maxCoeff() < 1e-11);
   const double least = energy.value(Term::COEFFICIENTS, guess);
   const Eigen::Index middle = guess.size() / 2;
@@ -252,7 +258,8 @@ TEST_CASE("E_coefficients is the squared difference of a coefficient to the dist
   double share = 0;
   for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) { share += function.cell(c).value(p); });
   REQUIRE(share > 0);
-  CHECK(energy.value(Term::COEFFICIENTS, Eigen::VectorXd(guess + 2 * Eigen::VectorXd::Unit(guess.size(), middle))) - least
+  CHECK(energy.value(Term::COEFFICIENTS, Eigen::VectorXd(guess + 2 * Eigen::VectorXd::Unit(guess.size(), middle)))
+          - least
         == Approx(0.5 * 4 * share).epsilon(1e-9));
 }
 
@@ -392,7 +399,8 @@ TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det
   for(std::size_t n = 0; n < size; ++n) {
     const Eigen::VectorXd d = Eigen::VectorXd::Unit(size, n) * h;
     const std::vector<double> p1 = determinants(problem, x + d, cells), m1 = determinants(problem, x - d, cells),
-                              p2 = determinants(problem, x + 2 * d, cells), m2 = determinants(problem, x - 2 * d, cells);
+                              p2 = determinants(problem, x + 2 * d, cells),
+                              m2 = determinants(problem, x - 2 * d, cells);
     for(std::size_t s = 0; s < det.size(); ++s) J(s, n) = (8 * (p1[s] - m1[s]) - (p2[s] - m2[s])) / (12 * h);
   }
   Eigen::MatrixXd expected_A = Eigen::MatrixXd::Zero(size, size);
@@ -454,11 +462,12 @@ TEST_CASE("In cell units, the energy does not know how large the mesh is")
   const Eigen::VectorXd x = one.energy().initial_guess();
   CHECK((x == large.energy().initial_guess()));
   for(Term term : all_terms) {
-    Energy e = one.energy(all_terms_weighted()), l = large.energy(all_terms_weighted()), o = odd.energy(all_terms_weighted());
+    Energy e = one.energy(all_terms_weighted()), l = large.energy(all_terms_weighted()),
+           o = odd.energy(all_terms_weighted());
     for(Energy* energy : { &e, &l, &o }) energy->set_singular_hessian_domain(x, -1, 1);
     REQUIRE(e.value(term, x) > 0);
-    CHECK(e.value(term, x) == l.value(term, x));      // powers of two: exactly
-    CHECK(e.value(term, x) == Approx(o.value(term, x)).epsilon(1e-5));     // the lattice is rounded to 20 bits
+    CHECK(e.value(term, x) == l.value(term, x));                       // powers of two: exactly
+    CHECK(e.value(term, x) == Approx(o.value(term, x)).epsilon(1e-5)); // the lattice is rounded to 20 bits
   }
 }
 } // namespace test_Fit_energy

@@ -21,7 +21,8 @@ typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
 typedef BS::Fit_energy<Hierarchical_field> Hierarchical_energy;
 typedef Hierarchical_field::Cell_index Index;
 
-constexpr Term all_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::SINGULAR_HESSIAN, Term::NORMAL, Term::COEFFICIENTS };
+constexpr Term all_terms[] = { Term::DISTANCE,         Term::SURFACE, Term::ANGLE,
+                               Term::SINGULAR_HESSIAN, Term::NORMAL,  Term::COEFFICIENTS };
 constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 
 // a mesh, and leaves that are refined at one point of it
@@ -42,7 +43,7 @@ struct Problem
     clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     samples = BS::sample_signed_distance<Tag>(BS::Mesh_signed_distance_3(input), cells);
   }
-  Problem(const Problem&) = delete;      // energies refer to it
+  Problem(const Problem&) = delete; // energies refer to it
 
   double root_width() const { return field.cells().lattice().spacing(); }
   Hierarchical_energy energy(const Energy_weights& weights = all_terms_weighted()) const
@@ -50,8 +51,8 @@ struct Problem
     return Hierarchical_energy(field, samples, clipped, input.unit() / root_width(), weights);
   }
 
-  // One for each free function: `f` of its lattice point in user units, and of the spacing of its level. A function that is
-  // linear, or whose square has a third of the squared spacing taken off, is that very polynomial.
+  // One for each free function: `f` of its lattice point in user units, and of the spacing of its level. A function
+  // that is linear, or whose square has a third of the squared spacing taken off, is that very polynomial.
   template <typename Function>
   Eigen::VectorXd coefficients(const Function& f) const
   {
@@ -81,7 +82,8 @@ struct Problem
       const std::array<double, 3> corner = field.cells().corner(c);
       const double w = field.cells().width(c);
       for(int s = 0; s < 8; ++s)
-        f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * w, corner[1] + (s & 2 ? 0.75 : 0.25) * w, corner[2] + (s & 4 ? 0.75 : 0.25) * w));
+        f(c, Point_3(corner[0] + (s & 1 ? 0.75 : 0.25) * w, corner[1] + (s & 2 ? 0.75 : 0.25) * w,
+                     corner[2] + (s & 4 ? 0.75 : 0.25) * w));
     }
   }
 };
@@ -92,11 +94,12 @@ const Problem& sphere_problem()
   return problem;
 }
 
-// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are triangles or rectangles that are large enough for
-// quadrature to be exact to degree two.
+// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are triangles or rectangles
+// that are large enough for quadrature to be exact to degree two.
 const Problem& cube_problem()
 {
-  static const Problem problem(box(Point_3(-2.5, -2.5, -2.5), Point_3(2.5, 2.5, 2.5)), 5, 2, Point_3(2.4, -2.4, 0.1), 3);
+  static const Problem problem(box(Point_3(-2.5, -2.5, -2.5), Point_3(2.5, 2.5, 2.5)), 5, 2, Point_3(2.4, -2.4, 0.1),
+                               3);
   return problem;
 }
 
@@ -104,7 +107,7 @@ const Problem& cube_problem()
 Eigen::VectorXd paraboloid(const Problem& problem, double sx, double sy, double sz)
 {
   return problem.coefficients([&](double x, double y, double z, double w) {
-    return (sx * (x*x - w*w / 3) + sy * (y*y - w*w / 3) + sz * (z*z - w*w / 3)) / 2;
+    return (sx * (x * x - w * w / 3) + sy * (y * y - w * w / 3) + sz * (z * z - w * w / 3)) / 2;
   });
 }
 
@@ -158,13 +161,14 @@ TEST_CASE("On leaves of different size, integrals over facets of linear function
   const Problem& problem = cube_problem();
   const Hierarchical_energy energy = problem.energy();
   const auto f = [](const Point_3& p) { return 0.3 * p.x() - 2 * p.y() + p.z() + 0.7; };
-  const Eigen::VectorXd x = problem.coefficients([&](double a, double b, double c, double) { return f(Point_3(a, b, c)); });
+  const Eigen::VectorXd x = problem.coefficients(
+    [&](double a, double b, double c, double) { return f(Point_3(a, b, c)); });
   const Vector_3 gradient(0.3, -2, 1);
   double surface = 0, angle = 0, normal = 0, area = 0;
   for(int l = 0; l < 3; ++l) {
     const double w = problem.root_width() / (1 << l);
     const double squares = integral(problem, l, [&](const Point_3& p) { return f(p) * f(p); });
-    CHECK(squares > 0);       // all sizes count
+    CHECK(squares > 0); // all sizes count
     surface += squares / (w * w) / (w * w);
   }
   for(const BS::Clipped_mesh_3::Piece& piece : problem.clipped.pieces()) {
@@ -227,7 +231,9 @@ TEST_CASE("On leaves of different size, gradients are the derivatives of the val
   energy.set_singular_hessian_domain(x, -1e9, 1e9);
   const double h = 1. / 4096;
   for(int trial = 0; trial < 8; ++trial) {
-    const Eigen::VectorXd d = trial < 4 ? random.vector(size) : Eigen::VectorXd::Unit(size, Eigen::Index((1 + random()) / 2 * double(size - 1)));
+    const Eigen::VectorXd d = trial < 4
+                                ? random.vector(size)
+                                : Eigen::VectorXd::Unit(size, Eigen::Index((1 + random()) / 2 * double(size - 1)));
     for(Term term : all_terms) {
       CAPTURE(int(term), trial);
       const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
@@ -273,7 +279,8 @@ TEST_CASE("On leaves of different size, the normal equations are those of the qu
   CHECK((b == parallel_b));
 }
 
-TEST_CASE("On leaves of different size, the fourth term's equations have the pattern of the others, and their solution lowers it")
+TEST_CASE("On leaves of different size, the fourth term's equations have the pattern of the others, and their solution "
+          "lowers it")
 {
   const Problem& problem = sphere_problem();
   Hierarchical_energy energy = problem.energy();
@@ -313,16 +320,19 @@ TEST_CASE("On leaves of different size, the solution is where the gradient vanis
   CHECK(gradient(x).norm() <= 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());
   const double least = energy.value(x);
   Deterministic_numbers random(4);
-  for(int trial = 0; trial < 3; ++trial) CHECK(energy.value(Eigen::VectorXd(x + 1e-3 * random.vector(std::size_t(x.size())))) > least);
+  for(int trial = 0; trial < 3; ++trial)
+    CHECK(energy.value(Eigen::VectorXd(x + 1e-3 * random.vector(std::size_t(x.size())))) > least);
 
   // conjugate gradients with blocks find it as well
   Hierarchical_field field = problem.field;
   BS::Conjugate_gradient_solver<> solver(1e-10, 20000);
   const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
   REQUIRE(report.status == BS::Solver_status::SUCCESS);
-  CHECK((field.coefficients() / problem.root_width() - x).norm() <= 1e-4 * x.norm());      // condition numbers of about 1e6
+  // condition numbers of about 1e6
+  CHECK((field.coefficients() / problem.root_width() - x).norm() <= 1e-4 * x.norm());
   CHECK(energy.value(Eigen::VectorXd(field.coefficients() / problem.root_width())) <= least * (1 + 1e-9));
-  for(Term term : quadratic_terms) CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-4));
+  for(Term term : quadratic_terms)
+    CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-4));
   CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
   // and the sphere's distance is near
   CHECK(*field.value(Point_3(0, 0.6, 0.8)) == Approx(0).margin(0.1));
@@ -343,10 +353,11 @@ TEST_CASE("On leaves of different size, samples of a linear function are fitted 
   energy.assemble<Tag>(A, b);
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > factor(A);
   REQUIRE(factor.info() == Eigen::Success);
-  const Eigen::VectorXd x = factor.solve(b), expected = problem.coefficients([&](double a, double c, double d, double) { return f(a, c, d); });
+  const Eigen::VectorXd x = factor.solve(b), expected = problem.coefficients(
+                                               [&](double a, double c, double d, double) { return f(a, c, d); });
   CHECK(energy.value(x) < 1e-20);
   CHECK(energy.value(expected) < 1e-20);
-  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-4);      // where functions act on a corner of the domain only
+  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-4); // where functions act on a corner of the domain only
   // a guess reproduces linear functions
   const Eigen::VectorXd guess = energy.initial_guess();
   CHECK((guess - expected).cwiseAbs().maxCoeff() < 1e-11);
@@ -369,7 +380,7 @@ TEST_CASE("On leaves of different size, blocks of unknowns cover all of them and
     wrong += end <= begin || end - begin > 125;
     for(std::size_t n = begin; n < end; ++n) {
       ++times[blocks.unknowns[n]];
-      wrong += n > begin && blocks.unknowns[n] <= blocks.unknowns[n-1];
+      wrong += n > begin && blocks.unknowns[n] <= blocks.unknowns[n - 1];
       wrong += level(blocks.unknowns[n]) != level(blocks.unknowns[begin]);
     }
   }
@@ -400,7 +411,8 @@ TEST_CASE("On leaves of different size, the equations of a part are those of all
       if(!is_chosen) CHECK((found.col(u).isZero(0) && b[u] == 0));
       else CHECK(std::abs(part_residual[u] - residual[u]) < 1e-11 * largest * x.norm());
       for(Eigen::Index v = 0; is_chosen && v < x.size(); ++v)
-        if(part.coefficients[std::size_t(v)] && std::abs(found(u, v) - expected(u, v)) > 1e-13 * largest) FAIL(u << " " << v);
+        if(part.coefficients[std::size_t(v)] && std::abs(found(u, v) - expected(u, v)) > 1e-13 * largest)
+          FAIL(u << " " << v);
     }
     CHECK((symmetric(parallel) == found));
     CHECK((parallel_b == b));

@@ -45,7 +45,8 @@ TEST_CASE("Fitted part: the coefficients that act on the cells, and all cells an
   Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(coefficients.size()));
   for(std::size_t u = 0; u < coefficients.size(); ++u) x[Eigen::Index(u)] = coefficients[u];
   const Eigen::VectorXd all = field.extend(x);
-  for(Eigen::Index p = 0; p < all.size(); ++p) CHECK(bool(part.points[std::size_t(p)]) == (all[p] != 0));     // weights are positive
+  // weights are positive
+  for(Eigen::Index p = 0; p < all.size(); ++p) CHECK(bool(part.points[std::size_t(p)]) == (all[p] != 0));
   Field sum = field;
   sum.set_coefficients(x);
   for(Index c = 0; c < field.number_of_cells(); ++c) {

@@ -27,7 +27,8 @@ Triangle random_triangle(CGAL::Random& random, int size, int entries)
 
 } // namespace
 
-TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding, and the same in every bit with several threads")
+TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding, and the same in every bit with "
+          "several threads")
 {
   CGAL::Random random(5);
   for(int size : { 1, 2, 7, 100, 9000 })
@@ -44,7 +45,7 @@ TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding
       CHECK((by_one - expected).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
       CHECK((difference - (y - expected)).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
       CHECK(by_one == by_several);
-      by_one.noalias() = A * y;       // sums of the last product are gone
+      by_one.noalias() = A * y; // sums of the last product are gone
       CHECK((by_one - lower.selfadjointView<Eigen::Lower>() * y).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
     }
 }

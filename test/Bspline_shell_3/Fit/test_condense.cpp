@@ -1,4 +1,5 @@
-// condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients, against the product of three matrices.
+// condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients, against the product of three
+// matrices.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
@@ -25,7 +26,8 @@ typedef Eigen::SparseMatrix<double> Matrix;
 
 const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
 
-// The same numbers for a leaf whenever it is asked for; not those of any polynomial, so that no entry is zero by chance.
+// The same numbers for a leaf whenever it is asked for; not those of any polynomial, so that no entry is zero by
+// chance.
 struct Random_equations
 {
   Local_matrix matrix;
@@ -65,7 +67,8 @@ struct Assembled
 // the sum over the leaves, for all points, and then for what they depend on
 void expected_equations(const Field& field, Eigen::MatrixXd& A, Eigen::VectorXd& b)
 {
-  const Eigen::Index size = Eigen::Index(field.number_of_coefficients()), points = Eigen::Index(field.number_of_points());
+  const Eigen::Index size = Eigen::Index(field.number_of_coefficients()),
+                     points = Eigen::Index(field.number_of_points());
   std::vector<Eigen::Triplet<double> > entries;
   for(Eigen::Index n = 0; n < size; ++n) {
     const Eigen::VectorXd column = field.extend(Eigen::VectorXd::Unit(size, n));
@@ -96,7 +99,7 @@ void check_lower_triangle(const Matrix& A)
   for(int c = 0; c < A.outerSize(); ++c) {
     int last = c - 1;
     for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last;        // rows ascend, from the diagonal on
+      wrong += it.row() <= last; // rows ascend, from the diagonal on
       wrong += last == c - 1 && it.row() != c;
       last = int(it.row());
     }
@@ -115,8 +118,9 @@ void check_chosen_lower_triangle(const Matrix& A, const std::vector<char>& chose
       wrong += it.row() <= last || !chosen[std::size_t(it.row())];
       last = int(it.row());
     }
-    wrong += chosen[std::size_t(c)] ? A.outerIndexPtr()[c] == A.outerIndexPtr()[c+1] || A.innerIndexPtr()[A.outerIndexPtr()[c]] != c
-                                    : A.outerIndexPtr()[c] != A.outerIndexPtr()[c+1];
+    wrong += chosen[std::size_t(c)]
+               ? A.outerIndexPtr()[c] == A.outerIndexPtr()[c + 1] || A.innerIndexPtr()[A.outerIndexPtr()[c]] != c
+               : A.outerIndexPtr()[c] != A.outerIndexPtr()[c + 1];
   }
   CHECK(wrong == 0);
 }
@@ -149,19 +153,23 @@ void check_condensed(const Field& field)
 
 TEST_CASE("condensed equations: they are those of all points, restricted to what free coefficients can make")
 {
-  SECTION("two levels") {
+  SECTION("two levels")
+  {
     CGAL::Random random(1);
     check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -5, -1, -1 }, { 3, 0, 0 }), 2)));
   }
-  SECTION("two levels, with holes") {
+  SECTION("two levels, with holes")
+  {
     CGAL::Random random(2);
     check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -4, -2, -1 }, { 3, 1, 1 }, 0.6), 2)));
   }
-  SECTION("three levels") {
+  SECTION("three levels")
+  {
     CGAL::Random random(3);
     check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -6, 0, -1 }, { 5, 1, 0 }), 3)));
   }
-  SECTION("four levels, deep at one end") {
+  SECTION("four levels, deep at one end")
+  {
     CGAL::Random random(4);
     Hierarchy cells(some_cells(random, lattice, { -5, -1, 0 }, { 4, 0, 0 }));
     const std::array<double, 3> end = cells.corner(0);
@@ -174,14 +182,16 @@ TEST_CASE("condensed equations: the same with any number of threads, to the last
 {
   CGAL::Random random(5);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
-  REQUIRE(field.number_of_cells() > 1000);      // several chunks
+  REQUIRE(field.number_of_cells() > 1000); // several chunks
   const Assembled<Field> sequential(field, CGAL::Sequential_tag());
   check_lower_triangle(sequential.A);
   for(int run = 0; run < 3; ++run) {
     const Assembled<Field> parallel(field, CGAL::Parallel_if_available_tag());
     REQUIRE(parallel.A.nonZeros() == sequential.A.nonZeros());
-    CHECK(std::equal(sequential.A.valuePtr(), sequential.A.valuePtr() + sequential.A.nonZeros(), parallel.A.valuePtr()));
-    CHECK(std::equal(sequential.A.innerIndexPtr(), sequential.A.innerIndexPtr() + sequential.A.nonZeros(), parallel.A.innerIndexPtr()));
+    CHECK(
+      std::equal(sequential.A.valuePtr(), sequential.A.valuePtr() + sequential.A.nonZeros(), parallel.A.valuePtr()));
+    CHECK(std::equal(sequential.A.innerIndexPtr(), sequential.A.innerIndexPtr() + sequential.A.nonZeros(),
+                     parallel.A.innerIndexPtr()));
     CHECK((sequential.b == parallel.b));
   }
 }

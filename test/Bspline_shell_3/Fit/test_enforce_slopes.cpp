@@ -1,4 +1,5 @@
-// enforce_slopes.h: conditions are met, at the least cost, near where they were violated; those that cannot be met do no harm.
+// enforce_slopes.h: conditions are met, at the least cost, near where they were violated; those that cannot be met do
+// no harm.
 #include "fit_problem.h"
 #include "random_hierarchies.h"
 
@@ -37,8 +38,8 @@ constexpr double excess = 0.05;
 struct Problem
 {
   Hierarchical_field field;
-  Matrix A;       // lower triangle
-  Vector b, x;    // in units of the width of root cells
+  Matrix A;    // lower triangle
+  Vector b, x; // in units of the width of root cells
 
   double width() const { return field.cells().lattice().spacing(); }
   void minimize() { x = Eigen::SimplicialLDLT<Matrix>(A).solve(b); }
@@ -56,7 +57,8 @@ struct Problem
     const Index c = field.locate(p);
     REQUIRE(c != Hierarchical_field::npos);
     const double length = std::sqrt(d.squared_length());
-    return { c, 0, field.cell(c).local_coordinates(p), { d.x() / length, d.y() / length, d.z() / length }, least, largest };
+    return { c,     0,      field.cell(c).local_coordinates(p), { d.x() / length, d.y() / length, d.z() / length },
+             least, largest };
   }
   Point_3 point(const Condition& c) const
   {
@@ -103,7 +105,8 @@ Problem problem_of(const Mesh& mesh, double gamma, const Point_3& refined_at, in
   Energy_weights weights;
   weights.zeta = zeta;
   weights.surface = 1;
-  BS::Fit_energy<Hierarchical_field>(problem.field, samples, clipped, input.unit() / lattice.spacing(), weights).assemble<Tag>(problem.A, problem.b);
+  BS::Fit_energy<Hierarchical_field>(problem.field, samples, clipped, input.unit() / lattice.spacing(), weights)
+    .assemble<Tag>(problem.A, problem.b);
   problem.minimize();
   return problem;
 }
@@ -112,7 +115,8 @@ Problem problem_of(const Mesh& mesh, double gamma, const Point_3& refined_at, in
 Problem bar(unsigned seed = 1)
 {
   CGAL::Random random(seed);
-  Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { 0, 0, 0 }, { 8, 0, 0 }), { 0, 0, 0 }, { 8, 0, 0 }));
+  Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { 0, 0, 0 }, { 8, 0, 0 }),
+                             { 0, 0, 0 }, { 8, 0, 0 }));
   cells = cells.refined({ cells.locate(Point_3(0.1, 0.1, 0.1)) });
   Problem problem;
   problem.field = Hierarchical_field(cells);
@@ -183,8 +187,9 @@ std::vector<Condition> random_conditions(const Problem& problem, CGAL::Random& r
 {
   std::vector<Condition> conditions;
   for(int n = 0; n < number; ++n)
-    conditions.push_back(problem.condition(Point_3(random.get_double(0.01, 4.49), random.get_double(0.01, 0.49), random.get_double(0.01, 0.49)),
-                                           Vector_3(random.get_double(-0.5, 0.5), random.get_double(-0.5, 0.5), 1), least));
+    conditions.push_back(problem.condition(
+      Point_3(random.get_double(0.01, 4.49), random.get_double(0.01, 0.49), random.get_double(0.01, 0.49)),
+      Vector_3(random.get_double(-0.5, 0.5), random.get_double(-0.5, 0.5), 1), least));
   return conditions;
 }
 
@@ -196,7 +201,8 @@ TEST_CASE("Slopes: on all facets at an apex the field has the slope that its con
   for(double height : { 2., 5. }) {
     const Mesh mesh = pyramid(sides, height);
     const Point_3 apex(0, 0, height);
-    const double inradius = std::cos(std::acos(-1.) / sides), margin = inradius / std::sqrt(height * height + inradius * inradius);
+    const double inradius = std::cos(std::acos(-1.) / sides),
+                 margin = inradius / std::sqrt(height * height + inradius * inradius);
     REQUIRE(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0)) == Approx(margin));
     Problem problem = problem_of(mesh, 2 * height, apex, 3);
     // a field of slope one along the axis has the slope `margin` across all facets; most of it is wanted
@@ -225,11 +231,13 @@ TEST_CASE("Slopes: on all facets at an apex the field has the slope that its con
     // far from the apex nothing is touched
     for(Index n = 0; n < problem.field.number_of_coefficients(); ++n)
       if(problem.field.support(n).zmax() < 0.4 * height) CHECK(x[n] == problem.x[n]);
-    for(const Condition& c : conditions) CHECK(problem.field_of(x).gradient(problem.point(c)).value().squared_length() < 9);
+    for(const Condition& c : conditions)
+      CHECK(problem.field_of(x).gradient(problem.point(c)).value().squared_length() < 9);
   }
 }
 
-TEST_CASE("Slopes: the step is the best one of the coefficients near the violated cell: comparison with all sets of active conditions")
+TEST_CASE("Slopes: the step is the best one of the coefficients near the violated cell: comparison with all sets of "
+          "active conditions")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Problem problem = bar(seed);
@@ -240,8 +248,10 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
       std::vector<Condition> conditions;
       for(int n = 0; n < 5; ++n) {
         std::array<double, 3> t, corner = problem.field.cells().corner(center);
-        for(int a = 0; a < 3; ++a) t[a] = corner[a] + random.get_double(0.05, 0.95) * problem.field.cells().width(center);
-        conditions.push_back(problem.condition(Point_3(t[0], t[1], t[2]), Vector_3(random.get_double(-0.5, 0.5), random.get_double(-0.5, 0.5), 1), 1.3));
+        for(int a = 0; a < 3; ++a)
+          t[a] = corner[a] + random.get_double(0.05, 0.95) * problem.field.cells().width(center);
+        conditions.push_back(problem.condition(
+          Point_3(t[0], t[1], t[2]), Vector_3(random.get_double(-0.5, 0.5), random.get_double(-0.5, 0.5), 1), 1.3));
         CHECK(conditions.back().cell == center);
         REQUIRE(problem.least_slack({ conditions.back() }, problem.x) < 0);
       }
@@ -251,7 +261,8 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
       const double m = problem.field.cells().width(center) / 2;
       b = CGAL::Bbox_3(b.xmin() - m, b.ymin() - m, b.zmin() - m, b.xmax() + m, b.ymax() + m, b.zmax() + m);
       for(Index c = 0; c < problem.field.number_of_cells(); ++c)
-        if(CGAL::do_overlap(b, problem.field.cell(c).bbox())) problem.field.visit_coefficients(c, [&](int, Index u, double) { free.insert(u); });
+        if(CGAL::do_overlap(b, problem.field.cell(c).bbox()))
+          problem.field.visit_coefficients(c, [&](int, Index u, double) { free.insert(u); });
       REQUIRE(free.size() < problem.field.number_of_coefficients());
       const Eigen::Index size = Eigen::Index(free.size());
       const Eigen::MatrixXd A = problem.dense();
@@ -315,11 +326,13 @@ TEST_CASE("Slopes: conditions that hold change nothing")
   CHECK(x == problem.x);
 }
 
-TEST_CASE("Slopes: conditions that contradict each other end, are reported, and move coefficients no farther than those that do not")
+TEST_CASE("Slopes: conditions that contradict each other end, are reported, and move coefficients no farther than "
+          "those that do not")
 {
   const Problem problem = bar();
   const Point_3 p(3.2, 0.2, 0.3);
-  const std::vector<Condition> contradiction = { problem.condition(p, Vector_3(0, 0, 1), 2), problem.condition(p, Vector_3(0, 0, -1), 2) };
+  const std::vector<Condition> contradiction = { problem.condition(p, Vector_3(0, 0, 1), 2),
+                                                 problem.condition(p, Vector_3(0, 0, -1), 2) };
   // far away, and next to it
   const Condition far = problem.condition(Point_3(0.2, 0.3, 0.1), Vector_3(0, 1, 2), 1.3),
                   near = problem.condition(Point_3(3.7, 0.1, 0.3), Vector_3(0, 0, 1), 1.2);
@@ -335,7 +348,7 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
     CHECK(report.violated_cells == problem.violated_cells(contradiction, x));
     CHECK(report.violated_cells == std::vector<std::uint32_t>{ contradiction[0].cell });
     CHECK(problem.least_slack({ far, near }, x) >= 0);
-    if(call > 0) CHECK(report.patches == 0);      // it was tried
+    if(call > 0) CHECK(report.patches == 0); // it was tried
     // either of them alone is a matter of this size
     for(const Condition& c : contradiction) {
       Vector y = problem.x;
@@ -351,7 +364,8 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
   CGAL::Random random(4);
   for(int n = 0; n < 60; ++n) {
     const Point_3 q(random.get_double(2.6, 2.9), random.get_double(0, 0.5), random.get_double(0, 0.5));
-    more.push_back(problem.condition(q, Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)), 1e3, 1e-6));
+    more.push_back(problem.condition(
+      q, Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)), 1e3, 1e-6));
   }
   enforce.insert(more);
   const BS::Slope_report report = enforce(x);
@@ -518,7 +532,8 @@ TEST_CASE("Slopes: the number of threads and the order of conditions in differen
   CHECK(one.patches == two.patches);
   CHECK(one.violated_cells == two.violated_cells);
   CHECK(one.changed_cells == two.changed_cells);
-  std::stable_sort(conditions.begin(), conditions.end(), [](const Condition& a, const Condition& b) { return a.cell > b.cell; });
+  std::stable_sort(conditions.begin(), conditions.end(),
+                   [](const Condition& a, const Condition& b) { return a.cell > b.cell; });
   CHECK(x == enforced(CGAL::Parallel_if_available_tag(), conditions, three));
   CHECK(one.violated_cells == three.violated_cells);
 }

@@ -47,7 +47,7 @@ struct Recording_solver
 
   CG solver = CG(1e-8);
   std::vector<Vector> guesses;
-  std::size_t computes = 0, all_iterations = 0, fails_at_compute = 0, fails_at_solve = 0;     // counted from 1
+  std::size_t computes = 0, all_iterations = 0, fails_at_compute = 0, fails_at_solve = 0; // counted from 1
 
   Solver_status compute(const Matrix& lower, const BS::Unknown_blocks& blocks)
   {
@@ -73,11 +73,11 @@ TEST_CASE("Blocks of unknowns cover all of them, overlap, and are small")
   const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
   std::vector<int> times(problem.field.number_of_coefficients(), 0);
   for(std::size_t b = 0; b < blocks.size(); ++b) {
-    REQUIRE(blocks.first[b+1] > blocks.first[b]);
-    CHECK(blocks.first[b+1] - blocks.first[b] <= 125);
-    for(std::size_t n = blocks.first[b]; n < blocks.first[b+1]; ++n) {
+    REQUIRE(blocks.first[b + 1] > blocks.first[b]);
+    CHECK(blocks.first[b + 1] - blocks.first[b] <= 125);
+    for(std::size_t n = blocks.first[b]; n < blocks.first[b + 1]; ++n) {
       ++times[blocks.unknowns[n]];
-      if(n > blocks.first[b]) CHECK(blocks.unknowns[n] > blocks.unknowns[n-1]);
+      if(n > blocks.first[b]) CHECK(blocks.unknowns[n] > blocks.unknowns[n - 1]);
     }
   }
   CHECK(*std::min_element(times.begin(), times.end()) >= 1);
@@ -103,7 +103,7 @@ TEST_CASE("Blocks save most iterations, and change the solution by no more than 
   CHECK((A.selfadjointView<Eigen::Lower>() * y - b).norm() <= 1.1e-8 * b.norm());
   REQUIRE(sequential.compute(A, blocks) == Solver_status::SUCCESS);
   REQUIRE(sequential.solve(b, z) == Solver_status::SUCCESS);
-  CHECK((y == z));      // whatever the number of threads
+  CHECK((y == z)); // whatever the number of threads
 }
 
 TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower triangle")
@@ -122,7 +122,7 @@ TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower 
   CHECK(x[0] == Approx(1 / 11.).epsilon(1e-13));
   CHECK(x[1] == Approx(7 / 11.).epsilon(1e-13));
   CHECK(solver.residual() <= 1e-14);
-  CHECK(solver.iterations() <= 3);      // as many as unknowns, and one for a preconditioner in single precision
+  CHECK(solver.iterations() <= 3); // as many as unknowns, and one for a preconditioner in single precision
   // from the solution there is nothing left to do
   REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
   CHECK(solver.iterations() <= 1);
@@ -161,7 +161,8 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
   Deterministic_numbers random(5);
   for(int trial = 0; trial < 5; ++trial) {
     const Eigen::VectorXd d = 1e-2 * random.vector(x.size());
-    const double plus = energy.value(Eigen::VectorXd(x + d)) - least, minus = energy.value(Eigen::VectorXd(x - d)) - least;
+    const double plus = energy.value(Eigen::VectorXd(x + d)) - least,
+                 minus = energy.value(Eigen::VectorXd(x - d)) - least;
     CHECK(plus > 0);
     CHECK(plus == Approx(minus).epsilon(1e-4));
   }
@@ -208,7 +209,8 @@ TEST_CASE("Steps on the singular Hessian never raise the energy, and lower that 
     const std::pair<double, double> range = judge.range_on_mesh(steps.front());
     judge.set_singular_hessian_domain(steps.front(), range.first, range.second);
     // the last point went through a multiplication and a division by the width: some units in the last place
-    for(std::size_t n = 1; n < steps.size(); ++n) CHECK(judge.value(steps[n]) <= judge.value(steps[n-1]) * (1 + 1e-12));
+    for(std::size_t n = 1; n < steps.size(); ++n)
+      CHECK(judge.value(steps[n]) <= judge.value(steps[n - 1]) * (1 + 1e-12));
     const double first = judge.value(Term::SINGULAR_HESSIAN, steps.front()),
                  last = judge.value(Term::SINGULAR_HESSIAN, steps.back());
     CHECK(last < 0.9 * first);
@@ -245,7 +247,7 @@ TEST_CASE("When a solver fails, the report says how and the field stays as it wa
   CHECK(no_factorization.guesses.empty());
   CHECK((field.coefficients() == before));
 
-  Recording_solver fails_later;      // in the first step on the singular Hessian
+  Recording_solver fails_later; // in the first step on the singular Hessian
   fails_later.fails_at_solve = 2;
   CHECK(BS::fit_field<Tag>(field, energy, fails_later, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
   CHECK(fails_later.guesses.size() == 2);
@@ -260,10 +262,10 @@ TEST_CASE("A fit that starts at the solution has nothing to do")
   const BS::Fit_report cold = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
   REQUIRE(cold.status == Solver_status::SUCCESS);
   REQUIRE(cold.iterations > 10);
-  const BS::Fit_report warm
-    = BS::fit_field<Tag>(field, energy, solver, field.coefficients() / sphere_problem().width());
+  const BS::Fit_report warm = BS::fit_field<Tag>(field, energy, solver,
+                                                 field.coefficients() / sphere_problem().width());
   REQUIRE(warm.status == Solver_status::SUCCESS);
-  CHECK(warm.iterations <= 2);      // the recurrence's residual and the true one differ by rounding
+  CHECK(warm.iterations <= 2); // the recurrence's residual and the true one differ by rounding
 }
 
 #ifdef HAVE_CHOLMOD
@@ -287,7 +289,8 @@ TEST_CASE("Conjugate gradients and the direct solver find the same field")
     // a residual of 1e-12 and condition numbers of about 1e7
     const double scale = direct.coefficients().cwiseAbs().maxCoeff();
     CHECK((direct.coefficients() - iterative.coefficients()).cwiseAbs().maxCoeff() < 1e-5 * scale);
-    for(std::size_t term = 0; term < a.energy.size(); ++term) CHECK(a.energy[term] == Approx(b.energy[term]).epsilon(1e-6));
+    for(std::size_t term = 0; term < a.energy.size(); ++term)
+      CHECK(a.energy[term] == Approx(b.energy[term]).epsilon(1e-6));
     const BS::Level_range levels = BS::facet_ranges<Tag>(direct, problem.clipped).mesh,
                           others = BS::facet_ranges<Tag>(iterative, problem.clipped).mesh;
     CHECK(std::abs(levels.min - others.min) < 1e-5 * problem.width());

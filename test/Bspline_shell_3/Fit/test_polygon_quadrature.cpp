@@ -20,7 +20,8 @@ typedef std::vector<std::pair<Point, double> > Rule;
 Rule rule(const Polygon& polygon)
 {
   Rule points;
-  BS::internal::for_each_quadrature_point(polygon, [&](const Point& p, double weight) { points.emplace_back(p, weight); });
+  BS::internal::for_each_quadrature_point(polygon,
+                                          [&](const Point& p, double weight) { points.emplace_back(p, weight); });
   return points;
 }
 
@@ -32,7 +33,10 @@ double integral(const Rule& points, const Function& f)
   return sum;
 }
 
-Point middle(const Point& p, const Point& q) { return { (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 }; }
+Point middle(const Point& p, const Point& q)
+{
+  return { (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 };
+}
 
 // exact to degree two: the middles of the sides of triangles from the first corner
 template <typename Function>
@@ -59,23 +63,25 @@ const std::vector<Polygon>& polygons()
 {
   static const std::vector<Polygon> all = {
     lifted({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }),
-    lifted({ { 0.1, 0.1 }, { 0.7, 0.2 }, { 0.9, 0.8 }, { 0.3, 0.7 } }),               // a parallelogram
+    lifted({ { 0.1, 0.1 }, { 0.7, 0.2 }, { 0.9, 0.8 }, { 0.3, 0.7 } }), // a parallelogram
     lifted({ { 0.1, 0.1 }, { 0.9, 0.2 }, { 0.8, 0.5 }, { 0.2, 0.9 } }),
     lifted({ { 0, 0.3 }, { 0.3, 0 }, { 1, 0.2 }, { 0.9, 0.9 }, { 0.1, 1 } }),
     lifted({ { 0, 0.3 }, { 0.2, 0 }, { 0.8, 0 }, { 1, 0.4 }, { 0.7, 1 }, { 0.1, 0.9 } }),
-    lifted({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }),                             // a triangle with one corner more
+    lifted({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }), // a triangle with one corner more
   };
   return all;
 }
 
 } // namespace
 
-TEST_CASE("Quadrature on polygons: areas and linear functions are exact, and so is the mean squared distance from the centroid of larger ones")
+TEST_CASE("Quadrature on polygons: areas and linear functions are exact, and so is the mean squared distance from the "
+          "centroid of larger ones")
 {
   for(const Polygon& polygon : polygons()) {
     const double area = exact_integral(polygon, [](const Point&) { return 1.; });
     Point centroid;
-    for(std::size_t a = 0; a < 3; ++a) centroid[a] = exact_integral(polygon, [&](const Point& p) { return p[a]; }) / area;
+    for(std::size_t a = 0; a < 3; ++a)
+      centroid[a] = exact_integral(polygon, [&](const Point& p) { return p[a]; }) / area;
     const auto squared_distance = [&](const Point& p) {
       double sum = 0;
       for(std::size_t a = 0; a < 3; ++a) sum += (p[a] - centroid[a]) * (p[a] - centroid[a]);
@@ -87,7 +93,8 @@ TEST_CASE("Quadrature on polygons: areas and linear functions are exact, and so 
     for(std::size_t a = 0; a < 3; ++a)
       CHECK(integral(points, [&](const Point& p) { return p[a]; }) == Approx(area * centroid[a]).epsilon(1e-13));
     // the last one has points in the middle of its sides already
-    if(&polygon != &polygons().back()) CHECK(integral(points, squared_distance) == Approx(exact_integral(polygon, squared_distance)).epsilon(1e-12));
+    if(&polygon != &polygons().back())
+      CHECK(integral(points, squared_distance) == Approx(exact_integral(polygon, squared_distance)).epsilon(1e-12));
   }
 }
 
@@ -119,17 +126,20 @@ TEST_CASE("Quadrature on polygons: points lie in the polygon, on the side of eac
 
 TEST_CASE("Quadrature on polygons: small ones get their centroid, and flat ones nothing")
 {
-  for(const Polygon& polygon : { lifted({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }, 0.25), lifted({ { 0, 0 }, { 1, 0 }, { 0.5, 1 }, { 0, 1 } }, 0.2) }) {
+  for(const Polygon& polygon : { lifted({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }, 0.25),
+                                 lifted({ { 0, 0 }, { 1, 0 }, { 0.5, 1 }, { 0, 1 } }, 0.2) }) {
     const Rule points = rule(polygon);
     REQUIRE(points.size() == 1);
     for(std::size_t a = 0; a < 3; ++a)
-      CHECK(points[0].first[a] * points[0].second == Approx(exact_integral(polygon, [&](const Point& p) { return p[a]; })).epsilon(1e-13));
+      CHECK(points[0].first[a] * points[0].second
+            == Approx(exact_integral(polygon, [&](const Point& p) { return p[a]; })).epsilon(1e-13));
   }
   CHECK(rule({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0, 0 } }).empty());
   CHECK(rule({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }).empty());
 }
 
-TEST_CASE("Quadrature on polygons: it does not matter where corners begin, and a mirrored polygon gets the mirrored points")
+TEST_CASE(
+  "Quadrature on polygons: it does not matter where corners begin, and a mirrored polygon gets the mirrored points")
 {
   const auto sorted = [](Rule points) {
     std::sort(points.begin(), points.end());

@@ -25,7 +25,7 @@ struct Counting_ball
   double operator()(const Point_3& p) const
   {
     ++*asked;
-    return std::sqrt(p.x()*p.x() + p.y()*p.y() + p.z()*p.z()) - 1;
+    return std::sqrt(p.x() * p.x() + p.y() * p.y() + p.z() * p.z()) - 1;
   }
 };
 
@@ -37,7 +37,8 @@ TEST_CASE("samples of the distance: of cells that were there before they are kep
   std::size_t asked = 0;
   const Counting_ball ball = { &asked };
   const BS::Any_signed_distance_3 oracle(ball);
-  Hierarchy before(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 }, { 3, 3, 3 }));
+  Hierarchy before(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -4, -4, -4 }, { 3, 3, 3 }),
+                              { -4, -4, -4 }, { 3, 3, 3 }));
   std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, before);
   for(int round = 0; round < 3; ++round) {
     const Hierarchy cells = before.refined(random_leaves(random, before, 2));

@@ -19,7 +19,8 @@ constexpr Eigen::Index size = 40;
 
 struct System
 {
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);      // rows and columns of unknowns that are not chosen are zero
+  // rows and columns of unknowns that are not chosen are zero
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size), x = Eigen::VectorXd::Zero(size), solution;
   std::vector<char> chosen = std::vector<char>(std::size_t(size), 0);
   BS::Unknown_blocks blocks;
@@ -54,8 +55,15 @@ struct System
 
 struct Failing_solver
 {
-  BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&) { return BS::Solver_status::SUCCESS; }
-  BS::Solver_status solve(const Eigen::VectorXd&, Eigen::VectorXd& x) { x.setConstant(7); return BS::Solver_status::NOT_CONVERGED; }
+  BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&)
+  {
+    return BS::Solver_status::SUCCESS;
+  }
+  BS::Solver_status solve(const Eigen::VectorXd&, Eigen::VectorXd& x)
+  {
+    x.setConstant(7);
+    return BS::Solver_status::NOT_CONVERGED;
+  }
   std::size_t iterations() const { return 1; }
   double residual() const { return 1; }
 };
@@ -69,7 +77,8 @@ TEST_CASE("Part of the unknowns: the chosen ones solve their equations, the othe
   for(int n = 0; n < 10; ++n) {
     System system(random);
     Eigen::VectorXd x = system.x;
-    REQUIRE(BS::solve_part(solver, system.lower(), system.b, system.chosen, system.blocks, x) == BS::Solver_status::SUCCESS);
+    REQUIRE(BS::solve_part(solver, system.lower(), system.b, system.chosen, system.blocks, x)
+            == BS::Solver_status::SUCCESS);
     CHECK((x - system.solution).norm() < 1e-9 * system.solution.norm());
     for(Eigen::Index u = 0; u < size; ++u)
       if(!system.chosen[std::size_t(u)]) CHECK(x[u] == system.x[u]);
@@ -82,7 +91,8 @@ TEST_CASE("Part of the unknowns: a solver that fails changes nothing")
   Failing_solver solver;
   System system(random);
   Eigen::VectorXd x = system.x;
-  CHECK(BS::solve_part(solver, system.lower(), system.b, system.chosen, system.blocks, x) == BS::Solver_status::NOT_CONVERGED);
+  CHECK(BS::solve_part(solver, system.lower(), system.b, system.chosen, system.blocks, x)
+        == BS::Solver_status::NOT_CONVERGED);
   CHECK((x == system.x));
 }
 } // namespace test_solve_part

@@ -13,7 +13,7 @@ TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a str
   BS::Checksum checksum;
   CHECK(checksum.value() == 0);
   checksum.add("123456789");
-  CHECK(checksum.value() == 0x995DC9BBDF1939FAull);      // the published check value
+  CHECK(checksum.value() == 0x995DC9BBDF1939FAull); // the published check value
   CHECK(BS::Checksum::text(checksum.value()) == "995dc9bbdf1939fa");
   CHECK(BS::Checksum::text(10) == "000000000000000a");
 
@@ -33,7 +33,8 @@ TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a str
   Full_disk disk(4);
   BS::Checksum_streambuf full(&disk);
   std::ostream stopped(&full);
-  stopped << "1234" << "56";
+  stopped << "1234"
+          << "56";
   CHECK_FALSE(stopped);
   CHECK(full.checksum() == slow_checksum("1234"));
 }

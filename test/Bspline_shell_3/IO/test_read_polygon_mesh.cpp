@@ -1,5 +1,5 @@
-// read_polygon_mesh.h, write_file.h: a mesh is read whole or refused for the right reason, at the right places of its file;
-// a file is written whole or not at all.
+// read_polygon_mesh.h, write_file.h: a mesh is read whole or refused for the right reason, at the right places of its
+// file; a file is written whole or not at all.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -69,7 +69,7 @@ std::string PLY(const std::string& vertex_properties, const std::string& facet_p
                 const std::string& more = std::string(), const std::string& format = "ascii")
 {
   return "ply\nformat " + format + " 1.0\ncomment a tetrahedron\nelement vertex 4\n" + vertex_properties
-       + "element face 4\n" + facet_properties + more + "end_header\n" + data;
+         + "element face 4\n" + facet_properties + more + "end_header\n" + data;
 }
 
 template <typename T>
@@ -98,9 +98,10 @@ std::string binary_PLY(bool is_big_endian, int first_length = 3)
     put('\0');
     length = 3;
   }
-  return PLY(xyz, "property uchar flag\nproperty list int int vertex_indices\nproperty list uchar float texcoord\n"
-                  "property list uchar uchar color\n", data, "",
-             is_big_endian ? "binary_big_endian" : "binary_little_endian");
+  return PLY(xyz,
+             "property uchar flag\nproperty list int int vertex_indices\nproperty list uchar float texcoord\n"
+             "property list uchar uchar color\n",
+             data, "", is_big_endian ? "binary_big_endian" : "binary_little_endian");
 }
 
 // whether the file holds the tetrahedron
@@ -113,11 +114,14 @@ bool is_tetrahedron(const std::string& name, const std::string& text)
   std::vector<Point_3> points;
   for(Mesh::Vertex_index v : mesh.vertices()) points.push_back(mesh.point(v));
   return points == std::vector<Point_3>{ { 0, 0, 0 }, { 2.5, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
-      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh);
+         && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh);
 }
 
 // the same tetrahedron as OBJ, GOCAD and STL
-std::string OBJ() { return "v 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"; }
+std::string OBJ()
+{
+  return "v 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+}
 
 std::string GOCAD()
 {
@@ -143,8 +147,8 @@ bool is_tetrahedron_STL(const std::string& name, const std::string& text)
   const Temporary_file file(name, text);
   Mesh mesh;
   return read_polygon_mesh(file.name, mesh) == Shell_status::SUCCESS && mesh.number_of_vertices() == 4
-      && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh)
-      && CGAL::Polygon_mesh_processing::volume(mesh) == Approx(2.5 / 6);
+         && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh)
+         && CGAL::Polygon_mesh_processing::volume(mesh) == Approx(2.5 / 6);
 }
 
 } // namespace
@@ -159,7 +163,7 @@ TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
       if(binary) CGAL::IO::set_binary_mode(out);
       REQUIRE(CGAL::IO::write_STL(out, cube));
     }
-    if(binary) {      // the trap of the format: a binary file whose header begins like a text file
+    if(binary) { // the trap of the format: a binary file whose header begins like a text file
       std::string text = contents(file.name);
       text.replace(0, 5, "solid");
       std::ofstream(file.name, std::ios::binary) << text;
@@ -176,7 +180,8 @@ TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
 TEST_CASE("reading: a facet that faces the wrong way is turned round")
 {
   Offending_simplices offenders;
-  const Temporary_file file("read_turned.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const Temporary_file file("read_turned.off",
+                            "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
   Mesh mesh;
   REQUIRE(read_polygon_mesh(file.name, mesh, offenders) == Shell_status::SUCCESS);
   CHECK(CGAL::is_closed(mesh));
@@ -201,8 +206,8 @@ TEST_CASE("reading: an STL file without facets is empty if it says so, and malfo
 {
   Offending_simplices offenders;
   const std::string header(80, ' '), spaces(200, ' '), zero(4, '\0');
-  for(const std::string& text : { std::string("this is no mesh"), std::string("solid ground\n"), std::string("\n"), spaces,
-                                  std::string("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
+  for(const std::string& text : { std::string("this is no mesh"), std::string("solid ground\n"), std::string("\n"),
+                                  spaces, std::string("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
                                   "this is no mesh" + spaces, "solid ground" + spaces, header, header + "\1" }) {
     CAPTURE(text);
     CHECK(read("read_none.stl", text, offenders) == Shell_status::MALFORMED_FILE);
@@ -278,7 +283,7 @@ TEST_CASE("reading: coordinates that are infinite or not a number are named, by 
   }
   check("read_nan.off", "4OFF\n4 4 0\n" + vertex_rows(" 1\n") + f, 5, 2, "0 1 0 1", "0 1 0 0");
   std::string data = binary_PLY(false);
-  data.replace(data.find("end_header\n") + 11 + 12 * 2, 4, std::string("\0\0\x80\x7f", 4));       // infinity
+  data.replace(data.find("end_header\n") + 11 + 12 * 2, 4, std::string("\0\0\x80\x7f", 4)); // infinity
   CHECK(read("read_nan.ply", data, offenders) == Shell_status::NOT_FINITE);
   CHECK(offenders.vertices == std::vector<std::size_t>{ 2 });
   CHECK(offenders.line == 0);
@@ -292,11 +297,12 @@ TEST_CASE("reading: coordinates may have a sign, and be too small for doubles")
 TEST_CASE("reading: an STL text is told from a binary file by its length, whatever its first line is")
 {
   for(const char* first : { "solid\n", "solid a name\n", "Solid\n", "SOLID name\n", "solid\tname\n", " solid name\n",
-                            "\xEF\xBB\xBFsolid name\n", "# made by hand\nsolid\n", "solidname\n", "solid facet normal\n",
-                            "solid name\r\n", "" })
+                            "\xEF\xBB\xBFsolid name\n", "# made by hand\nsolid\n", "solidname\n",
+                            "solid facet normal\n", "solid name\r\n", "" })
     CHECK(is_tetrahedron_STL("read_first.stl", STL(first)));
   std::string upper = STL();
-  for(char& c : upper) if(c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+  for(char& c : upper)
+    if(c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
   CHECK(is_tetrahedron_STL("read_upper.stl", upper));
   std::string indented = STL();
   for(std::size_t i = 0; (i = indented.find('\n', i)) != std::string::npos; i += 3) indented.replace(i, 1, "\r\n\t");
@@ -329,7 +335,7 @@ TEST_CASE("reading: an OBJ file may have continued lines, relative and compound 
   Offending_simplices offenders;
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nf 1 2 -3\nv 0 1 0\n", offenders) == Shell_status::MALFORMED_FILE);
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 \\\n0 0\nv 0 \\\nx 0\n", offenders) == Shell_status::MALFORMED_FILE);
-  CHECK(offenders.line == 5);       // where the line that is continued ends
+  CHECK(offenders.line == 5); // where the line that is continued ends
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", offenders) == Shell_status::MALFORMED_FILE);
   CHECK(offenders.facets == std::vector<std::size_t>{ 0 });
 }
@@ -347,10 +353,11 @@ TEST_CASE("reading: a GOCAD surface, whose vertices have names and may refer to 
 TEST_CASE("reading: an OFF file may have white space, comments and blank lines anywhere, and no keyword")
 {
   const std::string v = vertex_rows(), f = facet_rows();
-  for(const std::string& text : {
-        "OFF\n4 4 0\n" + v + f, "\t  OFF4 4 6 # joined\n  " + v + "\n \n" + f, "\n\n  OFF# comment\n# another\n\n4 4 6\n" + v + f,
-        "OFF 4 4 0\r\n" + vertex_rows("\r\n") + facet_rows(" \r\n"), "4 4 0\n" + v + f,
-        "OFF\n4 4 0 # counts\n" + vertex_rows(" # point\n") + "#\n" + facet_rows("#facet\n"), "OFF\n4\n4\n0\n" + v + f }) {
+  for(const std::string& text :
+      { "OFF\n4 4 0\n" + v + f, "\t  OFF4 4 6 # joined\n  " + v + "\n \n" + f,
+        "\n\n  OFF# comment\n# another\n\n4 4 6\n" + v + f, "OFF 4 4 0\r\n" + vertex_rows("\r\n") + facet_rows(" \r\n"),
+        "4 4 0\n" + v + f, "OFF\n4 4 0 # counts\n" + vertex_rows(" # point\n") + "#\n" + facet_rows("#facet\n"),
+        "OFF\n4\n4\n0\n" + v + f }) {
     CAPTURE(text);
     CHECK(is_tetrahedron("read_spaces.off", text));
   }
@@ -358,14 +365,17 @@ TEST_CASE("reading: an OFF file may have white space, comments and blank lines a
 
 TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
 {
-  for(const std::string& text : { "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" "), "OFF\n4 4 6\n" + vertex_rows(" ") + "\n" + facet_rows(" "),
-                                  "4 4 6 " + vertex_rows("\n") + facet_rows(" ") }) {
+  for(const std::string& text :
+      { "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" "), "OFF\n4 4 6\n" + vertex_rows(" ") + "\n" + facet_rows(" "),
+        "4 4 6 " + vertex_rows("\n") + facet_rows(" ") }) {
     CAPTURE(text);
     CHECK(is_tetrahedron("read_free.off", text));
   }
   Offending_simplices offenders;
-  CHECK(read("read_free.off", "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" ") + " 1", offenders) == Shell_status::MALFORMED_FILE);
-  CHECK(read("read_free.off", "OFF 4 5 6 " + vertex_rows(" ") + facet_rows(" "), offenders) == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_free.off", "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" ") + " 1", offenders)
+        == Shell_status::MALFORMED_FILE);
+  CHECK(read("read_free.off", "OFF 4 5 6 " + vertex_rows(" ") + facet_rows(" "), offenders)
+        == Shell_status::MALFORMED_FILE);
 }
 
 TEST_CASE("reading: an OFF file may lack the number of edges")
@@ -382,13 +392,24 @@ TEST_CASE("reading: an OFF file may lack the number of edges")
 
 TEST_CASE("reading: what an OFF file has besides positions and facets is skipped")
 {
-  for(const auto& keyword_and_more : std::vector<std::pair<std::string, std::string> >{
-        { "COFF", " 255 0 0 255\n" }, { "COFF", " 0.5 0 0.5\n" }, { "COFF", " -2000000000\n" }, { "COFF", " 1 2\n" }, { "COFF", "\n" },
-        { "NOFF", " 0 0 1\n" }, { "NOFF", "\n" }, { "CNOFF", " 0 0 1 9 9 9\n" }, { "STOFF", " 0.1 0.2\n" }, { "STOFF", "\n" },
-        { "STCNOFF", " 0 0 1 9 9 9 1 0.1 0.2\n" }, { "4OFF", " 1\n" }, { "nOFF 3", "\n" } }) {
+  for(const auto& keyword_and_more :
+      std::vector<std::pair<std::string, std::string> >{ { "COFF", " 255 0 0 255\n" },
+                                                         { "COFF", " 0.5 0 0.5\n" },
+                                                         { "COFF", " -2000000000\n" },
+                                                         { "COFF", " 1 2\n" },
+                                                         { "COFF", "\n" },
+                                                         { "NOFF", " 0 0 1\n" },
+                                                         { "NOFF", "\n" },
+                                                         { "CNOFF", " 0 0 1 9 9 9\n" },
+                                                         { "STOFF", " 0.1 0.2\n" },
+                                                         { "STOFF", "\n" },
+                                                         { "STCNOFF", " 0 0 1 9 9 9 1 0.1 0.2\n" },
+                                                         { "4OFF", " 1\n" },
+                                                         { "nOFF 3", "\n" } }) {
     CAPTURE(keyword_and_more);
     for(const char* color : { "\n", " 0.5 0.5 0.5\n", " 255 0 0 255\n", " 1 2\n" })
-      CHECK(is_tetrahedron("read_more.off", keyword_and_more.first + "\n4 4 0\n" + vertex_rows(keyword_and_more.second) + facet_rows(color)));
+      CHECK(is_tetrahedron("read_more.off", keyword_and_more.first + "\n4 4 0\n" + vertex_rows(keyword_and_more.second)
+                                              + facet_rows(color)));
   }
 }
 
@@ -396,19 +417,33 @@ TEST_CASE("reading: an OFF file that is not whole, or no text, is malformed")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows(), whole = "OFF\n4 4 0\n" + v + f;
-  for(const std::string& text : { std::string("OFF BINARY\n\0\0\0\4", 15),
-                                  "nOFF\n4\n4 4 0\n" + vertex_rows(" 0\n") + f })
+  for(const std::string& text :
+      { std::string("OFF BINARY\n\0\0\0\4", 15), "nOFF\n4\n4 4 0\n" + vertex_rows(" 0\n") + f })
     CHECK(read("read_other.off", text, offenders) == Shell_status::UNSUPPORTED_FILE);
   const auto replaced = [&](const std::string& old, const std::string& by) {
     std::string text = whole;
     return text.replace(text.find(old), old.size(), by);
   };
-  for(const std::string& text : {
-        std::string("OFF"), std::string("OFF\n4"), std::string("4"), std::string("#"), std::string(" \n"), "4OFF\n4 4 0\n" + v + f, "OFF\n-4 4 0\n" + v + f,
-        replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
-        replaced("4 4 0", "2000000000 4 0"), replaced("4 4 0", "4 2000000000 0"), replaced("4 4 0", "4 1e300 0"),
-        replaced("3 0 2 1", "900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"), replaced("3 0 2 1", "3 0 -2 1"),
-        replaced("3 0 2 1", "3 0 2.5 1"), replaced("3 0 2 1", "3 0 4 1"), replaced("3 0 2 1", "3 0 nan 1") }) {
+  for(const std::string& text : { std::string("OFF"),
+                                  std::string("OFF\n4"),
+                                  std::string("4"),
+                                  std::string("#"),
+                                  std::string(" \n"),
+                                  "4OFF\n4 4 0\n" + v + f,
+                                  "OFF\n-4 4 0\n" + v + f,
+                                  replaced("3 2 0 3\n", ""),
+                                  replaced("3 2 0 3\n", "3 2 0"),
+                                  replaced("2.5 0 0", "2.5 0"),
+                                  replaced("2.5 0 0", "2.5 zero 0"),
+                                  replaced("4 4 0", "2000000000 4 0"),
+                                  replaced("4 4 0", "4 2000000000 0"),
+                                  replaced("4 4 0", "4 1e300 0"),
+                                  replaced("3 0 2 1", "900000000 0 2 1"),
+                                  replaced("3 0 2 1", "-3 0 2 1"),
+                                  replaced("3 0 2 1", "3 0 -2 1"),
+                                  replaced("3 0 2 1", "3 0 2.5 1"),
+                                  replaced("3 0 2 1", "3 0 4 1"),
+                                  replaced("3 0 2 1", "3 0 nan 1") }) {
     CAPTURE(text);
     CHECK(read("read_broken.off", text, offenders) == Shell_status::MALFORMED_FILE);
   }
@@ -416,16 +451,20 @@ TEST_CASE("reading: an OFF file that is not whole, or no text, is malformed")
 
 TEST_CASE("reading: facets of a PLY text may have properties before and behind their indices, lists, too")
 {
-  const std::string texture = "property list uchar float texcoord\n", colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n",
-                    v = vertex_rows();
+  const std::string texture = "property list uchar float texcoord\n",
+                    colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n", v = vertex_rows();
   std::string behind;
-  for(const char* row : { "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3" }) behind += "2 0.25 0.75 7 " + std::string(row) + " 0\n";
+  for(const char* row : { "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3" })
+    behind += "2 0.25 0.75 7 " + std::string(row) + " 0\n";
   CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices, v + facet_rows())));
   CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, v + facet_rows(" 6 0 0 0.5 0 0 1e-60\n"))));
   CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, v + facet_rows(" 2 nan 1e60\n"))));
-  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, texture + "property uchar flag\n" + indices + "property list int short labels\n", v + behind)));
+  CHECK(is_tetrahedron(
+    "read_lists.ply",
+    PLY(xyz, texture + "property uchar flag\n" + indices + "property list int short labels\n", v + behind)));
   // more numbers than declared: a list where three colors should be
-  CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture + colors, v + facet_rows(" 2 0.5 0.5 9 1 1 1 1 1 1 1 1 1\n"))));
+  CHECK(is_tetrahedron("read_lists.ply",
+                       PLY(xyz, indices + texture + colors, v + facet_rows(" 2 0.5 0.5 9 1 1 1 1 1 1 1 1 1\n"))));
   // line breaks where they need not be, and none where they should
   std::string lines = PLY(xyz, indices + texture, v + facet_rows("\n2 0.25 0.75\n"));
   CHECK(is_tetrahedron("read_lists.ply", lines));
@@ -436,11 +475,14 @@ TEST_CASE("reading: a PLY text may have any types, line ends, comments and blank
 {
   const std::string data = vertex_rows() + facet_rows();
   for(const char* type : { "uchar", "int8", "short", "uint16", "uint", "int32", "uint64", "float", "double" })
-    CHECK(is_tetrahedron("read_types.ply", PLY(xyz, "property list uchar " + std::string(type) + " vertex_index\n", data)));
+    CHECK(
+      is_tetrahedron("read_types.ply", PLY(xyz, "property list uchar " + std::string(type) + " vertex_index\n", data)));
   CHECK(is_tetrahedron("read_types.ply", PLY("property int x\nproperty double y\nproperty short z\n", indices, data)));
-  CHECK(is_tetrahedron("read_types.ply", PLY(xyz + "property int64 id\n", indices, vertex_rows(" 7\n") + facet_rows())));
+  CHECK(
+    is_tetrahedron("read_types.ply", PLY(xyz + "property int64 id\n", indices, vertex_rows(" 7\n") + facet_rows())));
   CHECK(is_tetrahedron("read_types.ply", PLY(xyz, indices, data, "\ncomment\nobj_info none\nelement edge 0\n")));
-  CHECK(is_tetrahedron("read_types.ply", PLY(xyz, indices, data + "0 1\n", "element edge 1\nproperty int vertex1\nproperty int vertex2\n")));
+  CHECK(is_tetrahedron("read_types.ply", PLY(xyz, indices, data + "0 1\n",
+                                             "element edge 1\nproperty int vertex1\nproperty int vertex2\n")));
   std::string text = PLY(xyz, indices, data);
   for(std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2) text.insert(i, "\r");
   CHECK(is_tetrahedron("read_types.ply", text));
@@ -449,10 +491,12 @@ TEST_CASE("reading: a PLY text may have any types, line ends, comments and blank
 TEST_CASE("reading: a PLY file with triangle strips is refused by name, even if it has other facets")
 {
   Offending_simplices offenders;
-  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n", data = vertex_rows() + facet_rows() + "6 0 2 1 3 0 2\n";
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n",
+                    data = vertex_rows() + facet_rows() + "6 0 2 1 3 0 2\n";
   CHECK(read("read_strips.ply", PLY(xyz, indices, data, strips), offenders) == Shell_status::TRIANGLE_STRIPS);
   CHECK(std::string(message(Shell_status::TRIANGLE_STRIPS)).find("list of facets") != std::string::npos);
-  CHECK(is_tetrahedron("read_strips.ply", PLY(xyz, indices, data, "element tristrips 0\nproperty list int int vertex_indices\n")));
+  CHECK(is_tetrahedron("read_strips.ply",
+                       PLY(xyz, indices, data, "element tristrips 0\nproperty list int int vertex_indices\n")));
 }
 
 TEST_CASE("reading: a PLY text that is not whole is malformed")
@@ -464,20 +508,37 @@ TEST_CASE("reading: a PLY text that is not whole is malformed")
     std::string text = whole;
     return text.replace(text.find(old), old.size(), by);
   };
-  for(const std::string& text : {
-        replaced("3 2 0 3\n", ""), replaced("3 2 0 3\n", "3 2 0"), replaced("2.5 0 0", "2.5 0"), replaced("2.5 0 0", "2.5 zero 0"),
-        replaced("end_header\n", ""), replaced("property float z\n", ""), replaced("float z", "float h"), replaced("vertex_indices", "corners"),
-        replaced("uchar int", "uchar"), replaced("uchar int", "float int"), replaced("float z", "real z"),
-        replaced("format ascii 1.0\n", ""), replaced("vertex 4", "vertex 4000000000000"), replaced("face 4", "face 4000000000000"),
-        replaced("vertex 4", "vertex -4"), replaced("vertex 4", "vertex 3"), replaced("3 0 2 1", "1900000000 0 2 1"), replaced("3 0 2 1", "-3 0 2 1"),
-        replaced("3 0 2 1", "3 0 -2 1"), replaced("3 0 2 1", "3 0 4 1"), replaced(indices, ""), replaced("ply", "PLY"),
-        replaced("property float x", "property list uchar float x"), replaced(indices, "property int vertex_indices\n") }) {
+  for(const std::string& text : { replaced("3 2 0 3\n", ""),
+                                  replaced("3 2 0 3\n", "3 2 0"),
+                                  replaced("2.5 0 0", "2.5 0"),
+                                  replaced("2.5 0 0", "2.5 zero 0"),
+                                  replaced("end_header\n", ""),
+                                  replaced("property float z\n", ""),
+                                  replaced("float z", "float h"),
+                                  replaced("vertex_indices", "corners"),
+                                  replaced("uchar int", "uchar"),
+                                  replaced("uchar int", "float int"),
+                                  replaced("float z", "real z"),
+                                  replaced("format ascii 1.0\n", ""),
+                                  replaced("vertex 4", "vertex 4000000000000"),
+                                  replaced("face 4", "face 4000000000000"),
+                                  replaced("vertex 4", "vertex -4"),
+                                  replaced("vertex 4", "vertex 3"),
+                                  replaced("3 0 2 1", "1900000000 0 2 1"),
+                                  replaced("3 0 2 1", "-3 0 2 1"),
+                                  replaced("3 0 2 1", "3 0 -2 1"),
+                                  replaced("3 0 2 1", "3 0 4 1"),
+                                  replaced(indices, ""),
+                                  replaced("ply", "PLY"),
+                                  replaced("property float x", "property list uchar float x"),
+                                  replaced(indices, "property int vertex_indices\n") }) {
     CAPTURE(text);
     CHECK(read("read_broken.ply", text, offenders) == Shell_status::MALFORMED_FILE);
   }
 }
 
-TEST_CASE("reading: binary PLY data are read with all their properties, and not at all if they end early or are of no known type")
+TEST_CASE("reading: binary PLY data are read with all their properties, and not at all if they end early or are of no "
+          "known type")
 {
   Offending_simplices offenders;
   for(bool is_big_endian : { false, true }) {
@@ -508,10 +569,12 @@ TEST_CASE("reading: nothing is printed")
   std::ostringstream printed;
   std::streambuf* const before = std::cerr.rdbuf(printed.rdbuf());
   Offending_simplices offenders;
-  for(const char* name : { "read_silent.ply", "read_silent.off", "read_silent.obj", "read_silent.stl", "read_silent.ts" })
+  for(const char* name :
+      { "read_silent.ply", "read_silent.off", "read_silent.obj", "read_silent.stl", "read_silent.ts" })
     read(name, "f 1 2 x\nthis is no mesh", offenders);
   std::string text = binary_PLY(false);
-  read("read_silent.ply", text.replace(text.find("int int"), 7, "int float"), offenders);      // CGAL's reader refuses this one
+  // CGAL's reader refuses this one
+  read("read_silent.ply", text.replace(text.find("int int"), 7, "int float"), offenders);
   std::cerr.rdbuf(before);
   CHECK(printed.str() == "");
 }
@@ -519,8 +582,9 @@ TEST_CASE("reading: nothing is printed")
 TEST_CASE("reading: three facets at an edge are not manifold, and named")
 {
   Offending_simplices offenders;
-  const Shell_status status = read("read_fan.off",
-    "OFF\n6 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n5 5 5\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 2 3 5\n", offenders);
+  const Shell_status status = read(
+    "read_fan.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n5 5 5\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 2 3 5\n",
+    offenders);
   CHECK(status == Shell_status::NON_MANIFOLD);
   CHECK(offenders.facets == std::vector<std::size_t>{ 0, 1, 2 });
 }
@@ -530,8 +594,9 @@ TEST_CASE("reading: a vertex that joins two surfaces is not manifold, and named"
   // two tetrahedra with the common vertex 3
   Offending_simplices offenders;
   const Shell_status status = read("read_pinched.off",
-    "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n1 0 2\n0 1 2\n"
-    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n3 4 3 5\n3 5 3 6\n3 6 3 4\n", offenders);
+                                   "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n1 0 2\n0 1 2\n"
+                                   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n3 4 3 5\n3 5 3 6\n3 6 3 4\n",
+                                   offenders);
   CHECK(status == Shell_status::NON_MANIFOLD);
   CHECK(offenders.vertices == std::vector<std::size_t>{ 3 });
 }
@@ -540,18 +605,22 @@ TEST_CASE("reading: of vertices at one position, the first in the file is named,
 {
   // three tetrahedra, each with vertices of its own, that meet at the origin: vertices 2, 6 and 11
   Offending_simplices offenders;
-  const Shell_status status = read("read_repeated.off",
+  const Shell_status status = read(
+    "read_repeated.off",
     "OFF\n12 12 0\n1 0 0\n0 1 0\n0 0 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 0\n0 0 -1\n5 5 0\n5 6 0\n5 5 1\n0 0 0\n"
     "3 0 1 2\n3 1 0 3\n3 2 1 3\n3 0 2 3\n3 4 5 6\n3 5 4 7\n3 6 5 7\n3 4 6 7\n"
-    "3 8 9 11\n3 9 8 10\n3 11 9 10\n3 8 11 10\n", offenders);
+    "3 8 9 11\n3 9 8 10\n3 11 9 10\n3 8 11 10\n",
+    offenders);
   CHECK(status == Shell_status::NON_MANIFOLD);
   CHECK(offenders.vertices == std::vector<std::size_t>{ 2 });
   CHECK(offenders.facets.empty());
 
   // the same after a vertex that is there twice, so that positions in the file and after merging differ
   CHECK(read("read_repeated.off",
-    "OFF\n10 8 0\n1 0 0\n1 0 0\n0 1 0\n0 0 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 0\n0 0 -1\n0 0 1\n"
-    "3 0 2 3\n3 2 1 4\n3 3 2 9\n3 1 3 4\n3 5 6 7\n3 6 5 8\n3 7 6 8\n3 5 7 8\n", offenders) == Shell_status::NON_MANIFOLD);
+             "OFF\n10 8 0\n1 0 0\n1 0 0\n0 1 0\n0 0 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 0\n0 0 -1\n0 0 1\n"
+             "3 0 2 3\n3 2 1 4\n3 3 2 9\n3 1 3 4\n3 5 6 7\n3 6 5 8\n3 7 6 8\n3 5 7 8\n",
+             offenders)
+        == Shell_status::NON_MANIFOLD);
   CHECK(offenders.vertices == std::vector<std::size_t>{ 3 });
 }
 
@@ -562,7 +631,7 @@ TEST_CASE("reading: a Moebius band is not orientable")
   std::string text = "OFF\n10 5 0\n";
   for(int i = 0; i < 5; ++i)
     text += std::to_string(std::cos(i * 1.2566)) + " " + std::to_string(std::sin(i * 1.2566)) + " 0\n"
-          + std::to_string(std::cos(i * 1.2566)) + " " + std::to_string(std::sin(i * 1.2566)) + " 1\n";
+            + std::to_string(std::cos(i * 1.2566)) + " " + std::to_string(std::sin(i * 1.2566)) + " 1\n";
   text += "4 0 2 3 1\n4 2 4 5 3\n4 4 6 7 5\n4 6 8 9 7\n4 8 1 0 9\n";
   CHECK(read("read_moebius.off", text, offenders) == Shell_status::NOT_ORIENTABLE);
   CHECK(!offenders.facets.empty());
@@ -574,8 +643,9 @@ TEST_CASE("reading: each facet at the seams of a one-sided surface is named once
   // the projective plane: six vertices, and each two of them have an edge
   Offending_simplices offenders;
   CHECK(read("read_projective.off",
-    "OFF\n6 10 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 0\n1 1 1\n"
-    "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 1\n3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n", offenders)
+             "OFF\n6 10 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 0\n1 1 1\n"
+             "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 1\n3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n",
+             offenders)
         == Shell_status::NOT_ORIENTABLE);
   REQUIRE(offenders.facets.size() > 1);
   for(std::size_t i = 1; i < offenders.facets.size(); ++i) CHECK(offenders.facets[i - 1] < offenders.facets[i]);
@@ -593,9 +663,11 @@ TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
 TEST_CASE("reading triangles: polygons are triangulated without new points, and not if that would join them")
 {
   // a cube without a corner: three of its sides are concave
-  const Temporary_file cube("read_triangles.off",
+  const Temporary_file cube(
+    "read_triangles.off",
     "OFF 14 9 0 0 0 0 2 0 0 2 2 0 0 2 0 0 0 2 2 0 2 0 2 2 2 2 1 1 2 2 2 1 2 2 1 1 1 1 2 1 2 1 1 1 1\n"
-    "4 0 3 2 1 4 0 1 5 4 4 0 4 6 3 6 1 2 7 10 9 5 6 2 3 6 8 12 7 6 4 5 9 11 8 6 4 7 12 13 10 4 9 10 13 11 4 8 11 13 12\n");
+    "4 0 3 2 1 4 0 1 5 4 4 0 4 6 3 6 1 2 7 10 9 5 6 2 3 6 8 12 7 6 4 5 9 11 8 6 4 7 12 13 10 4 9 10 13 11 4 8 11 13 "
+    "12\n");
   Mesh mesh;
   REQUIRE(read_triangle_mesh(cube.name, mesh) == Shell_status::SUCCESS);
   CHECK(mesh.number_of_vertices() == 14);
@@ -614,11 +686,20 @@ TEST_CASE("reading triangles: polygons are triangulated without new points, and 
 TEST_CASE("writing: a file appears complete or not at all")
 {
   const Temporary_file file("write_test.txt", "old");
-  CHECK_FALSE(write_file(file.name, [](std::ostream& out) { out << "half"; return false; }));
+  CHECK_FALSE(write_file(file.name, [](std::ostream& out) {
+    out << "half";
+    return false;
+  }));
   CHECK(contents(file.name) == "old");
   CHECK(contents(file.name + ".part").empty());
-  CHECK(write_file(file.name, [](std::ostream& out) { out << "new"; return true; }));
+  CHECK(write_file(file.name, [](std::ostream& out) {
+    out << "new";
+    return true;
+  }));
   CHECK(contents(file.name) == "new");
-  CHECK_FALSE(write_file("no_such_folder/file", [](std::ostream& out) { out << "new"; return true; }));
+  CHECK_FALSE(write_file("no_such_folder/file", [](std::ostream& out) {
+    out << "new";
+    return true;
+  }));
 }
 } // namespace test_read_polygon_mesh

@@ -34,10 +34,14 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
     CHECK(text.substr(text.size() - 26) == "checksum " + BS::Checksum::text(BS::shell_checksum(shell)) + "\n");
   };
   namespace P = CGAL::Bspline_shells::parameters;
-  SECTION("of a mesh") { check(CGAL::bspline_shell_3(sphere(2), P::resolution(12))); }
+  SECTION("of a mesh")
+  {
+    check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
+  }
   SECTION("far from the origin, of polygons")
   {
-    check(CGAL::bspline_shell_3(box(Point_3(1000.1, -70.3, 0.1), Point_3(1003.1, -68, 1.4), false), P::resolution(9.7)));
+    check(
+      CGAL::bspline_shell_3(box(Point_3(1000.1, -70.3, 0.1), Point_3(1003.1, -68, 1.4), false), P::resolution(9.7)));
   }
   SECTION("of other sizes")
   {
@@ -50,16 +54,23 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
     CGAL::copy_face_graph(sphere(1, 1, Point_3(40, 50, 60)), two);
     check(CGAL::bspline_shell_3(two, P::resolution(120)));
   }
-  SECTION("a small one") { check(small_shell()); }
-  SECTION("cells of different sizes, thresholds that vary") { check(small_varying_shell()); }
+  SECTION("a small one")
+  {
+    check(small_shell());
+  }
+  SECTION("cells of different sizes, thresholds that vary")
+  {
+    check(small_varying_shell());
+  }
   SECTION("cells of many sizes")
   {
     CGAL::Random random(3);
     const BS::Lattice_3 lattice(CGAL::Bbox_3(-3, -2, -1, 1, 2, 4), 0.7);
     for(int levels = 1; levels < 6; ++levels) {
-      const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -3, -2, -1 }, { 1, 1, 2 }, 0.7), levels);
+      const Hierarchy cells = random_hierarchy(random, some_cells(random, lattice, { -3, -2, -1 }, { 1, 1, 2 }, 0.7),
+                                               levels);
       REQUIRE(cells.number_of_levels() == levels);
-      typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;      // between two levels
+      typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell; // between two levels
       Levels_shell::Field field(cells);
       Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
       for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = random.get_double(-1, 1);
@@ -68,14 +79,15 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
       report.cells = field.number_of_cells();
       report.unknowns = field.number_of_coefficients();
       report.gamma = report.unit / lattice.spacing();
-      check(Levels_shell(field, BS::Level_range{ -0.5, 0.25 }, std::vector<char>(field.number_of_cells(), 1), {}, report));
+      check(
+        Levels_shell(field, BS::Level_range{ -0.5, 0.25 }, std::vector<char>(field.number_of_cells(), 1), {}, report));
     }
   }
   SECTION("extreme numbers")
   {
     typedef std::numeric_limits<double> Limits;
-    const double numbers[] = { -0., 0., 1. / 3, Limits::denorm_min(), -(Limits::min)(), 1e300, -1e300, 0.1, 5e-324,
-                               123456789.123456789, 1 + Limits::epsilon() };
+    const double numbers[] = { -0.,    0.,  1. / 3, Limits::denorm_min(), -(Limits::min)(),     1e300,
+                               -1e300, 0.1, 5e-324, 123456789.123456789,  1 + Limits::epsilon() };
     check(shell_on(BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.7), { { 3, -4, 5 }, { 4, -4, 5 }, { 3, -3, 6 } },
                    [&](std::size_t n) { return numbers[n % 11]; }));
   }
@@ -113,7 +125,8 @@ TEST_CASE("files: a shell that was read answers as the one that was written")
 TEST_CASE("files: a certified shell that was read has the same certificate, and does not claim to have one")
 {
   const Mesh mesh = box(Point_3(0.1, 0, 0), Point_3(1.1, 0.7, 0.3));
-  const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::resolution(8).relative_thickness(0.02));
+  const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh,
+                                                              BS::parameters::resolution(8).relative_thickness(0.02));
   REQUIRE(shell);
   REQUIRE(shell.is_certified());
   REQUIRE(shell.field().number_of_levels() > 1);
@@ -131,7 +144,8 @@ TEST_CASE("files: a certified shell that was read has the same certificate, and 
     REQUIRE(after.cover()->boxes().size() == before.cover()->boxes().size());
     for(std::size_t n = 0; n < after.cover()->boxes().size(); ++n) {
       const BS::Cover_box &a = after.cover()->boxes()[n], &b = before.cover()->boxes()[n];
-      REQUIRE((a.cell == b.cell && a.kind == b.kind && a.depth == b.depth && a.component == b.component && a.proof == b.proof));
+      REQUIRE((a.cell == b.cell && a.kind == b.kind && a.depth == b.depth && a.component == b.component
+               && a.proof == b.proof));
     }
   }
 }
@@ -198,7 +212,7 @@ TEST_CASE("files: an altered byte is an error, whichever, and leaves the shell a
       auto target = before;
       std::size_t accepted = 0;
       for(std::size_t n = 0; n < bytes.size(); n += step)
-        for(int flip : { 1, 0x20, 0x80, random.get_int(1, 256) }) {      // 0x20 turns capital letters into small ones
+        for(int flip : { 1, 0x20, 0x80, random.get_int(1, 256) }) { // 0x20 turns capital letters into small ones
           std::string altered = bytes;
           altered[n] = char(altered[n] ^ flip);
           if(read(altered, target) == Status::SUCCESS) ++accepted;
@@ -229,7 +243,8 @@ TEST_CASE("files: a text that contradicts itself is refused, though its checksum
   const Lines intact = lines_of(written(shell, Format::ASCII));
   Shell target;
   REQUIRE(read(text_of(intact), target) == Status::SUCCESS);
-  const std::size_t functions = line_that_begins_with(intact, "functions"), leaves = line_that_begins_with(intact, "leaves"),
+  const std::size_t functions = line_that_begins_with(intact, "functions"),
+                    leaves = line_that_begins_with(intact, "leaves"),
                     facets = line_that_begins_with(intact, "facet_ranges");
   const auto check = [&](const std::string& what, const Lines& lines) {
     INFO(what);
@@ -270,8 +285,8 @@ TEST_CASE("files: a text that contradicts itself is refused, though its checksum
     altered("the number of paths", paths, 1, count);
     altered("a count of the truncation", paths + 2, 0, count);
   }
-  for(const char* count : { "0", "1", "79", "81", "4294967295", "4294967376", "18446744073709551615",
-                            "18446744073709551616" }) {
+  for(const char* count :
+      { "0", "1", "79", "81", "4294967295", "4294967376", "18446744073709551615", "18446744073709551616" }) {
     altered("the number of functions", functions, 1, count);
     altered("the number of leaves", leaves, 1, count);
     altered("the number of facets", facets, 1, count);
@@ -337,7 +352,8 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
 {
   const Varying_shell shell = small_varying_shell();
   const Lines intact = lines_of(written(shell, Format::ASCII));
-  const std::size_t functions = line_that_begins_with(intact, "functions"), leaves = line_that_begins_with(intact, "leaves");
+  const std::size_t functions = line_that_begins_with(intact, "functions"),
+                    leaves = line_that_begins_with(intact, "leaves");
   const auto check = [&](const std::string& what, const Lines& lines) {
     INFO(what);
     Varying_shell left = shell;
@@ -355,10 +371,12 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
   lines[leaves] = "leaves 27";
   check("a leaf that is split", lines);
   lines = intact;
-  std::rotate(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3, lines.begin() + std::ptrdiff_t(leaves) + 27);
+  std::rotate(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3,
+              lines.begin() + std::ptrdiff_t(leaves) + 27);
   check("fine leaves first", lines);
   lines = intact;
-  std::rotate(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(functions) + 2, lines.begin() + std::ptrdiff_t(leaves));
+  std::rotate(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(functions) + 2,
+              lines.begin() + std::ptrdiff_t(leaves));
   check("functions out of order", lines);
   lines = intact;
   lines[functions + 1] = with_word(lines[functions + 1], 0, "0");
@@ -380,12 +398,20 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
 
   // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbors are not
   typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
-  lines = { "cubic_bspline_shell 5 ascii", "unit 1", "levels -1 1", "triangles 1 components 1", intact[4], "functions 0", "leaves 17" };
+  lines = { "cubic_bspline_shell 5 ascii",
+            "unit 1",
+            "levels -1 1",
+            "triangles 1 components 1",
+            intact[4],
+            "functions 0",
+            "leaves 17" };
   for(const char* roots : { "0 1 0 0 1", "0 2 0 0 1" }) lines.push_back(roots);
   for(int level = 1; level < 3; ++level)
     for(int o = level == 1 ? 1 : 0; o < 8; ++o)
-      lines.push_back(std::to_string(level) + " " + std::to_string(o & 1) + " " + std::to_string(o >> 1 & 1) + " " + std::to_string(o >> 2) + " 1");
-  for(const char* line : { "facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" }) lines.push_back(line);
+      lines.push_back(std::to_string(level) + " " + std::to_string(o & 1) + " " + std::to_string(o >> 1 & 1) + " "
+                      + std::to_string(o >> 2) + " 1");
+  for(const char* line : { "facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" })
+    lines.push_back(line);
   Levels_shell none;
   CHECK(read(text_of(lines), none) == Status::DAMAGED);
   BS::Lattice_3 lattice = shell.field().cells().lattice();
@@ -395,7 +421,7 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
     std::istringstream(lines[n]) >> level >> i >> j >> k;
     keys[std::size_t(level)].push_back(BS::Lattice_key::encode(i, j, k));
   }
-  CHECK_FALSE(Hierarchy::from_leaves(lattice, keys));      // for this reason
+  CHECK_FALSE(Hierarchy::from_leaves(lattice, keys)); // for this reason
 }
 
 TEST_CASE("files: bytes that contradict themselves are refused, though their checksum is right")
@@ -436,7 +462,8 @@ TEST_CASE("files: a few cells far from each other take little memory")
 {
   const int last = BS::Lattice_key::max_coordinate;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
-  const Shell shell = shell_on(lattice, { { -last, -last, -last }, { last, last, last } }, [](std::size_t) { return 0.5; });
+  const Shell shell = shell_on(lattice, { { -last, -last, -last }, { last, last, last } },
+                               [](std::size_t) { return 0.5; });
   Shell back;
   CHECK(read(written(shell, Format::BINARY), back) == Status::SUCCESS);
   CHECK(same(back, shell));
@@ -447,8 +474,9 @@ TEST_CASE("files: foreign files, other versions, no file at all")
   const Shell before = small_shell();
   Shell shell = before;
   const std::string text = written(before, Format::ASCII), bytes = written(before, Format::BINARY);
-  for(const char* foreign : { "", "\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "cubic_bspline_shell_certificate 1\n",
-                              "BSHELF01", "cubic_bspline_shell\n", "cubic_bspline_shell 5 binary\n" })
+  for(const char* foreign :
+      { "", "\n", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "cubic_bspline_shell_certificate 1\n", "BSHELF01",
+        "cubic_bspline_shell\n", "cubic_bspline_shell 5 binary\n" })
     CHECK(read(foreign, shell) == Status::NOT_A_SHELL);
   CHECK(read(std::string(100000, '\0'), shell) == Status::NOT_A_SHELL);
   for(const char* version : { "1", "4", "6", "55" }) {

@@ -26,7 +26,7 @@ std::vector<T> numbers_of(const std::string& text)
 {
   std::istringstream in(text);
   std::vector<T> numbers;
-  for(T x; in >> x; ) numbers.push_back(x);
+  for(T x; in >> x;) numbers.push_back(x);
   CHECK(in.eof());
   return numbers;
 }
@@ -41,7 +41,7 @@ struct Grid
     REQUIRE_NOTHROW(boost::property_tree::read_xml(in, tree));
     const Tree& file = tree.get_child("VTKFile");
     CHECK(file.get<std::string>("<xmlattr>.type") == "UnstructuredGrid");
-    CHECK(file.get<std::string>("<xmlattr>.version") == "2.2");       // the order of control points depends on it
+    CHECK(file.get<std::string>("<xmlattr>.version") == "2.2"); // the order of control points depends on it
     const Tree& piece = file.get_child("UnstructuredGrid.Piece");
     points = piece.get<std::size_t>("<xmlattr>.NumberOfPoints");
     cells = piece.get<std::size_t>("<xmlattr>.NumberOfCells");
@@ -85,8 +85,8 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
   const Field& field = shell.field();
   for(bool whole_field : { false, true }) {
     std::ostringstream out;
-    REQUIRE((whole_field ? BS::write_VTU(out, field, Format::ASCII)
-                         : BS::write_VTU(out, shell, Format::ASCII)) == Status::SUCCESS);
+    REQUIRE((whole_field ? BS::write_VTU(out, field, Format::ASCII) : BS::write_VTU(out, shell, Format::ASCII))
+            == Status::SUCCESS);
     const Grid grid(out.str());
     std::vector<Field::Cell_index> cells;
     for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c)
@@ -105,9 +105,9 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
     bool offsets = true, points = true, values = true, corners = true, interpolates = true;
     const double rounding = 1e-15;
     // VTK's order of corners; then, as a sample, one point of an edge along z, of a face, and of the interior
-    const int order[][4] = { { 0, 0, 0, 0 }, { 1, 3, 0, 0 }, { 2, 3, 3, 0 }, { 3, 0, 3, 0 }, { 4, 0, 0, 3 }, { 5, 3, 0, 3 },
-                             { 6, 3, 3, 3 }, { 7, 0, 3, 3 }, { 28, 3, 3, 1 }, { 31, 0, 3, 2 }, { 32, 0, 1, 1 },
-                             { 41, 2, 0, 1 }, { 57, 2, 1, 1 } };
+    const int order[][4] = { { 0, 0, 0, 0 },  { 1, 3, 0, 0 },  { 2, 3, 3, 0 }, { 3, 0, 3, 0 },  { 4, 0, 0, 3 },
+                             { 5, 3, 0, 3 },  { 6, 3, 3, 3 },  { 7, 0, 3, 3 }, { 28, 3, 3, 1 }, { 31, 0, 3, 2 },
+                             { 32, 0, 1, 1 }, { 41, 2, 0, 1 }, { 57, 2, 1, 1 } };
     for(std::size_t n = 0; n < cells.size(); ++n) {
       const auto cell = field.cell(cells[n]);
       offsets = offsets && grid.offsets[n] == std::int64_t(64 * (n + 1));
@@ -120,7 +120,8 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
         // the control point that is there, and its coefficient
         int index = 0;
         for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
-          const double step = 3 * (grid.positions[std::size_t(3 * point + a)] - cell.corner()[std::size_t(a)]) / cell.width();
+          const double step = 3 * (grid.positions[std::size_t(3 * point + a)] - cell.corner()[std::size_t(a)])
+                              / cell.width();
           points = points && std::abs(step - std::round(step)) < 1e-9 && step > -0.5 && step < 3.5;
           index += stride * int(std::round(step));
         }
@@ -135,7 +136,8 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
         }
         if(o[0] < 8) {
           const double* p = &grid.positions[3 * point];
-          interpolates = interpolates && std::abs(grid.f[point] - field.value(Point_3(p[0], p[1], p[2])).value()) < rounding;
+          interpolates = interpolates
+                         && std::abs(grid.f[point] - field.value(Point_3(p[0], p[1], p[2])).value()) < rounding;
         }
       }
     }
@@ -157,7 +159,10 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
     const std::string bytes = binary.str();
     std::string expected;
     std::vector<std::size_t> begins;
-    const auto add = [&](const auto& numbers) { begins.push_back(expected.size()); append(expected, numbers); };
+    const auto add = [&](const auto& numbers) {
+      begins.push_back(expected.size());
+      append(expected, numbers);
+    };
     add(grid.f);
     add(grid.degrees);
     add(grid.positions);
@@ -188,7 +193,7 @@ TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their cont
   std::ostringstream out;
   REQUIRE(BS::write_VTU(out, shell, Format::ASCII) == Status::SUCCESS);
   const Grid grid(out.str());
-  REQUIRE(grid.cells == field.number_of_cells() - 1);      // the first is not marked
+  REQUIRE(grid.cells == field.number_of_cells() - 1); // the first is not marked
   CHECK(grid.levels.empty());
   REQUIRE(grid.f.size() == grid.points);
   REQUIRE(grid.inner.size() == grid.points);
@@ -203,7 +208,8 @@ TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their cont
       const std::size_t point = std::size_t(grid.connectivity[64 * n + v]);
       int index = 0;
       for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
-        const double step = 3 * (grid.positions[3 * point + std::size_t(a)] - cell.corner()[std::size_t(a)]) / cell.width();
+        const double step = 3 * (grid.positions[3 * point + std::size_t(a)] - cell.corner()[std::size_t(a)])
+                            / cell.width();
         wrong += std::abs(step - std::round(step)) > 1e-9;
         index += stride * int(std::round(step));
       }

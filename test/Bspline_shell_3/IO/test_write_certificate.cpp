@@ -11,7 +11,10 @@ namespace test_write_certificate {
 namespace {
 
 // all claims being proved
-bool is_cover(const std::string& kind) { return kind == "g" || kind == "b" || kind == "a"; }
+bool is_cover(const std::string& kind)
+{
+  return kind == "g" || kind == "b" || kind == "a";
+}
 
 template <typename Any_shell, typename Certificate>
 void check_text(const Any_shell& shell, const Certificate& certificate)
@@ -26,8 +29,9 @@ void check_text(const Any_shell& shell, const Certificate& certificate)
   const std::string shell_text = written(shell, Format::ASCII);
   CHECK(lines[1] == "shell " + shell_text.substr(shell_text.size() - 17, 16));
   const auto& mesh = certificate.examined_mesh();
-  CHECK(lines[2] == "mesh " + std::to_string(mesh.number_of_vertices()) + " " + std::to_string(mesh.number_of_faces()) + " "
-                    + BS::Checksum::text(BS::mesh_checksum(mesh)));
+  CHECK(lines[2]
+        == "mesh " + std::to_string(mesh.number_of_vertices()) + " " + std::to_string(mesh.number_of_faces()) + " "
+             + BS::Checksum::text(BS::mesh_checksum(mesh)));
   CHECK(lines[3] == "verdicts proved proved proved proved proved");
 
   const std::vector<BS::Cover_box>& boxes = certificate.cover()->boxes();
@@ -37,7 +41,8 @@ void check_text(const Any_shell& shell, const Certificate& certificate)
   for(std::size_t n = 5; n < 5 + boxes.size(); ++n) {
     const std::vector<std::string> words = words_of(lines[n]);
     REQUIRE(words.size() >= 6);
-    wrong += std::stoi(words[0]) < last_leaf || words.size() != (is_cover(words[5]) ? 9 : 6) || std::string("xgbao").find(words[5]) == std::string::npos;
+    wrong += std::stoi(words[0]) < last_leaf || words.size() != (is_cover(words[5]) ? 9 : 6)
+             || std::string("xgbao").find(words[5]) == std::string::npos;
     last_leaf = std::stoi(words[0]);
     covering += is_cover(words[5]);
   }
@@ -81,7 +86,8 @@ TEST_CASE("certificates: on equal cells, between two levels")
 TEST_CASE("certificates: on cells of different sizes, between thresholds that vary")
 {
   const Mesh mesh = box(Point_3(0.1, 0, 0), Point_3(1.1, 0.7, 0.3));
-  const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::resolution(8).relative_thickness(0.02));
+  const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh,
+                                                              BS::parameters::resolution(8).relative_thickness(0.02));
   REQUIRE(shell.is_certified());
   REQUIRE(shell.field().number_of_levels() > 1);
   BS::Shell_certificate_3<Varying_shell::Field, Varying_shell::Threshold> certificate(shell);

@@ -158,7 +158,8 @@ TEST_CASE("files: the bytes are where the format says")
   CHECK(at<double>(bytes, 24) == shell.outer_level());
   CHECK(at<std::uint64_t>(bytes, 32) == 20);
   CHECK(at<std::uint64_t>(bytes, 40) == 1);
-  for(std::size_t a = 0; a < 3; ++a) CHECK(at<double>(bytes, 48 + 8 * a) == shell.field().cells().lattice().origin()[a]);
+  for(std::size_t a = 0; a < 3; ++a)
+    CHECK(at<double>(bytes, 48 + 8 * a) == shell.field().cells().lattice().origin()[a]);
   CHECK(at<double>(bytes, 72) == shell.field().cells().lattice().spacing());
   CHECK(at<std::uint64_t>(bytes, 80) == 80);
   CHECK(at<std::uint64_t>(bytes, 88) == 2);
@@ -193,7 +194,8 @@ TEST_CASE("files: paths are where the format says, as text and as bytes")
   Shell shell = small_shell();
   shell.set_path_candidates({ { 0, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
   const Lines lines = lines_of(written(shell, Format::ASCII));
-  CHECK(Lines(lines.begin() + 94, lines.end()) == Lines{ "paths 1", "0 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
+  CHECK(Lines(lines.begin() + 94, lines.end())
+        == Lines{ "paths 1", "0 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
   const std::string bytes = written(shell, Format::BINARY);
   const std::size_t paths = 140 + 80 * 8 + 3 * 16 + 3 * 8;
   REQUIRE(bytes.size() == paths + 8 + 56 + 6 * 4 + 8);
@@ -206,7 +208,7 @@ TEST_CASE("files: paths are where the format says, as text and as bytes")
     Shell back;
     REQUIRE(read(written(shell, format), back) == Status::SUCCESS);
     CHECK(written(back, format) == written(shell, format));
-    CHECK(back.component_paths().empty());       // nothing is proved of them
+    CHECK(back.component_paths().empty()); // nothing is proved of them
   }
   shell.set_path_candidates({ { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
   std::ostringstream out;
@@ -255,16 +257,21 @@ TEST_CASE("files: what is no shell is not written")
     CHECK(out.str().empty());
   };
   check(Shell());
-  const Mesh open_mesh = []() { Mesh m = sphere(0); m.remove_face(*m.faces().begin()); m.collect_garbage(); return m; }();
+  const Mesh open_mesh = []() {
+    Mesh m = sphere(0);
+    m.remove_face(*m.faces().begin());
+    m.collect_garbage();
+    return m;
+  }();
   check(CGAL::bspline_shell_3(open_mesh, CGAL::Bspline_shells::parameters::resolution(6)));
   BS::Shell_report report = some.report();
   BS::Level_range levels;
   levels.min = -1;
   levels.max = 1;
-  check(Shell(Field(), levels, {}, {}, report));                                             // no cells
-  check(Shell(some.field(), levels, { 1 }, {}, report));                                     // not one mark for each
-  check(Shell(some.field(), BS::Level_range(), some.shell_cells(), {}, report));             // empty levels
-  check(Shell(some.field(), levels, some.shell_cells(), { BS::Level_range() }, report));     // an empty range
+  check(Shell(Field(), levels, {}, {}, report));                                         // no cells
+  check(Shell(some.field(), levels, { 1 }, {}, report));                                 // not one mark for each
+  check(Shell(some.field(), BS::Level_range(), some.shell_cells(), {}, report));         // empty levels
+  check(Shell(some.field(), levels, some.shell_cells(), { BS::Level_range() }, report)); // an empty range
   for(double x : { nan, infinity, 1e308 }) {
     Field field = some.field();
     Eigen::VectorXd coefficients = field.coefficients();
@@ -286,23 +293,25 @@ TEST_CASE("files: what is no shell is not written")
     else CHECK_FALSE(written(closed, Format::BINARY).empty());
   }
   Shell truncated = some;
-  truncated.set_truncation(std::make_shared<const Truncation>(
-    points, std::vector<Truncation::Triangle>(), std::vector<Truncation::Cut>(),
-    std::vector<Truncation::Core>{ { { 0, 1, 2 }, 0 } }, std::vector<Truncation::Disc>(),
-    std::vector<Truncation::Planar_point>()));
+  truncated.set_truncation(
+    std::make_shared<const Truncation>(points, std::vector<Truncation::Triangle>(), std::vector<Truncation::Cut>(),
+                                       std::vector<Truncation::Core>{ { { 0, 1, 2 }, 0 } },
+                                       std::vector<Truncation::Disc>(), std::vector<Truncation::Planar_point>()));
   check(truncated);
 
   const Varying_shell varying = small_varying_shell();
   BS::Shell_report other = varying.report();
   const auto check_varying = [&](const Varying_shell::Threshold& outer) {
     std::ostringstream out;
-    CHECK(BS::write_shell(out, Varying_shell(varying.field(), varying.inner_threshold(), outer, varying.shell_cells(), {}, other))
+    CHECK(BS::write_shell(
+            out, Varying_shell(varying.field(), varying.inner_threshold(), outer, varying.shell_cells(), {}, other))
           == Status::NOT_A_SHELL);
   };
   Varying_shell::Field outer = varying.outer_threshold().field();
   outer.set_coefficients(Eigen::VectorXd::Constant(Eigen::Index(outer.number_of_coefficients()), nan));
   check_varying(Varying_shell::Threshold(outer));
-  check_varying(Varying_shell::Threshold(Varying_shell::Field(BS::Cell_hierarchy_3(varying.field().cells().roots()))));   // on other cells
+  // on other cells
+  check_varying(Varying_shell::Threshold(Varying_shell::Field(BS::Cell_hierarchy_3(varying.field().cells().roots()))));
   other.thickness = nan;
   check_varying(varying.outer_threshold());
 

@@ -99,7 +99,9 @@ Mesh with_garbage(const Mesh& mesh)
   CGAL::Euler::remove_face(garbage.halfedge(*garbage.faces().begin()), garbage);
   while(!garbage.is_removed(doomed[0]) && garbage.degree(doomed[0]) > 0)
     CGAL::Euler::remove_face(garbage.is_border(garbage.halfedge(doomed[0]))
-                             ? garbage.opposite(garbage.halfedge(doomed[0])) : garbage.halfedge(doomed[0]), garbage);
+                               ? garbage.opposite(garbage.halfedge(doomed[0]))
+                               : garbage.halfedge(doomed[0]),
+                             garbage);
   for(auto f : std::vector<Mesh::Face_index>(garbage.faces().begin(), garbage.faces().begin() + 4))
     if(!garbage.is_removed(f) && garbage.point(garbage.target(garbage.halfedge(f))).x() >= 50)
       CGAL::Euler::remove_face(garbage.halfedge(f), garbage);
@@ -126,14 +128,27 @@ Mesh pyramid(const std::vector<std::pair<double, double> >& base, const Point_3&
 // many facets, which draw the mean of the normals away from that of the other side.
 Mesh pyramid_over_L(double width)
 {
-  return pyramid({ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 }, { 6, 0 }, { 7, 0 }, { 8, 0 },
-                   { 8, width }, { width, width }, { width, 8 }, { 0, 8 } }, Point_3(0.25, 0.25, 2));
+  return pyramid({ { 0, 0 },
+                   { 1, 0 },
+                   { 2, 0 },
+                   { 3, 0 },
+                   { 4, 0 },
+                   { 5, 0 },
+                   { 6, 0 },
+                   { 7, 0 },
+                   { 8, 0 },
+                   { 8, width },
+                   { width, width },
+                   { width, 8 },
+                   { 0, 8 } },
+                 Point_3(0.25, 0.25, 2));
 }
 
 // nothing sees both arms of a U
 Mesh pyramid_over_U()
 {
-  return pyramid({ { 0, 0 }, { 5, 0 }, { 5, 4 }, { 4, 4 }, { 4, 1 }, { 1, 1 }, { 1, 4 }, { 0, 4 } }, Point_3(2, 0.5, 3));
+  return pyramid({ { 0, 0 }, { 5, 0 }, { 5, 4 }, { 4, 4 }, { 4, 1 }, { 1, 1 }, { 1, 4 }, { 0, 4 } },
+                 Point_3(2, 0.5, 3));
 }
 
 // the smallest of n . g over the facets at a vertex, n and g exact
@@ -243,7 +258,9 @@ TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
   Mesh mesh = both(upper, lower);
   Mesh::Vertex_index keep = Mesh::null_vertex(), drop = Mesh::null_vertex();
   for(auto v : mesh.vertices())
-    if(mesh.point(v) == CGAL::ORIGIN) { (drop == Mesh::null_vertex() ? drop : keep) = v; }
+    if(mesh.point(v) == CGAL::ORIGIN) {
+      (drop == Mesh::null_vertex() ? drop : keep) = v;
+    }
   const auto around = mesh.halfedges_around_target(mesh.halfedge(drop));
   const std::vector<Mesh::Halfedge_index> halfedges(around.begin(), around.end());
   for(auto h : halfedges) mesh.set_target(h, keep);
@@ -260,8 +277,8 @@ TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only
   for(int cuts : { 1, 2 }) {
     Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
     const auto p = vertex_at(mesh, Point_3(0, 0, 0)), q = vertex_at(mesh, Point_3(1, 0, 0));
-    Mesh::Halfedge_index h = mesh.halfedge(p, q);       // to q
-    const Mesh::Halfedge_index before = mesh.prev(h);   // to p
+    Mesh::Halfedge_index h = mesh.halfedge(p, q);     // to q
+    const Mesh::Halfedge_index before = mesh.prev(h); // to p
     for(int c = 1; c <= cuts; ++c) {
       const auto first_half = CGAL::Euler::split_edge(h, mesh);
       mesh.point(mesh.target(first_half)) = Point_3(c / 4., 0, 0);
@@ -322,13 +339,14 @@ TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
   const double tiny = std::ldexp(1., -1000);
   Input_mesh_3 input;
   Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
-  mesh.point(vertex_at(mesh, Point_3(0, 0, 1))) = Point_3(0, tiny, tiny);     // thin, but nothing is flat
+  mesh.point(vertex_at(mesh, Point_3(0, 0, 1))) = Point_3(0, tiny, tiny); // thin, but nothing is flat
   CHECK(check(input, mesh) == Status::SUCCESS);
   mesh.point(vertex_at(mesh, Point_3(0, tiny, tiny))) = Point_3(0.5, 0, 0);
   REQUIRE(check(input, mesh) == Status::DEGENERATE_FACET);
   const auto moved = vertex_at(mesh, Point_3(0.5, 0, 0)), off = vertex_at(mesh, Point_3(0, 1, 0));
-  CHECK(input.offending_simplices().facets
-        == facets_where(mesh, [&](Mesh::Face_index f) { return has_corner(mesh, f, moved) && !has_corner(mesh, f, off); }));
+  CHECK(input.offending_simplices().facets == facets_where(mesh, [&](Mesh::Face_index f) {
+          return has_corner(mesh, f, moved) && !has_corner(mesh, f, off);
+        }));
 }
 
 TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygons")
@@ -484,7 +502,8 @@ TEST_CASE("Triangles of a polygon keep their facet of origin")
   }
 }
 
-TEST_CASE("Facets and vertices have the points of those that they come from, also after removals, beside isolated vertices, and in another order")
+TEST_CASE("Facets and vertices have the points of those that they come from, also after removals, beside isolated "
+          "vertices, and in another order")
 {
   const Mesh plain = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), sphere(1, 1, Point_3(5, 5, 5)));
   Mesh isolated = box(Point_3(0, 0, 0), Point_3(1, 2, 3));
@@ -504,8 +523,11 @@ TEST_CASE("Facets and vertices have the points of those that they come from, als
     for(auto f : input.mesh().faces()) {
       auto h = mesh.halfedge(faces[input.facet_of_origin(f)]);
       const auto t = input.triangle(f);
-      for(int turns = 0; turns < 2 && mesh.point(mesh.source(h)) != t[0]; ++turns) h = mesh.next(h);        // the first corner may be another one
-      CHECK(t == std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) });
+      // the first corner may be another one
+      for(int turns = 0; turns < 2 && mesh.point(mesh.source(h)) != t[0]; ++turns) h = mesh.next(h);
+      CHECK(t
+            == std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                       mesh.point(mesh.target(mesh.next(h))) });
     }
     for(auto v : input.mesh().vertices())
       if(!input.mesh().is_isolated(v)) CHECK(input.mesh().point(v) == mesh.point(vertices[input.vertex_of_origin(v)]));
@@ -576,7 +598,7 @@ TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the clos
 TEST_CASE("A closing of another mesh is refused, and so is one that does not make a surface of the mesh")
 {
   const Mesh mesh = open_pyramid();
-  const Positions all = { 0, 1, 2, 3 };       // each has an edge on the border
+  const Positions all = { 0, 1, 2, 3 }; // each has an edge on the border
   Input_mesh_3 input;
   const auto refused = [&](const Mesh& m, const Closing& closing) {
     const Status status = check_closed(input, m, closing);
@@ -661,7 +683,7 @@ TEST_CASE("A truncation that does not make a surface of the mesh is refused, wit
     CHECK_FALSE(input.truncation());
     return status;
   };
-  parts.points.back() = parts.points[parts.discs[0].rim[1]];      // the middle of the disc is on its rim
+  parts.points.back() = parts.points[parts.discs[0].rim[1]]; // the middle of the disc is on its rim
   CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);
   parts.points.back() = { 0, 0, 1e70 };
   CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);

@@ -32,7 +32,10 @@ BS::Input_mesh_3 input_of(const Mesh& mesh)
 Point random_point(CGAL::Random& random, const std::array<Point_3, 3>& t)
 {
   double u = random.get_double(), v = random.get_double();
-  if(u + v > 1) { u = 1 - u; v = 1 - v; }
+  if(u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
   Point p;
   for(int a = 0; a < 3; ++a) p[a] = t[0][a] + u * (t[1][a] - t[0][a]) + v * (t[2][a] - t[0][a]);
   return p;
@@ -84,7 +87,8 @@ TEST_CASE("local gaps: between two boxes, their distance where they are opposite
   }
 }
 
-TEST_CASE("local gaps: a large slanted facet is found whatever the search begins with, also where balls reach through it")
+TEST_CASE(
+  "local gaps: a large slanted facet is found whatever the search begins with, also where balls reach through it")
 {
   // below a lid that falls from z = 20 to z = 0.5
   Mesh mesh;
@@ -93,7 +97,10 @@ TEST_CASE("local gaps: a large slanted facet is found whatever the search begins
   for(double x : { 0., 100. })
     for(double y : { 0., 100. })
       for(int top = 0; top < 2; ++top) v.push_back(mesh.add_vertex(Point_3(x, y, top == 1 ? z[x > 0] : 0)));
-  const auto add = [&](int a, int b, int c, int d) { mesh.add_face(v[a], v[b], v[c]); mesh.add_face(v[a], v[c], v[d]); };
+  const auto add = [&](int a, int b, int c, int d) {
+    mesh.add_face(v[a], v[b], v[c]);
+    mesh.add_face(v[a], v[c], v[d]);
+  };
   add(0, 2, 6, 4);
   add(1, 5, 7, 3);
   add(0, 4, 5, 1);
@@ -104,7 +111,8 @@ TEST_CASE("local gaps: a large slanted facet is found whatever the search begins
   const BS::Local_gap_3 gap(input);
   for(auto f : input.mesh().faces()) {
     if(unit_normal(input.triangle(f))[2] > -0.5) continue;
-    // nearest where the lid is lowest; at the lid's normal's slant a ball of diameter D above p touches it at distance D / 2
+    // nearest where the lid is lowest; at the lid's normal's slant a ball of diameter D above p touches it at distance
+    // D / 2
     const Point part[4] = { { 10, 40, 0 }, { 40, 40, 0 }, { 40, 60, 0 }, { 10, 60, 0 } };
     for(double most : { infinity, 1000., 100., 30., 20. }) {
       const double at_40 = 20 - 0.195 * 40, cosine = 1 / std::sqrt(1 + 0.195 * 0.195);

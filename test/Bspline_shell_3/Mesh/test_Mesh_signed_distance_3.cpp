@@ -46,20 +46,31 @@ Mesh both(Mesh a, const Mesh& b)
   return a;
 }
 
-Exact_vector exact(const Point_3& p) { return { Rational(p.x()), Rational(p.y()), Rational(p.z()) }; }
-Exact_vector minus(const Exact_vector& p, const Exact_vector& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
+Exact_vector exact(const Point_3& p)
+{
+  return { Rational(p.x()), Rational(p.y()), Rational(p.z()) };
+}
+Exact_vector minus(const Exact_vector& p, const Exact_vector& q)
+{
+  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+}
 Exact_vector cross(const Exact_vector& u, const Exact_vector& v)
 {
-  return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
-Rational dot(const Exact_vector& u, const Exact_vector& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
+Rational dot(const Exact_vector& u, const Exact_vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
 
 // the least over all facets: over the plane where the foot of the perpendicular is in the facet, and over the sides
 double brute_force_distance(const BS::Input_mesh_3& input, const Point_3& point)
 {
   const Exact_vector p = exact(point);
   Rational least(-1);
-  const auto include = [&](const Rational& d) { if(least < 0 || d < least) least = d; };
+  const auto include = [&](const Rational& d) {
+    if(least < 0 || d < least) least = d;
+  };
   for(auto f : input.mesh().faces()) {
     const auto t = input.triangle(f);
     const Exact_vector v[3] = { exact(t[0]), exact(t[1]), exact(t[2]) };
@@ -89,8 +100,9 @@ double winding_number(const BS::Input_mesh_3& input, const Point_3& p)
   for(auto f : input.mesh().faces()) {
     const auto t = input.triangle(f);
     const Vector_3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-    const double la = std::sqrt(a.squared_length()), lb = std::sqrt(b.squared_length()), lc = std::sqrt(c.squared_length());
-    sum += 2 * std::atan2(CGAL::determinant(a, b, c), la*lb*lc + (a*b)*lc + (b*c)*la + (c*a)*lb);
+    const double la = std::sqrt(a.squared_length()), lb = std::sqrt(b.squared_length()),
+                 lc = std::sqrt(c.squared_length());
+    sum += 2 * std::atan2(CGAL::determinant(a, b, c), la * lb * lc + (a * b) * lc + (b * c) * la + (c * a) * lb);
   }
   return sum / (4 * std::acos(-1.));
 }
@@ -105,10 +117,12 @@ void check_against_brute_force(const Mesh& mesh, int points, double reach)
   CGAL::Random random(1);
   int negative = 0, positive = 0;
   for(int n = 0; n < points; ++n) {
-    const Point_3 p(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
+    const Point_3 p(random.get_double(-reach, reach), random.get_double(-reach, reach),
+                    random.get_double(-reach, reach));
     const double distance = brute_force_distance(input, p), winding = winding_number(input, p);
     REQUIRE(std::abs(winding - std::round(winding)) < 1e-9);
-    // facets that face outwards wind once around the inside; facets that face inwards, -1 times: then the outside is behind
+    // facets that face outwards wind once around the inside; facets that face inwards, -1 times: then the outside is
+    // behind
     const bool behind = input.faces_outwards() ? std::round(winding) == 1 : std::round(winding) == 0;
     CHECK(oracle.distance(p) == Approx(distance).epsilon(0).margin(rounding * reach));
     CHECK(oracle.sign(p) == (behind ? -1 : 1));
@@ -133,11 +147,15 @@ double distance_to_box(const Point_3& p, const Point_3& a, const Point_3& b)
 BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
 {
   const BS::Lattice_3 lattice(input.bbox(), spacing);
-  return BS::Cell_complex_3(lattice, BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
+  return BS::Cell_complex_3(lattice,
+                            BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
 }
 
 // samples that are made together, and one query each
-struct Comparison { std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0; };
+struct Comparison
+{
+  std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0;
+};
 
 template <typename Cells>
 Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells, const std::vector<double>& samples)
@@ -199,7 +217,8 @@ Mesh star(int points, double inner, double outer, double zigzag, double height)
 void add_needle(Mesh& mesh, Mesh::Face_index f, double width)
 {
   const auto h = mesh.halfedge(f);
-  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                r = mesh.point(mesh.target(mesh.next(h)));
   const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
   mesh.point(center) = CGAL::midpoint(p, q) + width * (r - CGAL::midpoint(p, q));
 }
@@ -220,18 +239,21 @@ void check_sides(const Mesh& mesh, double coordinates = 1)
     const BS::Mesh_signed_distance_3 oracle(input);
     BS::Mesh_signed_distance_3::Hint hint;
     CGAL::Random random(8);
-    const auto direction = [&] { return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1)); };
+    const auto direction = [&] {
+      return Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
+    };
     int wrong = 0, negative = 0, positive = 0;
     for(auto f : input.mesh().faces()) {
       const auto t = input.triangle(f);
       for(int n = 0; n < 100; ++n) {
         // of a corner, of an edge, or of the inside
-        double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0., n % 4 > 1 ? random.get_double() : 0. };
+        double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0.,
+                        n % 4 > 1 ? random.get_double() : 0. };
         const double sum = b[0] + b[1] + b[2];
         Point_3 p = CGAL::barycenter(t[n % 3], b[0] / sum, t[(n + 1) % 3], b[1] / sum, t[(n + 2) % 3], b[2] / sum);
         p = p + coordinates * std::pow(10, random.get_double(-13, 0)) * direction();
         const double signed_distance = oracle.signed_distance(p, hint), distance = oracle.distance(p);
-        if(!(distance > 1e-12 * coordinates)) continue;       // rounding of a closest point decides
+        if(!(distance > 1e-12 * coordinates)) continue; // rounding of a closest point decides
         wrong += (signed_distance > 0 ? 1 : -1) != oracle.sign(p);
         wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding * coordinates);
         ++(signed_distance > 0 ? positive : negative);
@@ -257,11 +279,22 @@ struct Ball
 
 TEST_CASE("signed distance: the distance is the least over all facets, the sign tells who sees their backs")
 {
-  SECTION("torus") { check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5); }
-  SECTION("inside out") { check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5); }
-  SECTION("with a cavity") { check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.); }
-  SECTION("two components") {
-    check_against_brute_force(both(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80, 1.5);
+  SECTION("torus")
+  {
+    check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5);
+  }
+  SECTION("inside out")
+  {
+    check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5);
+  }
+  SECTION("with a cavity")
+  {
+    check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.);
+  }
+  SECTION("two components")
+  {
+    check_against_brute_force(both(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80,
+                              1.5);
   }
 }
 
@@ -313,7 +346,9 @@ TEST_CASE("signed distance: points of the mesh have none, the next double has a 
         return Point_3(axis == 0 ? x : p.x(), axis == 1 ? x : p.y(), axis == 2 ? x : p.z());
       };
       // on a side, on its edges, on its corners
-      const auto coordinate = [&](int d) { return n % 5 == 4 ? a[d] : n % 7 == 6 ? b[d] : random.get_double(a[d], b[d]); };
+      const auto coordinate = [&](int d) {
+        return n % 5 == 4 ? a[d] : n % 7 == 6 ? b[d] : random.get_double(a[d], b[d]);
+      };
       const Point_3 p = at(side, Point_3(coordinate(0), coordinate(1), coordinate(2)));
       CHECK(oracle.sign(p) == 0);
       CHECK(oracle(p) == 0);
@@ -366,23 +401,72 @@ TEST_CASE("signed distance: where the search starts does not change what it find
 
 TEST_CASE("signed distance: the closest point tells the side, also at creases, saddles, needles and in thin parts")
 {
-  SECTION("smooth") { check_sides(sphere(1)); }
-  SECTION("saddles") { check_sides(torus(1, 0.5, 8, 6)); }
-  SECTION("creases of all kinds") { check_sides(star(5, 0.3, 1, 0.2, 0.5)); }
-  SECTION("sharp creases") { check_sides(star(7, 0.2, 1, 0, 0.01)); }
-  SECTION("very sharp creases") { check_sides(star(4, 0.9, 1, 0, 1e-4)); }
-  SECTION("spikes") { check_sides(star(3, 0.01, 1, 0.01, 0.02)); }
-  SECTION("deep folds") { check_sides(star(6, 0.1, 1, 0.3, 0.05)); }
-  SECTION("a plate") { check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3))); }
-  SECTION("a thin plate") { check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6))); }
-  SECTION("a rod") { check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4))); }
-  SECTION("needles") { check_sides(with_needles(sphere(1), 1e-4)); }
-  SECTION("thin needles") { check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8)); }
-  SECTION("needles at creases") { check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6)); }
-  SECTION("thin needles at sharp creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8)); }
-  SECTION("needles as thin as rounding, at creases") { check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14)); }
-  SECTION("a cavity") { check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99)))); }
-  SECTION("far from the origin") {
+  SECTION("smooth")
+  {
+    check_sides(sphere(1));
+  }
+  SECTION("saddles")
+  {
+    check_sides(torus(1, 0.5, 8, 6));
+  }
+  SECTION("creases of all kinds")
+  {
+    check_sides(star(5, 0.3, 1, 0.2, 0.5));
+  }
+  SECTION("sharp creases")
+  {
+    check_sides(star(7, 0.2, 1, 0, 0.01));
+  }
+  SECTION("very sharp creases")
+  {
+    check_sides(star(4, 0.9, 1, 0, 1e-4));
+  }
+  SECTION("spikes")
+  {
+    check_sides(star(3, 0.01, 1, 0.01, 0.02));
+  }
+  SECTION("deep folds")
+  {
+    check_sides(star(6, 0.1, 1, 0.3, 0.05));
+  }
+  SECTION("a plate")
+  {
+    check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3)));
+  }
+  SECTION("a thin plate")
+  {
+    check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6)));
+  }
+  SECTION("a rod")
+  {
+    check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4)));
+  }
+  SECTION("needles")
+  {
+    check_sides(with_needles(sphere(1), 1e-4));
+  }
+  SECTION("thin needles")
+  {
+    check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8));
+  }
+  SECTION("needles at creases")
+  {
+    check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6));
+  }
+  SECTION("thin needles at sharp creases")
+  {
+    check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
+  }
+  SECTION("needles as thin as rounding, at creases")
+  {
+    check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
+  }
+  SECTION("a cavity")
+  {
+    check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99))));
+  }
+  SECTION("far from the origin")
+  {
     for(Mesh mesh : { torus(1, 0.5, 8, 6), star(7, 0.2, 1, 0, 0.01), with_needles(sphere(1), 1e-4) }) {
       for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(300, -1000, 70);
       check_sides(mesh, 1000);
@@ -408,7 +492,7 @@ TEST_CASE("signed distance: where a mesh intersects itself, the side is that of 
     CHECK(oracle.signed_distance(p, hint) == Approx(expected).epsilon(0).margin(rounding));
     differ += first < 0 && second < 0;
   }
-  CHECK(differ > 50);       // where an odd number of facets would say something else
+  CHECK(differ > 50); // where an odd number of facets would say something else
 }
 
 TEST_CASE("samples of the distance: together they are a uniform lattice, two to a cell and axis")
@@ -432,15 +516,34 @@ TEST_CASE("samples of the distance: together they are a uniform lattice, two to 
 
 TEST_CASE("samples of the distance: made together they are those of single queries")
 {
-  SECTION("a torus") { check_samples(torus(1, 0.5, 24, 16), 0.13, 2); }
-  SECTION("inside out") { check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2); }
-  SECTION("a mesh with a cavity") { check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2); }
-  SECTION("two components") {
+  SECTION("a torus")
+  {
+    check_samples(torus(1, 0.5, 24, 16), 0.13, 2);
+  }
+  SECTION("inside out")
+  {
+    check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2);
+  }
+  SECTION("a mesh with a cavity")
+  {
+    check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2);
+  }
+  SECTION("two components")
+  {
     check_samples(both(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
   }
-  SECTION("a box in the planes between cells") { check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2); }
-  SECTION("cells that do not touch the mesh") { check_samples(sphere(3), 0.11, 4); }
-  SECTION("folds") { check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2); }
+  SECTION("a box in the planes between cells")
+  {
+    check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
+  }
+  SECTION("cells that do not touch the mesh")
+  {
+    check_samples(sphere(3), 0.11, 4);
+  }
+  SECTION("folds")
+  {
+    check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2);
+  }
 }
 
 TEST_CASE("samples of the distance: from a user's oracle")
@@ -454,8 +557,9 @@ TEST_CASE("samples of the distance: from a user's oracle")
   for(std::size_t n = 0; n < samples.size(); ++n) {
     const std::array<double, 3> corner = cells.corner(BS::Cell_complex_3::Index(n / 8));
     const double w = cells.width();
-    wrong += samples[n] != ball(Point_3(corner[0] + (n & 1 ? .75 : .25) * w, corner[1] + (n & 2 ? .75 : .25) * w,
-                                        corner[2] + (n & 4 ? .75 : .25) * w));
+    wrong += samples[n]
+             != ball(Point_3(corner[0] + (n & 1 ? .75 : .25) * w, corner[1] + (n & 2 ? .75 : .25) * w,
+                             corner[2] + (n & 4 ? .75 : .25) * w));
   }
   CHECK(wrong == 0);
   CHECK(BS::sample_signed_distance<CGAL::Parallel_if_available_tag>(ball, cells) == samples);

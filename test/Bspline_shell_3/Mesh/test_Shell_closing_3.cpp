@@ -37,7 +37,8 @@ Mesh open_cube()
 Closing roof(double height = 1.5)
 {
   return Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.5, height } }, 4,
-                 { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } }, std::vector<Closing::Kind>(4, Closing::Kind::CAP));
+                 { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } },
+                 std::vector<Closing::Kind>(4, Closing::Kind::CAP));
 }
 
 } // namespace
@@ -57,7 +58,8 @@ TEST_CASE("Closing: a mesh is closed by its triangles, in their order, and opene
   CHECK(mesh.point(attached->vertices[0]) == Point_3(0.5, 0.5, 1.5));
   for(std::size_t n = 0; n < 4; ++n) {
     bool has_apex = false;
-    for(auto v : mesh.vertices_around_face(mesh.halfedge(attached->faces[n]))) has_apex = has_apex || v == attached->vertices[0];
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(attached->faces[n])))
+      has_apex = has_apex || v == attached->vertices[0];
     CHECK(has_apex);
   }
   Closing::detach(mesh, *attached);
@@ -102,9 +104,9 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
   };
   const Mesh cube = open_cube();
   REQUIRE_FALSE(is_refused(cube, roof()));
-  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof()));       // closed already
+  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof())); // closed already
 
-  Mesh moved = cube;        // by one unit in the last place
+  Mesh moved = cube; // by one unit in the last place
   for(auto v : moved.vertices())
     if(moved.point(v) == Point_3(1, 1, 1)) moved.point(v) = Point_3(1, 1 - 1.2e-16, 1);
   CHECK(is_refused(moved, roof()));
@@ -118,7 +120,7 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
     }
   CHECK(is_refused(split, roof()));
 
-  Mesh another = cube;      // one hole more
+  Mesh another = cube; // one hole more
   CGAL::Euler::remove_face(another.halfedge(*another.faces().begin()), another);
   another.collect_garbage();
   CHECK(is_refused(another, roof()));
@@ -129,12 +131,13 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
   // an edge that the mesh has, too, after facets have been added: the diagonal of a square
   const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
-                       { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } }, std::vector<Closing::Kind>(6, Closing::Kind::BACK));
+                       { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } },
+                       std::vector<Closing::Kind>(6, Closing::Kind::BACK));
   REQUIRE(across.is_valid());
   CHECK(is_refused(square, across));
   // two points of the border in one place
-  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4, { { 0, 1, 2 }, { 0, 2, 3 } },
-                                 std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
+  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4,
+                                 { { 0, 1, 2 }, { 0, 2, 3 } }, std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
 }
 
 TEST_CASE("Closing: triangles that can close no mesh are told from those that can")
@@ -151,14 +154,14 @@ TEST_CASE("Closing: triangles that can close no mesh are told from those that ca
   CHECK(is_valid(3, 3, { { 0, 1, 2 } }));
   CHECK(is_valid(4, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));
   CHECK(is_valid(6, 6, { { 0, 1, 2 }, { 3, 4, 5 } }));
-  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 3 } }));                                           // a point that there is not
+  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 3 } })); // a point that there is not
   CHECK_FALSE(is_valid(3, 4, { { 0, 1, 2 } }));
   CHECK_FALSE(is_valid(3, 3, { { 0, 1, 1 } }));
-  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));                 // the apex is on no border
-  CHECK_FALSE(is_valid(4, 3, { { 0, 1, 2 } }));                                           // a point in no triangle
-  CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } }));                 // open between interior points
-  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));                              // an edge twice the same way
-  CHECK_FALSE(is_valid(5, 5, { { 0, 1, 2 }, { 0, 3, 4 } }));                              // the border passes a point twice
+  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } })); // the apex is on no border
+  CHECK_FALSE(is_valid(4, 3, { { 0, 1, 2 } }));                           // a point in no triangle
+  CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } })); // open between interior points
+  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));              // an edge twice the same way
+  CHECK_FALSE(is_valid(5, 5, { { 0, 1, 2 }, { 0, 3, 4 } }));              // the border passes a point twice
   // a roof with a triangle within, and the same with that triangle twice: its edges have others on their other sides
   const std::vector<Closing::Triangle> roof = { { 0, 1, 3 }, { 1, 4, 3 }, { 1, 2, 4 }, { 2, 5, 4 },
                                                 { 2, 0, 5 }, { 0, 3, 5 }, { 3, 4, 5 } };

@@ -1,5 +1,5 @@
-// Shell_truncation_3.h: a truncation that is made by hand is proved, and so is its map; each error in it is found. It is applied to meshes that have
-// its facets, and to no others.
+// Shell_truncation_3.h: a truncation that is made by hand is proved, and so is its map; each error in it is found. It
+// is applied to meshes that have its facets, and to no others.
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include "truncations.h"
 
@@ -28,7 +28,8 @@ typedef Truncation::Index Index;
 
 typedef Truncation_parts Parts;
 
-// The apex of `pyramid(4, 1)` is cut off halfway: by a square, or, with `has_point`, by a roof with a point in the middle.
+// The apex of `pyramid(4, 1)` is cut off halfway: by a square, or, with `has_point`, by a roof with a point in the
+// middle.
 Parts square_pyramid(bool has_point = false)
 {
   Parts parts;
@@ -42,7 +43,7 @@ Parts square_pyramid(bool has_point = false)
   Truncation::Disc disc;
   disc.center = apex;
   for(Index i = 0; i < 4; ++i) {
-    const auto p = parts.points[1 + i];      // a copy: the vector grows
+    const auto p = parts.points[1 + i]; // a copy: the vector grows
     parts.points.push_back({ p[0] / 2, p[1] / 2, 0.5 });
     parts.cuts.push_back({ apex, 1 + i, npos, 0.5, 0 });
     parts.planar.push_back({ p[0], p[1] });
@@ -56,8 +57,7 @@ Parts square_pyramid(bool has_point = false)
     parts.points.push_back({ 0.05, 0, 0.6 });
     parts.planar.push_back({ 0.1, 0.2 });
     for(Index i = 0; i < 4; ++i) disc.triangles.push_back({ 5 + i, 5 + (i + 1) % 4, 9 });
-  }
-  else disc.triangles = { { 5, 6, 7 }, { 5, 7, 8 } };
+  } else disc.triangles = { { 5, 6, 7 }, { 5, 7, 8 } };
   parts.discs.push_back(disc);
   return parts;
 }
@@ -74,7 +74,10 @@ Point_3 point(const Truncation& t, const Truncation::Place& place, bool is_new)
   return CGAL::ORIGIN + p;
 }
 
-double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 std::array<double, 3> random_barycentric(std::mt19937& random)
 {
@@ -101,22 +104,28 @@ TEST_CASE("Each error in a truncation is found")
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::function<void(Parts&)> > errors = {
-    [](Parts& p) { p.points[2] = p.points[1]; },                                    // two corners in one place
+    [](Parts& p) { p.points[2] = p.points[1]; }, // two corners in one place
     [=](Parts& p) { p.points[6][1] = infinity; },
     [=](Parts& p) { p.planar[1][1] = infinity; },
     [](Parts& p) { p.planar.pop_back(); },
     [](Parts& p) { p.cuts[0].s = 0; },
     [](Parts& p) { p.cuts[0].s = 1; },
-    [](Parts& p) { p.cuts[0].t = 0.25; },                                           // on an edge, and in a facet
-    [](Parts& p) { p.cuts[0].first = 2; },                                          // on another edge than the facets that use it
+    [](Parts& p) { p.cuts[0].t = 0.25; },  // on an edge, and in a facet
+    [](Parts& p) { p.cuts[0].first = 2; }, // on another edge than the facets that use it
     [](Parts& p) { p.cuts[0].center = 1; },
-    [](Parts& p) { p.cuts[0].second = 2; p.cuts[0].t = 0.25; },                     // within a facet, so that its neighbor has a gap
-    [](Parts& p) { p.cuts[0].second = 2; p.cuts[0].t = 0.75; },                     // beyond the facet
+    [](Parts& p) {
+      p.cuts[0].second = 2;
+      p.cuts[0].t = 0.25;
+    }, // within a facet, so that its neighbor has a gap
+    [](Parts& p) {
+      p.cuts[0].second = 2;
+      p.cuts[0].t = 0.75;
+    }, // beyond the facet
     [](Parts& p) { p.cores.pop_back(); },
     [](Parts& p) { p.cores.push_back(p.cores.back()); },
     [](Parts& p) { std::swap(p.cores[3].triangle[0], p.cores[3].triangle[1]); },
     [](Parts& p) { p.cores[3].facet = 0; },
-    [](Parts& p) { p.cores[3].triangle[0] = 0; },                                   // the vertex that is cut off
+    [](Parts& p) { p.cores[3].triangle[0] = 0; }, // the vertex that is cut off
     [](Parts& p) { p.cores[3].facet = 17; },
     [](Parts& p) { p.cut_facets[1][0] = 77; },
     [](Parts& p) { p.cut_facets[1] = p.cut_facets[0]; },
@@ -125,15 +134,22 @@ TEST_CASE("Each error in a truncation is found")
     [](Parts& p) { p.discs.push_back(p.discs[0]); },
     [](Parts& p) { p.discs[0].center = 1; },
     [](Parts& p) { p.discs[0].facets[2] = 1; },
-    [](Parts& p) { p.discs[0].rim.pop_back(); p.discs[0].facets.pop_back(); },
+    [](Parts& p) {
+      p.discs[0].rim.pop_back();
+      p.discs[0].facets.pop_back();
+    },
     [](Parts& p) { std::swap(p.discs[0].rim[0], p.discs[0].rim[2]); },
     [](Parts& p) { std::reverse(p.discs[0].rim.begin(), p.discs[0].rim.end()); },
     [](Parts& p) { p.discs[0].triangles.pop_back(); },
     [](Parts& p) { p.discs[0].triangles.push_back(p.discs[0].triangles.back()); },
     [](Parts& p) { std::swap(p.discs[0].triangles[1][0], p.discs[0].triangles[1][1]); },
-    [](Parts& p) { p.discs[0].triangles[1][0] = 1; },                               // not of the disc
-    [](Parts& p) { p.planar[0] = { -0.5, 0.25 }; },                                 // the polygon is not star-shaped
-    [](Parts& p) { for(auto& q : p.planar) q[1] = -q[1]; },                         // clockwise
+    [](Parts& p) { p.discs[0].triangles[1][0] = 1; }, // not of the disc
+    [](Parts& p) {
+      p.planar[0] = { -0.5, 0.25 };
+    }, // the polygon is not star-shaped
+    [](Parts& p) {
+      for(auto& q : p.planar) q[1] = -q[1];
+    }, // clockwise
   };
   for(bool has_point : { false, true })
     for(std::size_t n = 0; n < errors.size(); ++n) {
@@ -143,9 +159,9 @@ TEST_CASE("Each error in a truncation is found")
       CHECK_FALSE(parts.is_valid());
     }
   Parts parts = square_pyramid(true);
-  parts.planar[4] = { 0.7, 0.7 };         // the point in the disc is outside of the polygon
+  parts.planar[4] = { 0.7, 0.7 }; // the point in the disc is outside of the polygon
   CHECK_FALSE(parts.is_valid());
-  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.5, 0.5 } };      // on its boundary
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.5, 0.5 } }; // on its boundary
   CHECK_FALSE(parts.is_valid());
 }
 
@@ -197,7 +213,7 @@ TEST_CASE("A truncation whose disc and core have an edge in common is not valid:
   };
   disc.triangles = { { 8, 5, 11 }, { 8, 11, 10 }, { 8, 10, 9 }, { 8, 9, 6 }, { 8, 6, 7 } };
   CHECK(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
-  CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11) }));       // a gap between cuts
+  CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11) })); // a gap between cuts
   disc.triangles = { { 5, 11, 10 }, { 5, 10, 9 }, { 5, 9, 6 }, { 5, 6, 7 }, { 5, 7, 8 } };
   CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
 }
@@ -254,8 +270,8 @@ TEST_CASE("Facets with a common edge cut it in the same points")
   disc.triangles = { { 10, 9, 8 }, { 10, 8, 11 } };
   parts.discs.push_back(disc);
   parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { -1, 0 }, { 0, 1 }, { 1, 0 }, { 0, -1 } };
-  parts.cores = { { { 2, 5, 4 }, 0 }, { { 2, 8, 9 }, 0 }, { { 9, 10, 6 }, 1 }, { { 9, 6, 5 }, 1 }, { { 9, 5, 2 }, 1 },
-                  { { 3, 7, 6 }, 2 }, { { 3, 6, 10 }, 2 }, { { 3, 10, 11 }, 2 },
+  parts.cores = { { { 2, 5, 4 }, 0 },  { { 2, 8, 9 }, 0 }, { { 9, 10, 6 }, 1 }, { { 9, 6, 5 }, 1 },
+                  { { 9, 5, 2 }, 1 },  { { 3, 7, 6 }, 2 }, { { 3, 6, 10 }, 2 }, { { 3, 10, 11 }, 2 },
                   { { 3, 11, 8 }, 3 }, { { 3, 8, 4 }, 3 }, { { 3, 4, 7 }, 3 } };
   Parts same = parts;
   same.cores.push_back({ { 2, 4, 8 }, 0 });
@@ -272,7 +288,7 @@ TEST_CASE("A disc with a hole is none")
   Truncation::Disc& disc = parts.discs[0];
   disc.triangles.clear();
   for(Index i = 0; i < 4; ++i) {
-    const auto p = parts.points[1 + i];      // a copy: the vector grows
+    const auto p = parts.points[1 + i]; // a copy: the vector grows
     parts.points.push_back({ p[0] / 4, p[1] / 4, 0.5 });
     parts.planar.push_back({ p[0] / 2, p[1] / 2 });
     const Index j = (i + 1) % 4;
@@ -293,7 +309,10 @@ TEST_CASE("A fan that winds twice is no tip")
   parts.points = { { 0, 0, 1 } };
   Truncation::Disc disc;
   disc.center = 0;
-  const auto at = [](int i) { const double angle = 0.4 * CGAL_PI * (2 * i % 5); return Truncation::Planar_point{ std::cos(angle), std::sin(angle) }; };
+  const auto at = [](int i) {
+    const double angle = 0.4 * CGAL_PI * (2 * i % 5);
+    return Truncation::Planar_point{ std::cos(angle), std::sin(angle) };
+  };
   for(int i = 0; i < 5; ++i) parts.points.push_back({ at(i)[0], at(i)[1], 0 });
   for(Index i = 0; i < 5; ++i) {
     const Index j = (i + 1) % 5;
@@ -391,7 +410,8 @@ TEST_CASE("The derivative of the map is that of differences")
       if(!(moved.barycentric[(k + 1) % 3] > 0) || t.image(moved).facet != image.facet) continue;
       ++tried;
       for(int i = 0; i < 3; ++i)
-        CHECK((t.image(moved).barycentric[i] - image.barycentric[i]) / step == Approx(columns[k][i] - columns[(k + 1) % 3][i]).margin(1e-6));
+        CHECK((t.image(moved).barycentric[i] - image.barycentric[i]) / step
+              == Approx(columns[k][i] - columns[(k + 1) % 3][i]).margin(1e-6));
     }
   }
   CHECK(tried > 800);
@@ -464,7 +484,9 @@ TEST_CASE("A mesh that does not have all facets of a patch stays as it is")
     CAPTURE(change);
     Mesh mesh = pyramid(4, 1);
     if(change == 0) mesh.point(Mesh::Vertex_index(2)) = Point_3(1, 0, -0.1);
-    if(change == 1) mesh.point(mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(Mesh::Vertex_index(0)), mesh))) = Point_3(0.3, 0.3, 0.35);
+    if(change == 1)
+      mesh.point(mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(Mesh::Vertex_index(0)), mesh))) = Point_3(
+        0.3, 0.3, 0.35);
     if(change == 2) {
       for(auto f : mesh.faces()) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
       mesh.collect_garbage();
@@ -571,7 +593,7 @@ TEST_CASE("A vertex with the same neighbors in another order, or with more facet
   // a fin: one edge is doubled, and there are two facets between both
   Mesh fin = start;
   const auto h = fin.halfedge(Mesh::Vertex_index(0)), g = fin.opposite(h);
-  const auto n = fin.next(h), e = fin.add_edge();       // a second edge beside h, and a facet of two edges between them
+  const auto n = fin.next(h), e = fin.add_edge(); // a second edge beside h, and a facet of two edges between them
   const auto f = fin.face(h), digon = fin.add_face();
   const auto p = fin.prev(h);
   fin.set_target(e, fin.target(h));

@@ -1,5 +1,5 @@
-// The mesh cut by cells, equal ones and others: what every cut must satisfy, measured exactly, and cuts whose pieces can be
-// counted.
+// The mesh cut by cells, equal ones and others: what every cut must satisfy, measured exactly, and cuts whose pieces
+// can be counted.
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include "random_hierarchies.h"
@@ -56,16 +56,31 @@ Exact_vector minus(const Point& p, const Point& q)
 }
 Exact_vector cross(const Exact_vector& u, const Exact_vector& v)
 {
-  return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
-Rational dot(const Exact_vector& u, const Exact_vector& v) { return u[0]*v[0] + u[1]*v[1] + u[2]*v[2]; }
-double norm(const Exact_vector& u) { return std::sqrt(CGAL::to_double(dot(u, u))); }
-double distance(const Point& p, const Point& q) { return norm(minus(p, q)); }
+Rational dot(const Exact_vector& u, const Exact_vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+double norm(const Exact_vector& u)
+{
+  return std::sqrt(CGAL::to_double(dot(u, u)));
+}
+double distance(const Point& p, const Point& q)
+{
+  return norm(minus(p, q));
+}
 
 // six cuts one after the other, and three for each level below
 template <typename Cells>
-int number_of_cuts(const Cells&) { return 6; }
-int number_of_cuts(const Hierarchy& cells) { return 6 + 3 * (cells.number_of_levels() - 1); }
+int number_of_cuts(const Cells&)
+{
+  return 6;
+}
+int number_of_cuts(const Hierarchy& cells)
+{
+  return 6 + 3 * (cells.number_of_levels() - 1);
+}
 
 // Each cut is off by at most ten roundings of coordinates of that size, along three axes.
 double allowance(const Triangle& t, int cuts)
@@ -153,8 +168,8 @@ Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles,
 }
 
 // the points of a facet's pieces that lie on the line through two of its vertices
-std::set<Point> points_on_edge(const Clipped& clipped, const std::vector<const Clipped::Piece*>& pieces,
-                               const Point& a, const Point& b, double allowed)
+std::set<Point> points_on_edge(const Clipped& clipped, const std::vector<const Clipped::Piece*>& pieces, const Point& a,
+                               const Point& b, double allowed)
 {
   std::set<Point> points;
   for(const Clipped::Piece* piece : pieces)
@@ -200,7 +215,8 @@ void check_pieces(const BS::Input_mesh_3& input, const Cells& cells, bool with_e
     for(int e = 0; e < 3; ++e) {
       const Point& p = triangles[f][e];
       const Point& q = triangles[f][(e + 1) % 3];
-      const std::set<Point> points = points_on_edge(clipped, pieces[f], p, q, allowance(triangles[f], number_of_cuts(cells)));
+      const std::set<Point> points = points_on_edge(clipped, pieces[f], p, q,
+                                                    allowance(triangles[f], number_of_cuts(cells)));
       const auto inserted = points_on.insert({ { (std::min)(p, q), (std::max)(p, q) }, points });
       if(inserted.second) continue;
       cut_edges += points.size() > 2;
@@ -216,8 +232,9 @@ BS::Lattice_3 lattice_around(const BS::Input_mesh_3& input, double spacing, cons
   const CGAL::Bbox_3 c = center.bbox(), b = input.bbox();
   const double reach = (std::max)({ b.xmax() - c.xmin(), c.xmax() - b.xmin(), b.ymax() - c.ymin(), c.ymax() - b.ymin(),
                                     b.zmax() - c.zmin(), c.zmax() - b.zmin() });
-  const BS::Lattice_3 lattice(CGAL::Bbox_3(c.xmin() - reach, c.ymin() - reach, c.zmin() - reach,
-                                           c.xmax() + reach, c.ymax() + reach, c.zmax() + reach), spacing);
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(c.xmin() - reach, c.ymin() - reach, c.zmin() - reach, c.xmax() + reach,
+                                           c.ymax() + reach, c.zmax() + reach),
+                              spacing);
   REQUIRE(lattice.is_exact());
   return lattice;
 }
@@ -230,7 +247,8 @@ void check_clip(const Mesh& mesh, double spacing, const Point_3& lattice_center 
   check_pieces(input, cells, with_edges);
   // all cells that the mesh enters have a piece
   CHECK(BS::clip_mesh_to_cells<Tag>(input, cells).cells().size() == cells.number_of_cells());
-  CHECK(BS::cells_entered_by_mesh<CGAL::Parallel_if_available_tag>(input, lattice) == BS::cells_entered_by_mesh<Tag>(input, lattice));
+  CHECK(BS::cells_entered_by_mesh<CGAL::Parallel_if_available_tag>(input, lattice)
+        == BS::cells_entered_by_mesh<Tag>(input, lattice));
 }
 
 // leaves at random places of the mesh, refined
@@ -249,7 +267,8 @@ Hierarchy refined_at_mesh(const BS::Input_mesh_3& input, const Root_cells& roots
   return cells;
 }
 
-void check_clip_to_leaves(const Mesh& mesh, double spacing, const Point_3& lattice_center = CGAL::ORIGIN, bool with_edges = true)
+void check_clip_to_leaves(const Mesh& mesh, double spacing, const Point_3& lattice_center = CGAL::ORIGIN,
+                          bool with_edges = true)
 {
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Lattice_3 lattice = lattice_around(input, spacing, lattice_center);
@@ -263,7 +282,8 @@ void check_clip_to_leaves(const Mesh& mesh, double spacing, const Point_3& latti
   for(std::size_t n = 0; n < a.number_of_pieces(); ++n) {
     const Clipped::Piece &p = a.pieces()[n], &q = b.pieces()[n];
     different += p.cell != q.cell || p.facet != q.facet || p.size != q.size;
-    for(std::uint32_t v = 0; v < p.size && different == 0; ++v) different += a.point(p.first + v) != b.point(q.first + v);
+    for(std::uint32_t v = 0; v < p.size && different == 0; ++v)
+      different += a.point(p.first + v) != b.point(q.first + v);
   }
   CHECK(different == 0);
 }
@@ -275,7 +295,7 @@ Mesh octahedron(double radius)
   for(int a = 0; a < 3; ++a)
     for(int s = 0; s < 2; ++s) {
       const double x = s ? radius : -radius;
-      v[2*a + s] = mesh.add_vertex(Point_3(a == 0 ? x : 0, a == 1 ? x : 0, a == 2 ? x : 0));
+      v[2 * a + s] = mesh.add_vertex(Point_3(a == 0 ? x : 0, a == 1 ? x : 0, a == 2 ? x : 0));
     }
   for(int n = 0; n < 8; ++n) {
     const Mesh::Vertex_index x = v[n & 1], y = v[2 + (n >> 1 & 1)], z = v[4 + (n >> 2)];
@@ -298,26 +318,49 @@ const BS::Lattice_3 quarters(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.25);
 
 TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas add up")
 {
-  SECTION("facets larger than cells") { check_clip(sphere(1), 0.21, Point_3(0.01, 0.02, -0.03)); }
-  SECTION("facets smaller than cells") { check_clip(sphere(2), 0.5, Point_3(0.03, 0.01, 0.02)); }
-  SECTION("far from the origin") { check_clip(sphere(1, 1, Point_3(1e6, -1e6, 12345)), 0.3, Point_3(1e6, -1e6, 12345)); }
+  SECTION("facets larger than cells")
+  {
+    check_clip(sphere(1), 0.21, Point_3(0.01, 0.02, -0.03));
+  }
+  SECTION("facets smaller than cells")
+  {
+    check_clip(sphere(2), 0.5, Point_3(0.03, 0.01, 0.02));
+  }
+  SECTION("far from the origin")
+  {
+    check_clip(sphere(1, 1, Point_3(1e6, -1e6, 12345)), 0.3, Point_3(1e6, -1e6, 12345));
+  }
   // where an edge is a bit away from a plane, its points cannot be told from others nearby: no comparison along edges
-  SECTION("edges one bit beside lattice planes") { check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false); }
-  SECTION("edges in lattice planes") {
+  SECTION("edges one bit beside lattice planes")
+  {
+    check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false);
+  }
+  SECTION("edges in lattice planes")
+  {
     Mesh mesh = torus(1, 0.5, 12, 8);
     const auto snap = [](double x) { return std::nearbyint(std::ldexp(x, 20)) / (1 << 20); };
     for(auto v : mesh.vertices())
       mesh.point(v) = Point_3(snap(mesh.point(v).x()), snap(mesh.point(v).y()), snap(mesh.point(v).z()));
     check_clip(mesh, 0.25);
   }
-  SECTION("axis-parallel, in lattice planes") { check_clip(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), 0.25); }
-  SECTION("axis-parallel, beside lattice planes") { check_clip(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3); }
-  SECTION("through lattice corners") { check_clip(octahedron(1), 0.25); }
+  SECTION("axis-parallel, in lattice planes")
+  {
+    check_clip(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), 0.25);
+  }
+  SECTION("axis-parallel, beside lattice planes")
+  {
+    check_clip(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
+  }
+  SECTION("through lattice corners")
+  {
+    check_clip(octahedron(1), 0.25);
+  }
 }
 
-TEST_CASE("cells near a mesh: all cells that samples of it are near, and none without a part of the mesh in its box, enlarged")
+TEST_CASE(
+  "cells near a mesh: all cells that samples of it are near, and none without a part of the mesh in its box, enlarged")
 {
-  for(int subdivisions : { 0, 3 }) {       // of an icosahedron
+  for(int subdivisions : { 0, 3 }) { // of an icosahedron
     const BS::Input_mesh_3 input = input_of(sphere(subdivisions));
     const BS::Lattice_3 lattice = lattice_around(input, 0.21, Point_3(0.01, 0.02, -0.03));
     const Root_cells entered = cells_of(input, lattice);
@@ -341,13 +384,14 @@ TEST_CASE("cells near a mesh: all cells that samples of it are near, and none wi
           // what is just near enough to a corner
           for(int corner = 0; corner < 8; ++corner) {
             int q[3];
-            for(int a = 0; a < 3; ++a) q[a] = lattice.interval(a, p[std::size_t(a)] + (corner >> a & 1 ? 0.999 : -0.999) * distance);
+            for(int a = 0; a < 3; ++a)
+              q[a] = lattice.interval(a, p[std::size_t(a)] + (corner >> a & 1 ? 0.999 : -0.999) * distance);
             missing += !std::binary_search(keys.begin(), keys.end(), BS::Lattice_key::encode(q[0], q[1], q[2]));
           }
         }
         int first[3], last[3];
         for(int a = 0; a < 3; ++a) {
-          first[a] = lattice.interval(a, (box.min)(a) - distance);
+          first[a] = lattice.interval(a, (box.min)(a)-distance);
           last[a] = lattice.interval(a, (box.max)(a) + distance);
         }
         for(int k = first[2]; k <= last[2]; ++k)
@@ -377,8 +421,8 @@ TEST_CASE("clipped mesh: needles a few bits wide are not lost")
   check_clip(tetrahedron(a, a + Vector_3(1e-12, -1e-12, 0), b, a + Vector_3(0, 1e-12, -1e-12)), 0.1);
   // along an edge of the lattice
   check_clip(tetrahedron(Point_3(0, 0, -.9), Point_3(1e-12, 0, -.9), Point_3(0, 0, .8), Point_3(0, 1e-12, -.9)), 0.25);
-  check_clip(tetrahedron(Point_3(-1e-12, 0, -.9), Point_3(1e-12, 1e-12, -.9), Point_3(0, 0, .8),
-                         Point_3(0, -1e-12, -.9)), 0.25);
+  check_clip(
+    tetrahedron(Point_3(-1e-12, 0, -.9), Point_3(1e-12, 1e-12, -.9), Point_3(0, 0, .8), Point_3(0, -1e-12, -.9)), 0.25);
 }
 
 TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie on a plane")
@@ -437,7 +481,7 @@ TEST_CASE("clipped mesh: faults that are planted are found")
   // pieces of root cells are no pieces of their leaves
   const Hierarchy finer = refined_at_mesh(input, cells, 8, 2);
   CHECK(faults_of(clipped, triangles, finer).outside_cell > 0);
-  for(double& x : triangles[3][1]) x *= 1 + 1e-13;      // away from the middle of the sphere
+  for(double& x : triangles[3][1]) x *= 1 + 1e-13; // away from the middle of the sphere
   CHECK(faults_of(clipped, triangles, cells).off_plane > 0);
   triangles = triangles_of(input);
   std::swap(triangles[3], triangles[4]);
@@ -460,14 +504,15 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
       const double width = cells.width(piece.cell);
       for(int a = 0; a < 3; ++a) {
         if(clipped.normal(piece.facet)[a] == 0) continue;
-        const double x = clipped.point(piece.first)[a], behind = corner[a] + (clipped.normal(piece.facet)[a] > 0 ? width : 0);
+        const double x = clipped.point(piece.first)[a],
+                     behind = corner[a] + (clipped.normal(piece.facet)[a] > 0 ? width : 0);
         const bool between = x == corner[a] || x == corner[a] + width;
         in_plane += between;
         wrong += between && x != behind;
       }
     }
     CHECK(wrong == 0);
-    CHECK(area == Approx(expected_area).epsilon(1e-14));     // each part once
+    CHECK(area == Approx(expected_area).epsilon(1e-14)); // each part once
     return std::make_pair(clipped.number_of_pieces(), in_plane);
   };
   const BS::Input_mesh_3 input = input_of(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)));
@@ -486,7 +531,8 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
     const Clipped::Point& n = clipped.normal(piece.facet);
     for(int a = 0; a < 3; ++a)
       if(n[a] != 0)
-        cells.visit_neighbors(piece.cell, a, n[a] > 0, [&](Hierarchy::Index c) { between += cells.level(c) != cells.level(piece.cell); });
+        cells.visit_neighbors(piece.cell, a, n[a] > 0,
+                              [&](Hierarchy::Index c) { between += cells.level(c) != cells.level(piece.cell); });
   }
   CHECK(between > 10);
 
@@ -499,30 +545,53 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
 
 TEST_CASE("clipped mesh: pieces of leaves of different size lie in them and in their facets, and their areas add up")
 {
-  SECTION("facets larger than cells") { check_clip_to_leaves(sphere(1), 0.37, Point_3(0.01, 0.02, -0.03)); }
-  SECTION("facets smaller than cells") { check_clip_to_leaves(sphere(2), 0.8, Point_3(0.03, 0.01, 0.02)); }
-  SECTION("far from the origin") { check_clip_to_leaves(sphere(1, 1, Point_3(1e5, -1e5, 12345)), 0.5, Point_3(100000.03, -99999.98, 12345.01)); }
-  // what lies in a plane between leaves of different size is cut on one side of it, or the other: no comparison along edges
-  SECTION("edges one bit beside lattice planes") { check_clip_to_leaves(torus(1, 0.5, 12, 8), 0.5, CGAL::ORIGIN, false); }
-  SECTION("axis-parallel, beside lattice planes") { check_clip_to_leaves(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3); }
-  SECTION("through lattice corners") { check_clip_to_leaves(octahedron(1), 0.5, CGAL::ORIGIN, false); }
-  SECTION("needles") {
+  SECTION("facets larger than cells")
+  {
+    check_clip_to_leaves(sphere(1), 0.37, Point_3(0.01, 0.02, -0.03));
+  }
+  SECTION("facets smaller than cells")
+  {
+    check_clip_to_leaves(sphere(2), 0.8, Point_3(0.03, 0.01, 0.02));
+  }
+  SECTION("far from the origin")
+  {
+    check_clip_to_leaves(sphere(1, 1, Point_3(1e5, -1e5, 12345)), 0.5, Point_3(100000.03, -99999.98, 12345.01));
+  }
+  // what lies in a plane between leaves of different size is cut on one side of it, or the other: no comparison along
+  // edges
+  SECTION("edges one bit beside lattice planes")
+  {
+    check_clip_to_leaves(torus(1, 0.5, 12, 8), 0.5, CGAL::ORIGIN, false);
+  }
+  SECTION("axis-parallel, beside lattice planes")
+  {
+    check_clip_to_leaves(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
+  }
+  SECTION("through lattice corners")
+  {
+    check_clip_to_leaves(octahedron(1), 0.5, CGAL::ORIGIN, false);
+  }
+  SECTION("needles")
+  {
     const Point_3 a(-.9, -.8, -.7), b(.8, .9, .6);
-    check_clip_to_leaves(tetrahedron(a, a + Vector_3(1e-12, -1e-12, 0), b, a + Vector_3(0, 1e-12, -1e-12)), 0.25, CGAL::ORIGIN, false);
+    check_clip_to_leaves(tetrahedron(a, a + Vector_3(1e-12, -1e-12, 0), b, a + Vector_3(0, 1e-12, -1e-12)), 0.25,
+                         CGAL::ORIGIN, false);
   }
 }
 
 TEST_CASE("clipped mesh: where leaves of one size are all there are, they are cells of a finer lattice")
 {
   const BS::Input_mesh_3 input = input_of(sphere(1));
-  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.4), fine(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.2);
+  const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.4),
+    fine(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.2);
   REQUIRE(lattice.spacing() == 2 * fine.spacing());
   REQUIRE(lattice.origin() == fine.origin());
   Hierarchy cells(cells_of(input, lattice));
   std::vector<Hierarchy::Index> all;
   for(Hierarchy::Index c = 0; c < cells.number_of_cells(); ++c) all.push_back(c);
   cells = cells.refined(all);
-  const Clipped a = BS::clip_mesh_to_cells<Tag>(input, cells), b = BS::clip_mesh_to_cells<Tag>(input, cells_of(input, fine));
+  const Clipped a = BS::clip_mesh_to_cells<Tag>(input, cells),
+                b = BS::clip_mesh_to_cells<Tag>(input, cells_of(input, fine));
   REQUIRE(a.number_of_pieces() == b.number_of_pieces());
   // the same leaves, by their corners, with the same facets and areas
   typedef std::pair<std::array<double, 3>, std::uint32_t> Key;
@@ -551,7 +620,7 @@ TEST_CASE("clipped mesh: cells that are only touched get no piece")
 
 TEST_CASE("clipped mesh: the same with any number of threads")
 {
-  const BS::Input_mesh_3 input = input_of(sphere(3));     // several chunks of facets
+  const BS::Input_mesh_3 input = input_of(sphere(3)); // several chunks of facets
   const auto check = [&](const auto& cells) {
     const Clipped a = BS::clip_mesh_to_cells<Tag>(input, cells);
     const Clipped b = BS::clip_mesh_to_cells<CGAL::Parallel_if_available_tag>(input, cells);

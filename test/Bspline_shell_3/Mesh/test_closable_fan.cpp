@@ -1,4 +1,5 @@
-// Whether a border vertex can be closed is decided exactly: against known fans, and against many directions that are tried.
+// Whether a border vertex can be closed is decided exactly: against known fans, and against many directions that are
+// tried.
 #include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include <CGAL/Bspline_shell_3/Mesh/closable_fan.h>
 #include "test_meshes.h"
@@ -26,7 +27,10 @@ std::vector<Point_3> spiral(double turns, double low, double high, int steps, co
   return link;
 }
 
-double determinant(const Vector_3& a, const Vector_3& b, const Vector_3& c) { return CGAL::determinant(a, b, c); }
+double determinant(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  return CGAL::determinant(a, b, c);
+}
 
 // the turn of a fan about g, or a negative number if a facet does not face it, or only just
 double turn(const std::vector<Point_3>& link, const Vector_3& g)
@@ -46,10 +50,12 @@ double turn(const std::vector<Point_3>& link, const Vector_3& g)
 
 TEST_CASE("Fans: flat ones up to a full turn can be closed")
 {
-  for(double turns : { 0.1, 0.49, 0.5, 0.51, 0.75, 0.99 }) CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(turns, 0, 0, 12)));
+  for(double turns : { 0.1, 0.49, 0.5, 0.51, 0.75, 0.99 })
+    CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(turns, 0, 0, 12)));
   CHECK(BS::is_fan_closable(Point_3(3, -2, 7), spiral(0.9, 0.2, 0.4, 12, Point_3(3, -2, 7))));
   // the last edge on the first one
-  CHECK_FALSE(BS::is_fan_closable(CGAL::ORIGIN, { Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0), Point_3(2, 0, 0) }));
+  CHECK_FALSE(
+    BS::is_fan_closable(CGAL::ORIGIN, { Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0), Point_3(2, 0, 0) }));
   // exactly half a turn
   CHECK(BS::is_fan_closable(CGAL::ORIGIN, { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-2, 0, 0) }));
 }
@@ -68,10 +74,12 @@ TEST_CASE("Fans: the answer is that of many directions, whatever the fan")
   CGAL::Random random(5);
   std::size_t closable = 0, others = 0;
   for(int trial = 0; trial < 300; ++trial) {
-    std::vector<Point_3> link = spiral(random.get_double(0.2, 1.6), 0, random.get_double(0, 0.5), random.get_int(4, 12));
+    std::vector<Point_3> link = spiral(random.get_double(0.2, 1.6), 0, random.get_double(0, 0.5),
+                                       random.get_int(4, 12));
     const double noise = random.get_double(0, 0.8);
     for(Point_3& q : link) {
-      const double x = random.get_double(-noise, noise), y = random.get_double(-noise, noise), z = random.get_double(-noise, noise);
+      const double x = random.get_double(-noise, noise), y = random.get_double(-noise, noise),
+                   z = random.get_double(-noise, noise);
       q = q + Vector_3(x, y, z);
     }
     bool is_found = false, is_faced = false;
@@ -82,9 +90,13 @@ TEST_CASE("Fans: the answer is that of many directions, whatever the fan")
       is_found = t > 0 && t < 2 * CGAL_PI - 1e-6;
     }
     const bool is_closable = BS::is_fan_closable(CGAL::ORIGIN, link);
-    if(is_found) { CHECK(is_closable); ++closable; }
+    if(is_found) {
+      CHECK(is_closable);
+      ++closable;
+    }
     // where one direction in 20000 is faced, one that closes the fan would have been found, unless it is that rare
-    else if(is_faced && !is_closable) ++others;
+    else if(is_faced && !is_closable)
+      ++others;
     else if(is_faced) WARN("a fan can be closed about few directions only");
   }
   CHECK(closable > 50);

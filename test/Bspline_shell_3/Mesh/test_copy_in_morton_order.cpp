@@ -1,4 +1,5 @@
-// copy_in_morton_order.h: nothing of a mesh changes but the numbers of its elements, which do not depend on those of the mesh.
+// copy_in_morton_order.h: nothing of a mesh changes but the numbers of its elements, which do not depend on those of
+// the mesh.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/copy_in_morton_order.h>
@@ -24,9 +25,12 @@ namespace {
 
 namespace BSI = CGAL::Bspline_shells::internal;
 typedef std::array<double, 3> Coordinates;
-typedef std::vector<std::size_t> Polygon;      // of positions, the lowest one first
+typedef std::vector<std::size_t> Polygon; // of positions, the lowest one first
 
-Coordinates coordinates(const Point_3& p) { return { p.x(), p.y(), p.z() }; }
+Coordinates coordinates(const Point_3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
 
 template <typename M>
 std::vector<Coordinates> points(const M& mesh)
@@ -133,7 +137,8 @@ TEST_CASE("A copy in Morton's order has nothing of what was removed, no isolated
 
   // an edge into the hole, back and forth
   const std::size_t before = mesh.number_of_edges();
-  const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(), [&](auto x) { return mesh.is_border(x); });
+  const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
+                               [&](auto x) { return mesh.is_border(x); });
   const auto e = mesh.add_edge(), n = mesh.next(h);
   mesh.set_target(e, far);
   mesh.set_target(mesh.opposite(e), mesh.target(h));
@@ -158,7 +163,8 @@ TEST_CASE("A copy in Morton's order keeps a vertex with two fans as one")
   const auto [copy, origin] = copied(mesh);
   CHECK(copy.number_of_vertices() == 15);
   const auto leads_to_middle = [](const Mesh& m) {
-    return std::count_if(m.halfedges().begin(), m.halfedges().end(), [&](auto h) { return m.point(m.target(h)) == Point_3(1, 1, 1); });
+    return std::count_if(m.halfedges().begin(), m.halfedges().end(),
+                         [&](auto h) { return m.point(m.target(h)) == Point_3(1, 1, 1); });
   };
   CHECK(leads_to_middle(copy) == leads_to_middle(mesh));
 }
@@ -181,7 +187,8 @@ TEST_CASE("A copy in Morton's order does not depend on the order of vertices, fa
   }
 }
 
-TEST_CASE("In a copy in Morton's order, facets that follow each other are near each other, and begin at their lowest vertex")
+TEST_CASE(
+  "In a copy in Morton's order, facets that follow each other are near each other, and begin at their lowest vertex")
 {
   const Mesh mesh = shuffled(sphere(4), 3);
   const auto [copy, origin] = copied(mesh);

@@ -1,4 +1,5 @@
-// fan_winding.h, Crossing_counter_3.h, vertex_cone.h (margins), arithmetic_self_test.h: exact counts with known answers.
+// fan_winding.h, Crossing_counter_3.h, vertex_cone.h (margins), arithmetic_self_test.h: exact counts with known
+// answers.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -44,12 +45,13 @@ TEST_CASE("Fan winding: as often as the link goes round")
 {
   for(int corners : { 3, 4, 5, 7, 12 })
     for(int step = 1; 2 * step < corners; ++step) {
-      if(corners == 12 && step != 1 && step != 5) continue;       // otherwise the polygon closes early
+      if(corners == 12 && step != 1 && step != 5) continue; // otherwise the polygon closes early
       CAPTURE(corners, step);
       const Mesh mesh = bipyramid(corners, step);
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, 2)) == std::size_t(step));
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
-      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);      // the facets face the other way
+      // the facets face the other way
+      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);
     }
   // a facet whose plane contains the axis does not face it
   const std::vector<Point_3> link = { Point_3(0, -1, -1), Point_3(0, 1, -1), Point_3(-1, 0, -1) };
@@ -85,8 +87,8 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
       };
       CHECK(are_tips_embedded(scaled(bipyramid(3, 1, height))));
       CHECK(are_tips_embedded(scaled(bipyramid(12, 1, height))));
-      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(5, 2, height))));       // twice
-      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(12, 5, height))));      // five times
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(5, 2, height))));  // twice
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(12, 5, height)))); // five times
     }
   // a corner of the link on the other side of the tip, and of other edges
   Mesh folded = bipyramid(6, 1);
@@ -94,7 +96,8 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
   CHECK_FALSE(are_tips_embedded(folded));
   // normals that cancel
   Mesh flat;
-  const auto a = flat.add_vertex(Point_3(0, 0, 0)), b = flat.add_vertex(Point_3(1, 0, 0)), c = flat.add_vertex(Point_3(0, 1, 0));
+  const auto a = flat.add_vertex(Point_3(0, 0, 0)), b = flat.add_vertex(Point_3(1, 0, 0)),
+             c = flat.add_vertex(Point_3(0, 1, 0));
   flat.add_face(a, b, c);
   flat.add_face(a, c, b);
   CHECK_FALSE(are_tips_embedded(flat));
@@ -119,7 +122,7 @@ TEST_CASE("Cones: none where two facets face opposite ways, however a direction 
     const Point_3 p(wide(), wide(), wide());
     const Vector_3 u(std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20));
     const Vector_3 v(std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20), std::floor(wide() / 0x1p20));
-    const Vector_3 normal = CGAL::cross_product(u, v);        // exact
+    const Vector_3 normal = CGAL::cross_product(u, v); // exact
     const Vector_3 across(wide(), wide(), wide());
     BS::internal::Vertex_fan fan;
     fan.apex = p;
@@ -145,8 +148,8 @@ TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
       CAPTURE(height, corners);
       const Mesh mesh = bipyramid(corners, 1, height);
       const double apothem = std::cos(CGAL_PI / corners);
-      CHECK(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0)) == Approx(apothem == 0 ? 0 : height / std::hypot(height, apothem) * apothem / height)
-                                                                    .epsilon(1e-9));
+      CHECK(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0))
+            == Approx(apothem == 0 ? 0 : height / std::hypot(height, apothem) * apothem / height).epsilon(1e-9));
     }
   // in a plane it is one, at the corner of a cube 1 / sqrt(3)
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
@@ -158,7 +161,8 @@ TEST_CASE("Bounded cone margin: the margin, up to the bound, and none at a singu
   Mesh mesh = torus(3, 1, 9, 7);
   CGAL::Random random(3);
   const auto shifted = [&](double x) { return x + random.get_double(-0.6, 0.6); };
-  for(auto v : mesh.vertices()) mesh.point(v) = Point_3(shifted(mesh.point(v).x()), shifted(mesh.point(v).y()), shifted(mesh.point(v).z()));
+  for(auto v : mesh.vertices())
+    mesh.point(v) = Point_3(shifted(mesh.point(v).x()), shifted(mesh.point(v).y()), shifted(mesh.point(v).z()));
   std::size_t singular = 0, below = 0;
   for(auto v : mesh.vertices())
     for(double bound : { 0., 0.01, 0.5, 0.7, 0.9, 1. }) {
@@ -195,26 +199,30 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
 
   const Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
   const BS::Crossing_counter_3 of_cube(cube);
-  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 0)));                  // an edge
-  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 2)));                  // a vertex
-  CHECK_FALSE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1)));          // ends on a facet
-  CHECK_FALSE(of_cube.crossings(Point_3(-2, 0.25, 1), Point_3(2, 0.5, 1)));            // lies in one
-  CHECK_FALSE(of_cube.crossings(Point_3(0.5, 1, 3), Point_3(0.5, 1, 0.5)));            // runs along a side
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 0)));         // an edge
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 2)));         // a vertex
+  CHECK_FALSE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1))); // ends on a facet
+  CHECK_FALSE(of_cube.crossings(Point_3(-2, 0.25, 1), Point_3(2, 0.5, 1)));   // lies in one
+  CHECK_FALSE(of_cube.crossings(Point_3(0.5, 1, 3), Point_3(0.5, 1, 0.5)));   // runs along a side
   REQUIRE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15)));
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15))->size() == 1);
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, std::nextafter(1., 0.)))->empty());
 }
 
-TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a tree, cross the same facets")
+TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a "
+          "tree, cross the same facets")
 {
-  Mesh mesh = sphere(5);      // of more facets than one thread compares at once
+  Mesh mesh = sphere(5); // of more facets than one thread compares at once
   CGAL::copy_face_graph(sphere(1, 0.5), mesh);
-  mesh.add_face(mesh.add_vertex(Point_3(-2, -2, 0.02)), mesh.add_vertex(Point_3(4, -2, 0.03)), mesh.add_vertex(Point_3(-2, 4, 0.04)));
+  mesh.add_face(mesh.add_vertex(Point_3(-2, -2, 0.02)), mesh.add_vertex(Point_3(4, -2, 0.03)),
+                mesh.add_vertex(Point_3(-2, 4, 0.04)));
   mesh.remove_face(Mesh::Face_index(mesh.num_faces() - 1));
   const BS::Crossing_counter_3 many(mesh);
   for(int n = 0; n < 100; ++n) many.crossings(Point_3(0, 0, 0.01), Point_3(3, 1, 0.5));
   CGAL::Random random(7);
-  const auto point = [&] { return Point_3(random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2)); };
+  const auto point = [&] {
+    return Point_3(random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2), random.get_double(-1.2, 1.2));
+  };
   for(int n = 0; n < 200; ++n) {
     const Point_3 p = point(), q = point();
     const BS::Crossing_counter_3 few(mesh);
@@ -241,7 +249,8 @@ TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, 
   }
 }
 
-TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first; so is a facet on which an end lies")
+TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first; so is a facet on "
+          "which an end lies")
 {
   Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
   for(int turn = 0; turn < 3; ++turn) {
@@ -249,7 +258,7 @@ TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's cor
     const BS::Crossing_counter_3 counter(cube);
     for(double x : { -1., 1. })
       for(double y : { -1., 1. }) {
-        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5)));       // an edge along z
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5))); // an edge along z
         CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 0.5, 2 * y)));
         CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(0.5, 2 * x, 2 * y)));
         for(double z : { -1., 1. }) CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 2 * z)));
@@ -264,8 +273,11 @@ TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's cor
     for(auto f : pyramid.faces())
       for(int n = 0; n < 3; ++n) {
         auto h = pyramid.halfedge(f);
-        const Mesh::Vertex_index of_corner = corner == 0 ? pyramid.source(h) : corner == 1 ? pyramid.target(h) : pyramid.target(pyramid.next(h));
-        if(of_corner != Mesh::Vertex_index(0) && of_corner != Mesh::Vertex_index(1)) pyramid.set_halfedge(f, pyramid.next(h));
+        const Mesh::Vertex_index of_corner = corner == 0   ? pyramid.source(h)
+                                             : corner == 1 ? pyramid.target(h)
+                                                           : pyramid.target(pyramid.next(h));
+        if(of_corner != Mesh::Vertex_index(0) && of_corner != Mesh::Vertex_index(1))
+          pyramid.set_halfedge(f, pyramid.next(h));
       }
     const BS::Crossing_counter_3 counter(pyramid);
     CHECK_FALSE(counter.crossings(Point_3(0.01, 0.02, 0), Point_3(-0.01, -0.02, 2)));

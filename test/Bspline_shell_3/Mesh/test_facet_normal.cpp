@@ -26,7 +26,7 @@ Exact_point exact_normal(const Point_3& p, const Point_3& q, const Point_3& r)
     u[a] = Rational(q[a]) - Rational(p[a]);
     v[a] = Rational(r[a]) - Rational(p[a]);
   }
-  return { u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2], u[0]*v[1] - u[1]*v[0] };
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
 
 // whether there is a factor for which all components are within the radius
@@ -34,12 +34,14 @@ bool encloses(const BS::Facet_normal& found, const Exact_point& n)
 {
   Rational least(0), most(-1);
   for(int a = 0; a < 3; ++a) {
-    const Rational low = Rational(found.direction[a]) - Rational(found.radius), high = Rational(found.direction[a]) + Rational(found.radius);
+    const Rational low = Rational(found.direction[a]) - Rational(found.radius),
+                   high = Rational(found.direction[a]) + Rational(found.radius);
     if(n[a] == 0) {
       if(low > 0 || high < 0) return false;
       continue;
     }
-    const Rational from = n[a] > 0 ? Rational(low / n[a]) : Rational(high / n[a]), to = n[a] > 0 ? Rational(high / n[a]) : Rational(low / n[a]);
+    const Rational from = n[a] > 0 ? Rational(low / n[a]) : Rational(high / n[a]),
+                   to = n[a] > 0 ? Rational(high / n[a]) : Rational(low / n[a]);
     least = (std::max)(least, from);
     most = most < 0 ? to : (std::min)(most, to);
   }
@@ -51,13 +53,15 @@ void check(const Point_3& p, const Point_3& q, const Point_3& r)
   if(CGAL::collinear(p, q, r)) return;
   const BS::Facet_normal found = BS::facet_normal(p, q, r);
   CHECK(encloses(found, exact_normal(p, q, r)));
-  CHECK((std::max)({ std::abs(found.direction[0]), std::abs(found.direction[1]), std::abs(found.direction[2]) }) == Approx(1));
+  CHECK((std::max)({ std::abs(found.direction[0]), std::abs(found.direction[1]), std::abs(found.direction[2]) })
+        == Approx(1));
   CHECK(found.radius < 1e-7);
 }
 
 Vector_3 random_vector(CGAL::Random& random)
 {
-  const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };      // one has 32 bits
+  // one has 32 bits
+  const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
   return Vector_3(number(), number(), number());
 }
 
@@ -81,7 +85,8 @@ TEST_CASE("Facet normals: those whose products vanish are enclosed as others are
   for(int exponent : { -100, -400, -480, -500, -512, -520, -530, -537 })
     for(int n = 0; n < 50; ++n) {
       const double size = std::ldexp(1., exponent);
-      check(CGAL::ORIGIN + size * random_vector(random), CGAL::ORIGIN + size * random_vector(random), CGAL::ORIGIN + size * random_vector(random));
+      check(CGAL::ORIGIN + size * random_vector(random), CGAL::ORIGIN + size * random_vector(random),
+            CGAL::ORIGIN + size * random_vector(random));
     }
 }
 

@@ -1,4 +1,5 @@
-// intersecting_facets.h: the pairs that CGAL's test of all pairs finds, whatever the cells of the grid, with any number of threads.
+// intersecting_facets.h: the pairs that CGAL's test of all pairs finds, whatever the cells of the grid, with any number
+// of threads.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
@@ -58,14 +59,15 @@ Mesh together(const Mesh& a, const Mesh& b)
 template <typename ConcurrencyTag>
 Pairs found(const Mesh& mesh, unsigned int most_pairs, std::size_t facets_of_cell)
 {
-  return BS::internal::intersecting_facets<ConcurrencyTag>(mesh, BS::embedded_fans<ConcurrencyTag>(mesh), most_pairs, facets_of_cell);
+  return BS::internal::intersecting_facets<ConcurrencyTag>(mesh, BS::embedded_fans<ConcurrencyTag>(mesh), most_pairs,
+                                                           facets_of_cell);
 }
 
 void check(const Mesh& mesh, bool has_grid = true)
 {
   const Pairs reference = of_all_pairs(mesh);
   for(std::size_t size : { 1, 60, 150 }) {
-    REQUIRE(mesh.number_of_faces() >= 16 * size);       // a grid is tried
+    REQUIRE(mesh.number_of_faces() >= 16 * size); // a grid is tried
     CAPTURE(size);
     CHECK(found<CGAL::Sequential_tag>(mesh, unlimited, size) == reference);
     CHECK(found<CGAL::Parallel_if_available_tag>(mesh, unlimited, size) == reference);
@@ -105,8 +107,11 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
     Mesh mesh = ball;
     const auto p = mesh.point(Mesh::Vertex_index(unsigned(random.get_int(0, int(mesh.number_of_vertices())))));
     const Kernel::Vector_3 out = p - CGAL::ORIGIN,
-                           u = edge * CGAL::cross_product(out, Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), 0.3));
-    mesh.add_face(mesh.add_vertex(p - edge * out), mesh.add_vertex(p + edge * out), mesh.add_vertex(p + edge * out + u));
+                           u = edge
+                               * CGAL::cross_product(
+                                 out, Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), 0.3));
+    mesh.add_face(mesh.add_vertex(p - edge * out), mesh.add_vertex(p + edge * out),
+                  mesh.add_vertex(p + edge * out + u));
     CHECK_FALSE(of_all_pairs(mesh).empty());
     check(mesh);
   }
@@ -116,7 +121,8 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
 {
   const Mesh ball = sphere(4);
   // the neighbors of a vertex that is pulled over them, or down
-  for(const Kernel::Vector_3& to : { Kernel::Vector_3(0.3, 0.2, 0.1), Kernel::Vector_3(0.1, -0.1, 0.4), Kernel::Vector_3(0, 0, -1) })
+  for(const Kernel::Vector_3& to :
+      { Kernel::Vector_3(0.3, 0.2, 0.1), Kernel::Vector_3(0.1, -0.1, 0.4), Kernel::Vector_3(0, 0, -1) })
     for(unsigned int v : { 0u, 50u, 1000u }) {
       Mesh folded = ball;
       folded.point(Mesh::Vertex_index(v)) = folded.point(Mesh::Vertex_index(v)) + to;
@@ -127,7 +133,9 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
   const int corners = 5;
   const auto north = star.add_vertex(Point_3(0, 0, 1.5)), south = star.add_vertex(Point_3(0, 0, -1.5));
   std::vector<Mesh::Vertex_index> link;
-  for(int n = 0; n < corners; ++n) link.push_back(star.add_vertex(Point_3(2 * std::cos(4 * CGAL_PI * n / corners), 2 * std::sin(4 * CGAL_PI * n / corners), 0)));
+  for(int n = 0; n < corners; ++n)
+    link.push_back(
+      star.add_vertex(Point_3(2 * std::cos(4 * CGAL_PI * n / corners), 2 * std::sin(4 * CGAL_PI * n / corners), 0)));
   for(std::size_t n = 0; n < link.size(); ++n) {
     star.add_face(link[n], link[(n + 1) % link.size()], north);
     star.add_face(link[(n + 1) % link.size()], link[n], south);
@@ -139,7 +147,9 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
   for(double noise : { 0.01, 0.03, 0.1 }) {
     Mesh mesh = ball;
     for(auto v : mesh.vertices())
-      mesh.point(v) = mesh.point(v) + noise * Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
+      mesh.point(
+        v) = mesh.point(v)
+             + noise * Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
     check(mesh);
   }
 }
@@ -156,13 +166,15 @@ TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells
   Mesh needles = ball;
   for(int n = 0; n < 2000; ++n) {
     const double x = -1 + n / 1000.;
-    needles.add_face(needles.add_vertex(Point_3(x, -2, -2)), needles.add_vertex(Point_3(x, 2, 2)), needles.add_vertex(Point_3(x + 1e-4, 2, 2)));
+    needles.add_face(needles.add_vertex(Point_3(x, -2, -2)), needles.add_vertex(Point_3(x, 2, 2)),
+                     needles.add_vertex(Point_3(x + 1e-4, 2, 2)));
   }
   CHECK_FALSE(BS::internal::Facet_grid<Mesh>(needles, 100).fill(3 * needles.number_of_faces()));
   CHECK(found<CGAL::Sequential_tag>(needles, unlimited, 100) == of_all_pairs(needles));
 }
 
-TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with any number of threads; coordinates without a grid")
+TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with any number of threads; coordinates "
+          "without a grid")
 {
   const Mesh ball = sphere(4), both = together(ball, moved(ball, Kernel::Vector_3(0.5, 0, 0)));
   const Pairs all = of_all_pairs(both);
@@ -173,13 +185,13 @@ TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with an
   CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
   // without a grid
   for(int n = 0; n < 10; ++n)
-    CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 100000)
-          == found<CGAL::Sequential_tag>(both, 50, 100000));
+    CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 100000) == found<CGAL::Sequential_tag>(both, 50, 100000));
   // nearly all of the mesh in one cell
   check(together(moved(both, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
   for(double size : { 5e-324, 1.7e308 }) {
     Mesh extreme = ball;
-    for(auto v : extreme.vertices()) extreme.point(v) = Point_3(size * extreme.point(v).x(), size * extreme.point(v).y(), size * extreme.point(v).z());
+    for(auto v : extreme.vertices())
+      extreme.point(v) = Point_3(size * extreme.point(v).x(), size * extreme.point(v).y(), size * extreme.point(v).z());
     CHECK_FALSE(BS::internal::Facet_grid<Mesh>(extreme, 150).fill(3 * extreme.number_of_faces()));
     CHECK(found<CGAL::Sequential_tag>(extreme, unlimited, 150) == of_all_pairs(extreme));
   }

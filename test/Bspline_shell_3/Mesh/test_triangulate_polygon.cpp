@@ -1,4 +1,5 @@
-// Polygons are triangulated with their own vertices: as many triangles as there must be, all turned as the polygon, with its area.
+// Polygons are triangulated with their own vertices: as many triangles as there must be, all turned as the polygon,
+// with its area.
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -52,7 +53,8 @@ Exact_kernel::FT doubled_area(const std::vector<Point_2>& polygon)
   return sum;
 }
 
-// Positive triangles that sum up to the area, of which each edge that is none of the polygon's is in two: a triangulation.
+// Positive triangles that sum up to the area, of which each edge that is none of the polygon's is in two: a
+// triangulation.
 void check_triangulation(const std::vector<Point_2>& polygon)
 {
   const CGAL::Sign sign = CGAL::sign(doubled_area(polygon));
@@ -89,12 +91,29 @@ TEST_CASE("Polygons: convex and non-convex ones, turned either way, are triangul
   const std::vector<std::vector<Point_2> > polygons = {
     { { 0, 0 }, { 1, 0 }, { 0, 1 } },
     { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } },
-    { { 0, 0 }, { 4, 0 }, { 1, 1 }, { 0, 4 } },                                                       // an arrow
-    { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } },               // a U
-    { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 }, { 0, 1 } },                                   // straight corners
-    { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },                                                       // a triangle, but for one
-    { { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 }, { 0, 2 }, { 6, 2 }, { 6, 6 }, { 2, 6 }, { 2, 4 }, { 4, 4 }, { 4, 5 }, { 5, 5 }, { 5, 3 },
-      { 1, 3 }, { 1, 7 }, { 7, 7 }, { 7, 1 }, { 0, 1 } } };                                           // a spiral
+    { { 0, 0 }, { 4, 0 }, { 1, 1 }, { 0, 4 } },                                         // an arrow
+    { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } }, // a U
+    { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 }, { 0, 1 } },                     // straight corners
+    { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },                                         // a triangle, but for one
+    { { 0, 0 },
+      { 8, 0 },
+      { 8, 8 },
+      { 0, 8 },
+      { 0, 2 },
+      { 6, 2 },
+      { 6, 6 },
+      { 2, 6 },
+      { 2, 4 },
+      { 4, 4 },
+      { 4, 5 },
+      { 5, 5 },
+      { 5, 3 },
+      { 1, 3 },
+      { 1, 7 },
+      { 7, 7 },
+      { 7, 1 },
+      { 0, 1 } }
+  }; // a spiral
   for(std::vector<Point_2> polygon : polygons)
     for(int turned = 0; turned < 2; ++turned) {
       for(std::size_t shift = 0; shift < polygon.size(); ++shift) {
@@ -139,10 +158,11 @@ TEST_CASE("Polygons: the better diagonal of a quadrangle is taken")
 TEST_CASE("Polygons: those that cannot be triangulated come back as triangles all the same")
 {
   const std::vector<std::vector<Point_3> > polygons = {
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },                   // no area
-    { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } },                   // a point
-    { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },                   // crosses itself
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { -1, -1, 0 } } };
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, // no area
+    { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }, // a point
+    { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, // crosses itself
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { -1, -1, 0 } }
+  };
   for(const auto& polygon : polygons) CHECK(BS::triangulate_polygon(polygon).size() == polygon.size() - 2);
 }
 } // namespace test_triangulate_polygon

@@ -25,7 +25,8 @@ Divergence divergence(const Uniform_field& field, const Vector& x)
 }
 
 // the estimate along a curve, where steps have this error each
-Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, const std::vector<double>& values, double error)
+Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, const std::vector<double>& values,
+                  double error)
 {
   Curve_error result(divergence(field, curve[0]));
   for(std::size_t i = 1; i < curve.size(); ++i)
@@ -38,7 +39,8 @@ Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, 
 TEST_CASE("Curve error: the divergence has the eigenvalues of the Hessian across the gradient")
 {
   // f = x + (y^2 + 3 z^2 + 4 y z) / 2 on the x axis; and turned so that no axis is special
-  const Uniform_field flat = uniform_field({ { 1, { 1, 0, 0 } }, { 0.5, { 0, 2, 0 } }, { 1.5, { 0, 0, 2 } }, { 2, { 0, 1, 1 } } });
+  const Uniform_field flat = uniform_field(
+    { { 1, { 1, 0, 0 } }, { 0.5, { 0, 2, 0 } }, { 1.5, { 0, 0, 2 } }, { 2, { 0, 1, 1 } } });
   const Divergence d = divergence(flat, Vector(0.3, 0, 0));
   CHECK(d.most == Approx(2 + std::sqrt(5.)));
   CHECK(d.least == Approx(2 - std::sqrt(5.)));
@@ -74,16 +76,21 @@ TEST_CASE("Curve error: an error grows as curves diverge, forwards and backwards
   }
 }
 
-TEST_CASE("Curve error: curves are traced again until the tolerance is kept, and the status is another one if it cannot be")
+TEST_CASE(
+  "Curve error: curves are traced again until the tolerance is kept, and the status is another one if it cannot be")
 {
-  struct Result { BS::internal::Image_error error; };
+  struct Result
+  {
+    BS::internal::Image_error error;
+  };
   std::vector<double> asked;
   Result result;
   const auto keep = [&](double at_image, double at_start, double least_at_image, double least_at_start) {
     asked.clear();
     return BS::internal::keep_tolerance(1e-9, result, [&](double step_tolerance, Result& result) {
       asked.push_back(step_tolerance);
-      result.error = { (std::max)(at_image * step_tolerance, least_at_image), (std::max)(at_start * step_tolerance, least_at_start) };
+      result.error = { (std::max)(at_image * step_tolerance, least_at_image),
+                       (std::max)(at_start * step_tolerance, least_at_start) };
       return Flow_status::SUCCESS;
     });
   };

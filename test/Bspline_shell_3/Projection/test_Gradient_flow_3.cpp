@@ -1,4 +1,5 @@
-// Gradient_flow_3.h, Integral_curve.h: points arrive where closed forms of integral curves say, within the tolerance, or not at all.
+// Gradient_flow_3.h, Integral_curve.h: points arrive where closed forms of integral curves say, within the tolerance,
+// or not at all.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
@@ -25,16 +26,21 @@ typedef CGAL::Bspline_shell_3<Hierarchical_field> Hierarchical_shell;
 typedef Eigen::Vector3d Vector;
 typedef Eigen::Matrix3d Matrix;
 
-const double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+const double infinity = std::numeric_limits<double>::infinity(),
+             not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-Vector vector(const Uniform_field::Point_3& p) { return { p.x(), p.y(), p.z() }; }
+Vector vector(const Uniform_field::Point_3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
 
 Vector random_vector(CGAL::Random& random, double size)
 {
   return { random.get_double(-size, size), random.get_double(-size, size), random.get_double(-size, size) };
 }
 
-// A polynomial, where its integral curves are at a level, and how that depends on the start if the difference of the levels is kept.
+// A polynomial, where its integral curves are at a level, and how that depends on the start if the difference of the
+// levels is kept.
 struct Example
 {
   std::string name;
@@ -47,16 +53,20 @@ struct Example
 
 Example plane()
 {
-  return { "plane", { { 2, { 1, 0, 0 } }, { -1, { 0, 1, 0 } }, { 2, { 0, 0, 1 } } },
+  return { "plane",
+           { { 2, { 1, 0, 0 } }, { -1, { 0, 1, 0 } }, { 2, { 0, 0, 1 } } },
            [](const Vector& x) { return Vector(2, -1, 2).dot(x); },
            [](const Vector&) { return Vector(2, -1, 2); },
-           [](const Vector& x, double level) { return Vector(x + (level - Vector(2, -1, 2).dot(x)) / 9 * Vector(2, -1, 2)); },
+           [](const Vector& x, double level) {
+             return Vector(x + (level - Vector(2, -1, 2).dot(x)) / 9 * Vector(2, -1, 2));
+           },
            [](const Vector&, double) { return Matrix(Matrix::Identity()); } };
 }
 
 Example spheres()
 {
-  return { "spheres", squared_distance,
+  return { "spheres",
+           squared_distance,
            [](const Vector& x) { return x.squaredNorm(); },
            [](const Vector& x) { return Vector(2 * x); },
            [](const Vector& x, double level) { return Vector(std::sqrt(level) / x.norm() * x); },
@@ -69,17 +79,19 @@ Example spheres()
 // f = x y, the half of the imaginary part of (x + iy)^2, whose real part the curves keep
 Example hyperbolas()
 {
-  return { "hyperbolas", { { 1, { 1, 1, 0 } } },
+  return { "hyperbolas",
+           { { 1, { 1, 1, 0 } } },
            [](const Vector& x) { return x[0] * x[1]; },
            [](const Vector& x) { return Vector(x[1], x[0], 0); },
            [](const Vector& x, double level) {
-             std::complex<double> z = std::sqrt(std::complex<double>(x[0]*x[0] - x[1]*x[1], 2 * level));
+             std::complex<double> z = std::sqrt(std::complex<double>(x[0] * x[0] - x[1] * x[1], 2 * level));
              if(z.real() * x[0] + z.imag() * x[1] < 0) z = -z;
              return Vector(z.real(), z.imag(), x[2]);
            },
            // z^2 moves by a constant: of Z = sqrt(z^2 + c) the derivative is z / Z
            [](const Vector& x, double level) {
-             const std::complex<double> z(x[0], x[1]), d = z / std::sqrt(z * z + std::complex<double>(0, 2 * (level - x[0]*x[1])));
+             const std::complex<double> z(x[0], x[1]),
+               d = z / std::sqrt(z * z + std::complex<double>(0, 2 * (level - x[0] * x[1])));
              const double sign = (d * z / z).real() < 0 ? -1 : 1;
              Matrix m = Matrix::Identity();
              m.topLeftCorner<2, 2>() << sign * d.real(), -sign * d.imag(), sign * d.imag(), sign * d.real();
@@ -91,27 +103,28 @@ Example hyperbolas()
 double time(const Vector& x, double level)
 {
   double t = 0;
-  for(int i = 0; i < 100; ++i) {      // f grows and is nearly convex in t: Newton's method
-    const double a = x[0]*x[0] * std::exp(4*t), b = x[1]*x[1] * std::exp(-4*t);
-    t -= (a - b + x[2] + t - level) / (4*a + 4*b + 1);
+  for(int i = 0; i < 100; ++i) { // f grows and is nearly convex in t: Newton's method
+    const double a = x[0] * x[0] * std::exp(4 * t), b = x[1] * x[1] * std::exp(-4 * t);
+    t -= (a - b + x[2] + t - level) / (4 * a + 4 * b + 1);
   }
   return t;
 }
 
 Example exponentials()
 {
-  return { "exponentials", { { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } },
-           [](const Vector& x) { return x[0]*x[0] - x[1]*x[1] + x[2]; },
-           [](const Vector& x) { return Vector(2*x[0], -2*x[1], 1); },
+  return { "exponentials",
+           { { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } },
+           [](const Vector& x) { return x[0] * x[0] - x[1] * x[1] + x[2]; },
+           [](const Vector& x) { return Vector(2 * x[0], -2 * x[1], 1); },
            [](const Vector& x, double level) {
              const double t = time(x, level);
-             return Vector(x[0] * std::exp(2*t), x[1] * std::exp(-2*t), x[2] + t);
+             return Vector(x[0] * std::exp(2 * t), x[1] * std::exp(-2 * t), x[2] + t);
            },
            // by the time, plus the gradient there times how the time depends on the start: so that G . D = g
            [](const Vector& x, double level) {
              const double t = time(x, level);
-             const Vector g(2*x[0], -2*x[1], 1), G(2*x[0] * std::exp(2*t), -2*x[1] * std::exp(-2*t), 1);
-             const Matrix flow = Vector(std::exp(2*t), std::exp(-2*t), 1).asDiagonal();
+             const Vector g(2 * x[0], -2 * x[1], 1), G(2 * x[0] * std::exp(2 * t), -2 * x[1] * std::exp(-2 * t), 1);
+             const Matrix flow = Vector(std::exp(2 * t), std::exp(-2 * t), 1).asDiagonal();
              return Matrix(flow + G * (g.transpose() - G.transpose() * flow) / G.squaredNorm());
            } };
 }
@@ -119,9 +132,10 @@ Example exponentials()
 // f = x^3 / 3 - x y^2, a third of the real part of (x + iy)^3, whose imaginary part the curves keep
 Example cubics()
 {
-  return { "cubics", { { 1 / 3., { 3, 0, 0 } }, { -1, { 1, 2, 0 } } },
-           [](const Vector& x) { return x[0]*x[0]*x[0] / 3 - x[0]*x[1]*x[1]; },
-           [](const Vector& x) { return Vector(x[0]*x[0] - x[1]*x[1], -2*x[0]*x[1], 0); },
+  return { "cubics",
+           { { 1 / 3., { 3, 0, 0 } }, { -1, { 1, 2, 0 } } },
+           [](const Vector& x) { return x[0] * x[0] * x[0] / 3 - x[0] * x[1] * x[1]; },
+           [](const Vector& x) { return Vector(x[0] * x[0] - x[1] * x[1], -2 * x[0] * x[1], 0); },
            [](const Vector& x, double level) {
              const std::complex<double> z(x[0], x[1]), cube = z * z * z;
              // relative to the start, so that the root is on its branch
@@ -130,17 +144,25 @@ Example cubics()
            },
            [](const Vector& x, double level) {
              const std::complex<double> z(x[0], x[1]), cube = z * z * z;
-             const std::complex<double> Z = z * std::pow(std::complex<double>(3 * level, cube.imag()) / cube, 1 / 3.), d = z * z / (Z * Z);
+             const std::complex<double> Z = z * std::pow(std::complex<double>(3 * level, cube.imag()) / cube, 1 / 3.),
+                                        d = z * z / (Z * Z);
              Matrix m = Matrix::Identity();
              m.topLeftCorner<2, 2>() << d.real(), -d.imag(), d.imag(), d.real();
              return m;
            } };
 }
 
-std::vector<Example> examples() { return { plane(), spheres(), hyperbolas(), exponentials(), cubics() }; }
+std::vector<Example> examples()
+{
+  return { plane(), spheres(), hyperbolas(), exponentials(), cubics() };
+}
 
 // a start and a level whose curve stays in the cube, and where the gradient is not small
-struct Way { Vector start; double level; };
+struct Way
+{
+  Vector start;
+  double level;
+};
 std::vector<Way> ways(const Example& example, int number, double difference, double least_gradient = 0.4)
 {
   CGAL::Random random(5);
@@ -151,7 +173,7 @@ std::vector<Way> ways(const Example& example, int number, double difference, dou
     bool good = true;
     for(int i = 0; i <= 16 && good; ++i) {
       const Vector x = example.arrival(way.start, from + (to - from) * i / 16);
-      good = x.cwiseAbs().maxCoeff() < 0.98 && example.gradient(x).norm() > least_gradient;      // false if not a number
+      good = x.cwiseAbs().maxCoeff() < 0.98 && example.gradient(x).norm() > least_gradient; // false if not a number
     }
     if(good) ways.push_back({ way.start, to });
   }
@@ -159,8 +181,8 @@ std::vector<Way> ways(const Example& example, int number, double difference, dou
 }
 
 template <typename Shell>
-double largest_error(const Shell& shell, const Example& example, const Frame& frame, double tolerance, double difference,
-                     double least_gradient)
+double largest_error(const Shell& shell, const Example& example, const Frame& frame, double tolerance,
+                     double difference, double least_gradient)
 {
   const BS::Gradient_flow_3<Shell> flow(shell, tolerance);
   double worst = 0;
@@ -184,16 +206,19 @@ TEST_CASE("Gradient flow: closed forms of curves are what they are said to be")
       CHECK(example.value(x) == Approx(way.level).margin(1e-13));
       CHECK((example.arrival(way.start, example.value(way.start)) - way.start).norm() < 1e-13);
       const double h = 1e-5;
-      const Vector velocity = (example.arrival(way.start, way.level + h) - example.arrival(way.start, way.level - h)) / (2*h);
+      const Vector velocity = (example.arrival(way.start, way.level + h) - example.arrival(way.start, way.level - h))
+                              / (2 * h);
       const Vector g = example.gradient(x);
-      CHECK((velocity - g / g.squaredNorm()).norm() < 1e-7);      // h^2 times a third derivative of up to some hundreds
+      CHECK((velocity - g / g.squaredNorm()).norm() < 1e-7); // h^2 times a third derivative of up to some hundreds
       const Matrix d = example.differential(way.start, way.level);
       for(int a = 0; a < 3; ++a) {
         Vector up = way.start, down = way.start;
         up[a] += h;
         down[a] -= h;
         const double change = way.level - example.value(way.start);
-        const Vector column = (example.arrival(up, example.value(up) + change) - example.arrival(down, example.value(down) + change)) / (2*h);
+        const Vector column = (example.arrival(up, example.value(up) + change)
+                               - example.arrival(down, example.value(down) + change))
+                              / (2 * h);
         CHECK((column - d.col(a)).norm() < 1e-7);
       }
     }
@@ -219,15 +244,18 @@ TEST_CASE("Gradient flow: arrivals are within the tolerance, on cells of one siz
 
 TEST_CASE("Gradient flow: neither scale nor place matter")
 {
-  for(const Frame& frame : { Frame{ Vector(0, 0, 0), 1e-6 }, Frame{ Vector(0, 0, 0), 1e6 }, Frame{ Vector(0, 0, 0), 1e-100 },
-                             Frame{ Vector(1000, -2000, 500), 1 }, Frame{ Vector(3, 1, 2), 1e-3 } })
+  for(const Frame& frame :
+      { Frame{ Vector(0, 0, 0), 1e-6 }, Frame{ Vector(0, 0, 0), 1e6 }, Frame{ Vector(0, 0, 0), 1e-100 },
+        Frame{ Vector(1000, -2000, 500), 1 }, Frame{ Vector(3, 1, 2), 1e-3 } })
     for(const Example& example : examples()) {
       INFO(example.name << ", scale " << frame.scale << ", center " << frame.center[0]);
       const double tolerance = 2e-9 * frame.scale;
-      CHECK(largest_error(shell_of(uniform_field(example.polynomial, frame), -infinity, infinity, frame), example, frame, tolerance, 0.07, 0.9)
+      CHECK(largest_error(shell_of(uniform_field(example.polynomial, frame), -infinity, infinity, frame), example,
+                          frame, tolerance, 0.07, 0.9)
             <= tolerance);
-      CHECK(largest_error(shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity, frame), example, frame, tolerance, 0.07,
-                          0.9) <= tolerance);
+      CHECK(largest_error(shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity, frame), example,
+                          frame, tolerance, 0.07, 0.9)
+            <= tolerance);
     }
 }
 
@@ -242,12 +270,15 @@ TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box near the orig
 
 TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and through their corners")
 {
-  // All that is computed here is exact, and so are straight curves, but for where cells are left: a millionth of a cell beyond their
-  // faces, with the neighbor's rounding.
+  // All that is computed here is exact, and so are straight curves, but for where cells are left: a millionth of a cell
+  // beyond their faces, with the neighbor's rounding.
   const double rounding = 1e-13;
   CGAL::Random random(3);
-  for(const Vector& direction : { Vector(1, 0, 0), Vector(0, 0, -1), Vector(1, 1, 0), Vector(0, 1, -1), Vector(1, 1, 1), Vector(-1, 1, 1) }) {
-    const Polynomial polynomial = { { direction[0], { 1, 0, 0 } }, { direction[1], { 0, 1, 0 } }, { direction[2], { 0, 0, 1 } } };
+  for(const Vector& direction :
+      { Vector(1, 0, 0), Vector(0, 0, -1), Vector(1, 1, 0), Vector(0, 1, -1), Vector(1, 1, 1), Vector(-1, 1, 1) }) {
+    const Polynomial polynomial = { { direction[0], { 1, 0, 0 } },
+                                    { direction[1], { 0, 1, 0 } },
+                                    { direction[2], { 0, 0, 1 } } };
     const auto check = [&](const auto& shell) {
       const BS::Gradient_flow_3<std::decay_t<decltype(shell)> > flow(shell);
       for(int n = 0; n < 300; ++n) {
@@ -267,11 +298,13 @@ TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and 
 
   // curved ones in a plane of faces, and those of x y in the plane x = y, which are straight and pass edges and corners
   for(int seed : { 1, 2, 3 }) {
-    const Hierarchical_shell curved = shell_of(hierarchical_field(hyperbolas().polynomial, Frame(), seed), -infinity, infinity);
+    const Hierarchical_shell curved = shell_of(hierarchical_field(hyperbolas().polynomial, Frame(), seed), -infinity,
+                                               infinity);
     const BS::Gradient_flow_3<Hierarchical_shell> flow(curved);
     for(int n = 0; n < 100; ++n) {
       const double z = random.get_int(-15, 16) / 16., x = random.get_double(0.4, 0.9);
-      const Vector starts[2] = { Vector(x, random.get_double(-0.3, 0.3), z), Vector(0.5, 0.5, random.get_double(-1, 1)) };
+      const Vector starts[2] = { Vector(x, random.get_double(-0.3, 0.3), z),
+                                 Vector(0.5, 0.5, random.get_double(-1, 1)) };
       const double levels[2] = { random.get_double(-0.05, 0.3), random.get_double(0.1, 0.9) };
       for(int i = 0; i < 2; ++i) {
         const auto arrival = flow.trace(starts[i], levels[i]);
@@ -294,7 +327,7 @@ TEST_CASE("Gradient flow: what is exactly on a threshold is in the shell, as sta
     CHECK((vector(flow.trace(inner, 0.625).point) - outer).norm() < 1e-13);
     REQUIRE(flow.trace(outer, -0.25));
     CHECK((vector(flow.trace(outer, -0.25).point) - inner).norm() < 1e-13);
-    for(double level : { -0.25, 0.625 }) {      // no way at all
+    for(double level : { -0.25, 0.625 }) { // no way at all
       const auto arrival = flow.trace(level < 0 ? inner : outer, level);
       REQUIRE(arrival);
       CHECK((vector(arrival.point) - (level < 0 ? inner : outer)).norm() < 1e-13);
@@ -335,9 +368,9 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status that says wh
       CHECK(status(y, 0.4) == Flow_status::NOT_FINITE);
     }
   }
-  CHECK(status(Vector(0.4, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);       // beyond the inner threshold
-  CHECK(status(Vector(0.8, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);       // beyond the outer one
-  CHECK(status(Vector(5, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);         // where there are no cells
+  CHECK(status(Vector(0.4, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE); // beyond the inner threshold
+  CHECK(status(Vector(0.8, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE); // beyond the outer one
+  CHECK(status(Vector(5, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);   // where there are no cells
   CHECK(status(Vector(1e300, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);
   CHECK(status(x, 0.5) == Flow_status::LEAVES_SHELL);
   CHECK(status(x, 0.24) == Flow_status::LEAVES_SHELL);
@@ -374,18 +407,24 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
   // minima, and saddles that curves reach along an axis; next to zero, values are finer than elsewhere
   const Polynomial minimum = squared_distance, saddle = { { 1, { 2, 0, 0 } }, { -1, { 0, 0, 2 } }, { 1, { 0, 2, 0 } } },
                    monkey_saddle = { { 1, { 3, 0, 0 } }, { -3, { 1, 2, 0 } } };
-  struct Case { Polynomial polynomial; Vector start; double beyond; };
-  for(Case c : { Case{ minimum, { 0.6, 0, 0 }, -0.1 }, Case{ minimum, { 0.3, -0.2, 0.4 }, -0.1 }, Case{ minimum, { 0.3, -0.2, 0.4 }, -0.01 },
-                 Case{ saddle, { 0, 0, 0.5 }, 0.2 }, Case{ saddle, { 0.3, 0, 0 }, -0.2 }, Case{ monkey_saddle, { 0.5, 0, 0 }, -0.1 } })
-    for(double value : { 0., 0.3, -1/3. })
+  struct Case
+  {
+    Polynomial polynomial;
+    Vector start;
+    double beyond;
+  };
+  for(Case c : { Case{ minimum, { 0.6, 0, 0 }, -0.1 }, Case{ minimum, { 0.3, -0.2, 0.4 }, -0.1 },
+                 Case{ minimum, { 0.3, -0.2, 0.4 }, -0.01 }, Case{ saddle, { 0, 0, 0.5 }, 0.2 },
+                 Case{ saddle, { 0.3, 0, 0 }, -0.2 }, Case{ monkey_saddle, { 0.5, 0, 0 }, -0.1 } })
+    for(double value : { 0., 0.3, -1 / 3. })
       for(double tolerance : { 1e-3, 1e-6, 1e-9, 1e-12 }) {
         c.polynomial.push_back({ value, { 0, 0, 0 } });
         const Uniform_shell shell = shell_of(uniform_field(c.polynomial), -1, 1);
         c.polynomial.pop_back();
         const BS::Gradient_flow_3<Uniform_shell> flow(shell, tolerance);
         INFO("start " << c.start.transpose() << ", value " << value << ", tolerance " << tolerance);
-        // Where the tolerance is larger than what is left of the way, it may end there by being unable to keep it. Beside a saddle,
-        // one that is off by rounding goes on.
+        // Where the tolerance is larger than what is left of the way, it may end there by being unable to keep it.
+        // Beside a saddle, one that is off by rounding goes on.
         const auto arrival = flow.trace(c.start, value + c.beyond);
         if(arrival && c.polynomial[1].factor != minimum[1].factor) {
           const double off = *shell.field().value(arrival.point) - (value + c.beyond);
@@ -398,7 +437,8 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
       }
   // a field that is constant
   const Uniform_shell constant = shell_of(uniform_field({ { 0.5, { 0, 0, 0 } } }), 0, 1);
-  CHECK(BS::Gradient_flow_3<Uniform_shell>(constant).trace(Vector(0.1, 0.2, 0.3), 0.6).status == Flow_status::GRADIENT_VANISHES);
+  CHECK(BS::Gradient_flow_3<Uniform_shell>(constant).trace(Vector(0.1, 0.2, 0.3), 0.6).status
+        == Flow_status::GRADIENT_VANISHES);
 }
 
 TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
@@ -415,7 +455,7 @@ TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
                     std::vector<char>(field.number_of_cells(), 1), {}, report);
   const BS::Gradient_flow_3<Shell> flow(shell);
   for(double y : { -0.9, -0.5, 0., 0.3, 0.7 }) {
-    const double end = 0.4 + y * y / 4, little = 1e-7;      // far more than the tolerance, and the steps' rounding
+    const double end = 0.4 + y * y / 4, little = 1e-7; // far more than the tolerance, and the steps' rounding
     const Vector start(-0.1, y, 0.2);
     CHECK(flow.trace(start, end - little).status == Flow_status::SUCCESS);
     CHECK(flow.trace(start, end + little).status == Flow_status::LEAVES_SHELL);
@@ -443,7 +483,8 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
 {
   const Frame frame{ Vector(10, -20, 30), 50 };
   for(const Example& example : examples()) {
-    const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity, frame);
+    const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity,
+                                              frame);
     const BS::Gradient_flow_3<Hierarchical_shell> flow(shell);
     // of the derivatives, that is relative: see Gradient_flow_3::differential()
     const double tolerance = 4 * flow.tolerance() / shell.report().unit;
@@ -455,7 +496,7 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
       const Vector x = example.arrival(way.start, way.level), g = example.gradient(x);
       const Matrix expected = example.differential(way.start, way.level);
       CHECK((d.matrix - expected).norm() <= tolerance);
-      CHECK((d.velocity - g / g.squaredNorm()).norm() <= 10 * tolerance);        // its derivative is up to ten
+      CHECK((d.velocity - g / g.squaredNorm()).norm() <= 10 * tolerance); // its derivative is up to ten
 
       // a plane not along the curve: images are in it; along the curve, nothing is left
       Vector normal = random_vector(random, 1);
@@ -483,7 +524,7 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
           }
           ends[side] = example.arrival(start, s);
         }
-        CHECK(((ends[1] - ends[0]) / (2*h) - onto.col(a)).norm() < 1e-6 * (1 + onto.norm()));
+        CHECK(((ends[1] - ends[0]) / (2 * h) - onto.col(a)).norm() < 1e-6 * (1 + onto.norm()));
       }
     }
   }

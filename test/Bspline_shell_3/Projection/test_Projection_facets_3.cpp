@@ -24,18 +24,23 @@ typedef Facets::Index Index;
 Mesh triangle()
 {
   Mesh mesh;
-  mesh.add_face(mesh.add_vertex(Point_3(0, 0, 0)), mesh.add_vertex(Point_3(1, 0, 0.5)), mesh.add_vertex(Point_3(0.2, 1, 0)));
+  mesh.add_face(mesh.add_vertex(Point_3(0, 0, 0)), mesh.add_vertex(Point_3(1, 0, 0.5)),
+                mesh.add_vertex(Point_3(0.2, 1, 0)));
   return mesh;
 }
 
 CGAL::Bbox_3 bbox(const Facets& facets, Index f)
 {
   CGAL::Bbox_3 box;
-  for(int i = 0; i < 3; ++i) box += Point_3(facets.vertex(f, i)[0], facets.vertex(f, i)[1], facets.vertex(f, i)[2]).bbox();
+  for(int i = 0; i < 3; ++i)
+    box += Point_3(facets.vertex(f, i)[0], facets.vertex(f, i)[1], facets.vertex(f, i)[2]).bbox();
   return box;
 }
 
-double distance(const Coordinates& p, const Coordinates& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+double distance(const Coordinates& p, const Coordinates& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
 
 // of a facet, by a grid of its points: no less than the distance
 double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
@@ -44,13 +49,15 @@ double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
   double least = std::numeric_limits<double>::infinity();
   for(int i = 0; i <= steps; ++i)
     for(int j = 0; i + j <= steps; ++j)
-      least = (std::min)(least, distance(p, facets.point(f, { double(i) / steps, double(j) / steps, double(steps - i - j) / steps })));
+      least = (std::min)(
+        least, distance(p, facets.point(f, { double(i) / steps, double(j) / steps, double(steps - i - j) / steps })));
   return least;
 }
 
 } // namespace
 
-TEST_CASE("Projection facets: the closest one is as near as any, for points on the mesh, near and far, and what is no point does no harm")
+TEST_CASE("Projection facets: the closest one is as near as any, for points on the mesh, near and far, and what is no "
+          "point does no harm")
 {
   for(const Mesh& mesh : { sphere(0), sphere(2), torus(3, 1, 40, 20), triangle() }) {
     const BS::Projection_target_3<Mesh> facets(mesh, mesh.points());
@@ -100,7 +107,8 @@ TEST_CASE("Projection facets: boxes meet the facets whose boxes they meet, lines
       const Index f = Index(random() % facets.number_of_facets());
       const Coordinates q = facets.point(f, { 0.3, 0.33, 0.37 }), direction = facets.normal(f);
       passed += facets.facet_on_line(q, direction, -1e-3, 1e-3, 1e-9) == f ? 1 : 0;
-      CHECK(facets.facet_on_line(q, { -direction[0], -direction[1], -direction[2] }, -1e-3, 1e-3, 1e-9) == Facets::npos);
+      CHECK(facets.facet_on_line(q, { -direction[0], -direction[1], -direction[2] }, -1e-3, 1e-3, 1e-9)
+            == Facets::npos);
     }
     CHECK(passed == 300);
   }

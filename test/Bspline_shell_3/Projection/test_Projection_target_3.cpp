@@ -62,7 +62,8 @@ TEST_CASE("Traced facets are neighbors across each of their edges")
         REQUIRE(g != Target::npos);
         for(int j = 0; j < 3; ++j)
           if(facets.neighbor(g, j) == f && facets.vertex(g, j) == facets.vertex(f, (i + 1) % 3)
-             && facets.vertex(g, (j + 1) % 3) == facets.vertex(f, i)) ++right;
+             && facets.vertex(g, (j + 1) % 3) == facets.vertex(f, i))
+            ++right;
       }
     CHECK(right == 3 * facets.number_of_facets());
   }

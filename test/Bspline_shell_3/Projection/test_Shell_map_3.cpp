@@ -26,7 +26,8 @@ std::vector<Location> some_locations(const Mesh& mesh)
 {
   std::vector<Location> locations;
   for(auto f : mesh.faces())
-    for(const std::array<double, 3>& w : { std::array<double, 3>{ 1, 0, 0 }, { 0, 0.5, 0.5 }, { 0.25, 0.5, 0.25 }, { 0, 0, 1 } })
+    for(const std::array<double, 3>& w :
+        { std::array<double, 3>{ 1, 0, 0 }, { 0, 0.5, 0.5 }, { 0.25, 0.5, 0.25 }, { 0, 0, 1 } })
       locations.push_back(Location(f, w));
   return locations;
 }
@@ -90,17 +91,19 @@ TEST_CASE("Shell map: the inverse goes back, and shares what was prepared")
   CHECK(&inverse.to_source().target() == &map->to_target().target());
   CHECK(&copy.to_target().target() == &map->to_target().target());
   CHECK(inverse.to_source().tolerance() == map->to_target().tolerance());
-  map.reset();          // the others go on
+  map.reset(); // the others go on
   for(const Location& l : some_locations(a)) {
     const auto there = copy(l);
     REQUIRE(there);
     const auto back = inverse(there.location);
     REQUIRE(back);
-    CHECK(CGAL::squared_distance(back.point, CGAL::Polygon_mesh_processing::construct_point(l, a)) <= CGAL::square(2 * copy.to_target().tolerance()));
+    CHECK(CGAL::squared_distance(back.point, CGAL::Polygon_mesh_processing::construct_point(l, a))
+          <= CGAL::square(2 * copy.to_target().tolerance()));
   }
   // a map made of projections that exist
   const Map again(copy.to_source(), copy.to_target());
-  CHECK(same(again(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 })), copy(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 }))));
+  CHECK(same(again(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 })),
+             copy(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 }))));
 }
 
 TEST_CASE("Shell map: named parameters: tolerance, points elsewhere, visitor")
@@ -117,17 +120,29 @@ TEST_CASE("Shell map: named parameters: tolerance, points elsewhere, visitor")
   // each mesh with a map of its own; its own points are of no use
   const std::vector<Location> locations = some_locations(a);
   const auto expected = map.project(locations);
-  auto of_a = a.add_property_map<Mesh::Vertex_index, Point_3>("v:a").first, of_b = b.add_property_map<Mesh::Vertex_index, Point_3>("v:b").first;
-  for(auto v : a.vertices()) { of_a[v] = a.point(v); a.point(v) = Point_3(0, 0, 0); }
-  for(auto v : b.vertices()) { of_b[v] = b.point(v); b.point(v) = Point_3(0, 0, 0); }
-  const Map elsewhere(ball(), a, b, P::vertex_point_map(of_a).tolerance(2e-9), CGAL::parameters::vertex_point_map(of_b));
+  auto of_a = a.add_property_map<Mesh::Vertex_index, Point_3>("v:a").first,
+       of_b = b.add_property_map<Mesh::Vertex_index, Point_3>("v:b").first;
+  for(auto v : a.vertices()) {
+    of_a[v] = a.point(v);
+    a.point(v) = Point_3(0, 0, 0);
+  }
+  for(auto v : b.vertices()) {
+    of_b[v] = b.point(v);
+    b.point(v) = Point_3(0, 0, 0);
+  }
+  const Map elsewhere(ball(), a, b, P::vertex_point_map(of_a).tolerance(2e-9),
+                      CGAL::parameters::vertex_point_map(of_b));
   const auto images = elsewhere.project(locations);
   for(std::size_t n = 0; n < locations.size(); ++n) CHECK(same(images[n], expected[n]));
 
   struct Visitor
   {
     std::size_t last = 0;
-    bool advance(std::size_t done, std::size_t) { last = done; return true; }
+    bool advance(std::size_t done, std::size_t)
+    {
+      last = done;
+      return true;
+    }
   } visitor;
   elsewhere.project(locations, visitor);
   CHECK(visitor.last == locations.size());
@@ -144,7 +159,8 @@ TEST_CASE("Shell map: meshes of two types, and the types of locations that belon
   for(const Location& l : some_locations(a)) {
     const auto there = map(l);
     REQUIRE(there);
-    CHECK(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(there.location, b), there.point) < 1e-28);
+    CHECK(CGAL::squared_distance(CGAL::Polygon_mesh_processing::construct_point(there.location, b), there.point)
+          < 1e-28);
     const auto back = inverse(there.location);
     REQUIRE(back);
     CHECK(CGAL::squared_distance(back.point, CGAL::Polygon_mesh_processing::construct_point(l, a)) < 1e-16);
@@ -202,7 +218,7 @@ TEST_CASE("Shell map: the differential between homothetic spheres is the homothe
     REQUIRE(d);
     const Vector_3 n = normal(b, image.location.first);
     const Eigen::Matrix3d onto = d.onto_plane({ n.x(), n.y(), n.z() });
-    const std::array<Point_3, 3> t = triangle(a, image.location.first);        // the same numbers
+    const std::array<Point_3, 3> t = triangle(a, image.location.first); // the same numbers
     for(int i : { 1, 2 }) {
       const Vector_3 e = t[std::size_t(i)] - t[0];
       const Eigen::Vector3d edge(e.x(), e.y(), e.z());

@@ -1,5 +1,5 @@
-// Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, found again in other ways,
-// and what has no image has a status that says why.
+// Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, found
+// again in other ways, and what has no image has a status that says why.
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
@@ -33,12 +33,18 @@ typedef std::array<Exact, 3> Exact_vector;
 const double infinity = std::numeric_limits<double>::infinity();
 
 template <typename Shell, typename TriangleMesh>
-BS::Shell_projection_3<Shell, TriangleMesh> projection(const Shell& shell, const TriangleMesh& target, double tolerance = 0)
+BS::Shell_projection_3<Shell, TriangleMesh> projection(const Shell& shell, const TriangleMesh& target,
+                                                       double tolerance = 0)
 {
-  return { shell, std::make_shared<const BS::Projection_target_3<TriangleMesh> >(target, get(CGAL::vertex_point, target)), tolerance };
+  return { shell,
+           std::make_shared<const BS::Projection_target_3<TriangleMesh> >(target, get(CGAL::vertex_point, target)),
+           tolerance };
 }
 
-double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 // f = |x|^2: curves are the rays from the origin
 const Shell& radial_shell()
@@ -54,13 +60,22 @@ const Shell& slab()
   return shell;
 }
 
-Exact_vector exact(const Point_3& p) { return { Exact(p.x()), Exact(p.y()), Exact(p.z()) }; }
-Exact dot(const Exact_vector& a, const Exact_vector& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
+Exact_vector exact(const Point_3& p)
+{
+  return { Exact(p.x()), Exact(p.y()), Exact(p.z()) };
+}
+Exact dot(const Exact_vector& a, const Exact_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Exact_vector cross(const Exact_vector& a, const Exact_vector& b)
 {
-  return { a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0] };
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
-Exact_vector minus(const Exact_vector& a, const Exact_vector& b) { return { a[0] - b[0], a[1] - b[1], a[2] - b[2] }; }
+Exact_vector minus(const Exact_vector& a, const Exact_vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
 
 std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
 {
@@ -95,7 +110,8 @@ void check_consistent(const Shell& shell, const Mesh& mesh, const Image& image, 
     sum += w;
   }
   CHECK(sum == Approx(1).epsilon(1e-15));
-  CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(image.location, mesh), image.point) <= 1e-15 * shell.report().unit);
+  CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(image.location, mesh), image.point)
+        <= 1e-15 * shell.report().unit);
   const double g = std::sqrt(shell.field().gradient(image.point)->squared_length());
   CHECK(std::abs(*shell.field().value(image.point) - image.value) <= 2 * tolerance * g);
 }
@@ -117,7 +133,8 @@ std::vector<Point_3> vertices_midpoints_and_centroids(const Mesh& mesh)
 {
   std::vector<Point_3> points;
   for(auto v : mesh.vertices()) points.push_back(mesh.point(v));
-  for(auto e : mesh.edges()) points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  for(auto e : mesh.edges())
+    points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   for(auto f : mesh.faces()) {
     const std::array<Point_3, 3> t = triangle(mesh, f);
     points.push_back(CGAL::centroid(t[0], t[1], t[2]));
@@ -134,8 +151,9 @@ Mesh::Halfedge_index split(Mesh& mesh, Mesh::Halfedge_index h, const Point_3& p)
   return to_new;
 }
 
-// An icosahedron with a very short edge in the middle of each edge that crosses an axis, as coordinates that are nearly zero allow it, and
-// needles on both sides: corefinement leaves such edges where a vertex of one mesh almost lies on an edge of the other.
+// An icosahedron with a very short edge in the middle of each edge that crosses an axis, as coordinates that are nearly
+// zero allow it, and needles on both sides: corefinement leaves such edges where a vertex of one mesh almost lies on an
+// edge of the other.
 Mesh icosahedron_with_needles(double length)
 {
   Mesh mesh = sphere(0, 0.9);
@@ -146,7 +164,8 @@ Mesh icosahedron_with_needles(double length)
     if((m.x() == 0) + (m.y() == 0) + (m.z() == 0) != 2) continue;
     split(mesh, h, m);
     // not along the edge, so that differences to other vertices are rounded
-    const Vector_3 along = (q - p) / distance(p, q), across = CGAL::cross_product(m - CGAL::ORIGIN, along) / distance(m, CGAL::ORIGIN);
+    const Vector_3 along = (q - p) / distance(p, q),
+                   across = CGAL::cross_product(m - CGAL::ORIGIN, along) / distance(m, CGAL::ORIGIN);
     split(mesh, h, m + length * (0.8 * along + 0.6 * across));
   }
   return mesh;
@@ -166,7 +185,7 @@ TEST_CASE("Projection: from a sphere to a polyhedron, images are where exact ray
   const Mesh mesh = sphere(1, 0.85);
   for(double tolerance : { 0., 1e-6, 1e-12 }) {
     const Projection project = projection(radial_shell(), mesh, tolerance);
-    if(tolerance == 0) CHECK(project.tolerance() == 2e-9);       // 1e-9 of the box
+    if(tolerance == 0) CHECK(project.tolerance() == 2e-9); // 1e-9 of the box
     else CHECK(project.tolerance() == tolerance);
     std::vector<Point_3> points = random_points(300);
     // in the rays through what is on edges and at vertices of the target, exactly or nearly
@@ -200,7 +219,8 @@ TEST_CASE("Projection: points on the thresholds have images")
   // exactly, and a target that is in part the threshold itself
   const Mesh top = sheet({ -0.5, 0, 0.5 }, { -0.5, 0, 0.5 }, [](double, double) { return 0.875; });
   const Shell exact_slab = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.75, 0.875);
-  for(const Point_3& p : { Point_3(0, 0, -0.75), Point_3(0.25, 0.3, -0.75), Point_3(-0.5, 0.5, -0.75), Point_3(0.1, 0.2, 0.875) }) {
+  for(const Point_3& p :
+      { Point_3(0, 0, -0.75), Point_3(0.25, 0.3, -0.75), Point_3(-0.5, 0.5, -0.75), Point_3(0.1, 0.2, 0.875) }) {
     const Image image = projection(exact_slab, top)(p);
     REQUIRE(image.status == Flow_status::SUCCESS);
     CHECK(distance(image.point, Point_3(p.x(), p.y(), 0.875)) < 1e-13);
@@ -213,7 +233,7 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
     const Projection project = projection(radial_shell(), mesh);
     std::size_t n = 0;
     for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
-      if((p - CGAL::ORIGIN).squared_length() <= 0.3) continue;        // of the box's sides
+      if((p - CGAL::ORIGIN).squared_length() <= 0.3) continue; // of the box's sides
       const Image image = project(p);
       check_consistent(radial_shell(), mesh, image, project.tolerance());
       CHECK(distance(image.point, p) <= 1e-14);
@@ -236,14 +256,16 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
 TEST_CASE("Projection: needles, caps and facets of very different sizes are targets as others are")
 {
   // x in steps from 1e-7 to 0.1, and rows of needles
-  const std::vector<double> xs = { -0.8, -0.5, -0.5 + 1e-7, -0.5 + 3e-7, -0.1, 0, 1e-6, 1e-4, 0.01, 0.8 }, ys = { -0.8, -1e-7, 0, 0.3, 0.8 };
+  const std::vector<double> xs = { -0.8, -0.5, -0.5 + 1e-7, -0.5 + 3e-7, -0.1, 0, 1e-6, 1e-4, 0.01, 0.8 },
+                            ys = { -0.8, -1e-7, 0, 0.3, 0.8 };
   const auto plane = [](double x, double y) { return 0.25 * x - 0.5 * y + 0.0625; };
   Mesh mesh = sheet(xs, ys, plane);
   // caps: a point next to the middle of an edge, on either side of it
   std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
   for(std::size_t n = 0; n < facets.size(); n += 3) {
     const std::array<Point_3, 3> t = triangle(mesh, facets[n]);
-    if(CGAL::squared_area(t[0], t[1], t[2]) < 1e-8) continue;       // caps of needles would be as thin as coordinates' last digits
+    // caps of needles would be as thin as coordinates' last digits
+    if(CGAL::squared_area(t[0], t[1], t[2]) < 1e-8) continue;
     const Point_3 p = CGAL::barycenter(t[0], 0.5, t[1], 0.5 - 1e-9, t[2], 1e-9);
     const auto h = CGAL::Euler::add_center_vertex(mesh.halfedge(facets[n]), mesh);
     mesh.point(mesh.target(h)) = Point_3(p.x(), p.y(), plane(p.x(), p.y()));
@@ -286,7 +308,7 @@ TEST_CASE("Projection: the image is on the sheet that the curve meets, not on th
     const Image below = project(Point_3(0.2, 0.3, -0.3));
     CHECK(below.status == (lower_faces_down ? Flow_status::SUCCESS : Flow_status::FACES_WRONG_WAY));
     CHECK(project(Point_3(0.2, 0.3, 0.01)).status == Flow_status::STARTS_OUTSIDE);
-    CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE);       // even though there is no curve
+    CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE); // even though there is no curve
   }
 }
 
@@ -352,8 +374,7 @@ TEST_CASE("Projection: through holes curves leave the shell, beside them they do
     if(holes.count(whole.location.first)) {
       CHECK(image.status == Flow_status::LEAVES_SHELL);
       ++lost;
-    }
-    else CHECK(same(image, whole));
+    } else CHECK(same(image, whole));
   }
   CHECK(lost > 50);
   // a facet without area is not met, whichever way it may face
@@ -370,18 +391,21 @@ TEST_CASE("Projection: with one thread and with several, images are the same, bi
 {
   const Mesh mesh = sphere(2, 0.85);
   std::vector<Point_3> points = random_points(40000);
-  points[3] = Point_3(0, 0, 0);        // without an image
+  points[3] = Point_3(0, 0, 0); // without an image
   const Projection project = projection(radial_shell(), mesh);
-  const std::vector<Image> one = project.project<CGAL::Sequential_tag>(points), several = project.project<CGAL::Parallel_tag>(points),
+  const std::vector<Image> one = project.project<CGAL::Sequential_tag>(points),
+                           several = project.project<CGAL::Parallel_tag>(points),
                            by_function = BS::project_points<CGAL::Parallel_tag>(radial_shell(), points, mesh);
   REQUIRE(one.size() == points.size());
   REQUIRE(several.size() == points.size());
   REQUIRE(by_function.size() == points.size());
   bool equal = true;
-  for(std::size_t n = 0; n < points.size(); ++n) equal = equal && same(one[n], several[n]) && same(one[n], by_function[n]);
+  for(std::size_t n = 0; n < points.size(); ++n)
+    equal = equal && same(one[n], several[n]) && same(one[n], by_function[n]);
   CHECK(equal);
   // and up to the tolerance that of a point alone
-  for(std::size_t n : { 0, 12345, 39999 }) CHECK(distance(one[n].point, project(points[n]).point) <= 2 * project.tolerance());
+  for(std::size_t n : { 0, 12345, 39999 })
+    CHECK(distance(one[n].point, project(points[n]).point) <= 2 * project.tolerance());
   CHECK(same(one[3], project(points[3])));
   CHECK(one[3].status == Flow_status::STARTS_OUTSIDE);
   CHECK(BS::project_points(radial_shell(), std::vector<Point_3>(), mesh).empty());
@@ -402,7 +426,7 @@ TEST_CASE("Projection: wherever the search begins, the image is the same up to t
     const Image reference = project(p);
     REQUIRE(reference.status == Flow_status::SUCCESS);
     Projection::Hint hint;
-    hint.facet = Projection::Target::Index(random.get_int(0, int(facets)));      // mostly far away, and facing elsewhere
+    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // mostly far away, and facing elsewhere
     const Image image = project(p, hint);
     check_consistent(radial_shell(), mesh, image, project.tolerance());
     CHECK(distance(image.point, reference.point) <= 2 * project.tolerance());
@@ -454,7 +478,7 @@ TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree
   constexpr Index npos = BS::Projection_facets_3::npos;
   for(const Point_3& point : random_points(200)) {
     const std::array<double, 3> p = { point.x(), point.y(), point.z() };
-    const Index found = facets.facet_on_line(p, p, -1, 1, 0);       // along the ray from the center
+    const Index found = facets.facet_on_line(p, p, -1, 1, 0); // along the ray from the center
     REQUIRE(found != npos);
     CHECK(facets.facet_on_line_near(found, p, p, -1, 1) == found);
     for(int i = 0; i < 3; ++i) {
@@ -463,13 +487,17 @@ TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree
       for(int j = 0; j < 3; ++j) CHECK(facets.facet_on_line_near(facets.neighbor(neighbor, j), p, p, -1, 1) == found);
     }
     // not on the segment, or facing the other way, or on the other side of the sphere
-    const double s = -facets.height(found, p) / CGAL::to_double(dot(exact(Point_3(facets.normal(found)[0], facets.normal(found)[1], facets.normal(found)[2])), exact(point)));
+    const double s = -facets.height(found, p)
+                     / CGAL::to_double(
+                       dot(exact(Point_3(facets.normal(found)[0], facets.normal(found)[1], facets.normal(found)[2])),
+                           exact(point)));
     CHECK(facets.facet_on_line_near(found, p, p, s + 1e-6, 1) == npos);
     CHECK(facets.facet_on_line_near(found, p, p, -1, s - 1e-6) == npos);
     CHECK(facets.facet_on_line_near(found, p, { -p[0], -p[1], -p[2] }, -1, 1) == npos);
   }
   // over a border, and more moves than looking it up is worth
-  const std::vector<double> grid = { -0.9, -0.8, -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9 };
+  const std::vector<double> grid = { -0.9, -0.8, -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0,
+                                     0.1,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.9 };
   const Mesh plane = sheet(grid, grid, [](double, double) { return 0.; });
   const auto to_plane = projection(slab(), plane);
   const BS::Projection_facets_3& of_plane = to_plane.target().traced_facets();
@@ -484,17 +512,22 @@ TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
   struct Visitor
   {
     std::vector<std::pair<std::size_t, std::size_t> > calls;
-    std::size_t stop = std::size_t(-1);         // as soon as so many are done
-    bool advance(std::size_t done, std::size_t total) { calls.emplace_back(done, total); return done < stop; }
+    std::size_t stop = std::size_t(-1); // as soon as so many are done
+    bool advance(std::size_t done, std::size_t total)
+    {
+      calls.emplace_back(done, total);
+      return done < stop;
+    }
   };
   const Mesh mesh = sphere(1, 0.85);
   const std::vector<Point_3> points = random_points(50000);
   Visitor visitor;
-  const auto images = BS::project_points<CGAL::Sequential_tag>(radial_shell(), points, mesh, P::visitor(std::ref(visitor)));
+  const auto images = BS::project_points<CGAL::Sequential_tag>(radial_shell(), points, mesh,
+                                                               P::visitor(std::ref(visitor)));
   REQUIRE(visitor.calls.size() > 1);
   for(std::size_t n = 0; n < visitor.calls.size(); ++n) {
     CHECK(visitor.calls[n].second == points.size());
-    if(n > 0) CHECK(visitor.calls[n].first > visitor.calls[n-1].first);
+    if(n > 0) CHECK(visitor.calls[n].first > visitor.calls[n - 1].first);
   }
   CHECK(visitor.calls.back().first == points.size());
 
@@ -527,7 +560,7 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
   const auto on_polyhedron = BS::project_points(radial_shell(), points, polyhedron);
   Mesh garbage = mesh;
   CGAL::copy_face_graph(sphere(1, 0.7), garbage);
-  for(std::size_t n = 0; n < mesh.number_of_faces(); ++n)         // leaves the second one
+  for(std::size_t n = 0; n < mesh.number_of_faces(); ++n) // leaves the second one
     CGAL::Euler::remove_face(garbage.halfedge(Mesh::Face_index(Mesh::size_type(n))), garbage);
   for(auto v : garbage.vertices()) {
     const Vector_3 d = garbage.point(v) - CGAL::ORIGIN;
@@ -537,7 +570,8 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
   const auto on_garbage = BS::project_points(radial_shell(), points, garbage);
   // elsewhere, and with coordinates of another type
   Mesh nowhere = mesh;
-  auto elsewhere = nowhere.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_3>("v:elsewhere").first;
+  auto elsewhere = nowhere.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_3>("v:elsewhere")
+                     .first;
   for(auto v : nowhere.vertices()) {
     const Point_3 q = nowhere.point(v);
     elsewhere[v] = CGAL::Simple_cartesian<float>::Point_3(float(q.x()), float(q.y()), float(q.z()));
@@ -555,10 +589,12 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
     REQUIRE(on_garbage[n]);
     REQUIRE(on_floats[n]);
     CHECK(distance(on_polyhedron[n].point, expected[n].point) <= 2 * tolerance);
-    CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(on_polyhedron[n].location, polyhedron), on_polyhedron[n].point) < 1e-14);
+    CHECK(distance(CGAL::Polygon_mesh_processing::construct_point(on_polyhedron[n].location, polyhedron),
+                   on_polyhedron[n].point)
+          < 1e-14);
     CHECK(distance(on_garbage[n].point, expected[n].point) <= 2 * tolerance);
     CHECK_FALSE(garbage.is_removed(on_garbage[n].location.first));
-    CHECK(distance(on_floats[n].point, expected[n].point) <= 1e-6);      // as floats are
+    CHECK(distance(on_floats[n].point, expected[n].point) <= 1e-6); // as floats are
     CHECK(same(of_arrays[n], expected[n]));
   }
 }
@@ -582,7 +618,8 @@ TEST_CASE("Projection: facets thinner than rounding may have no images, but none
   const Projection project = projection(slab(), mesh);
   std::size_t found = 0;
   for(int n = 0; n < 1000; ++n) {
-    const double x = n % 2 ? 0.3 + std::pow(10., random.get_double(-18, -5)) : random.get_double(-0.79, 0.79), y = random.get_double(-0.79, 0.79);
+    const double x = n % 2 ? 0.3 + std::pow(10., random.get_double(-18, -5)) : random.get_double(-0.79, 0.79),
+                 y = random.get_double(-0.79, 0.79);
     const Image image = project(Point_3(x, y, random.get_double(-0.85, 0.85)));
     found += bool(image);
     if(image) CHECK(distance(image.point, Point_3(x, y, plane(x, y))) <= project.tolerance());
@@ -600,7 +637,8 @@ TEST_CASE("Projection: points next to edges shorter than rounding, on needles, a
     std::size_t lost = 0;
     for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
       INFO(p << ", edges of " << length);
-      for(const Vector_3& aside : { Vector_3(0, 0, 0), Vector_3(1e-17, 0, 0), Vector_3(0, -1e-17, 0), Vector_3(0, 0, 1e-17) }) {
+      for(const Vector_3& aside :
+          { Vector_3(0, 0, 0), Vector_3(1e-17, 0, 0), Vector_3(0, -1e-17, 0), Vector_3(0, 0, 1e-17) }) {
         const Image image = project(p + aside);
         lost += !image;
         CHECK(distance(image.point, p) <= 1e-15);
@@ -622,9 +660,11 @@ TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
   const auto coordinate = [&]() { return random.get_double(-1, 1); };
   for(int n = 0; n < 2000; ++n) {
     // two vertices near the origin, where there are digits left for what they differ by
-    const double length = std::pow(10., random.get_double(-30, 0)), t = random.get_double(0, 1), u = random.get_double(0, 1 - t);
-    const Point_3 p(length * coordinate(), length * coordinate(), length * coordinate()), r(coordinate(), coordinate(), coordinate()),
-                  q(length * coordinate(), length * coordinate(), length * coordinate());
+    const double length = std::pow(10., random.get_double(-30, 0)), t = random.get_double(0, 1),
+                 u = random.get_double(0, 1 - t);
+    const Point_3 p(length * coordinate(), length * coordinate(), length * coordinate()),
+      r(coordinate(), coordinate(), coordinate()),
+      q(length * coordinate(), length * coordinate(), length * coordinate());
     Mesh mesh;
     mesh.add_face(mesh.add_vertex(p), mesh.add_vertex(q), mesh.add_vertex(r));
     const BS::Projection_target_3<Mesh> target(mesh, mesh.points());
@@ -638,8 +678,11 @@ TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
 
 TEST_CASE("Projection: the differential is that of finite differences within a facet")
 {
-  const Shell shell = shell_of(uniform_field({ { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } }), -0.9, 0.9);      // curved
-  const Mesh mesh = sheet({ -0.6, -0.2, 0.1, 0.6 }, { -0.6, 0, 0.3, 0.6 }, [](double x, double y) { return 0.2 * x + 0.1 * y * y; });
+  // curved
+  const Shell shell = shell_of(uniform_field({ { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } }), -0.9,
+                               0.9);
+  const Mesh mesh = sheet({ -0.6, -0.2, 0.1, 0.6 }, { -0.6, 0, 0.3, 0.6 },
+                          [](double x, double y) { return 0.2 * x + 0.1 * y * y; });
   const Projection project = projection(shell, mesh, 1e-13);
   CGAL::Random random(6);
   int checked = 0;
@@ -655,10 +698,11 @@ TEST_CASE("Projection: the differential is that of finite differences within a f
     for(int a = 0; a < 3; ++a) {
       const Vector_3 step(a == 0 ? h : 0, a == 1 ? h : 0, a == 2 ? h : 0);
       const Image up = project(p + step), down = project(p - step);
-      if(!up || !down || up.location.first != image.location.first || down.location.first != image.location.first) continue;
-      const Vector_3 difference = (up.point - down.point) / (2*h);
+      if(!up || !down || up.location.first != image.location.first || down.location.first != image.location.first)
+        continue;
+      const Vector_3 difference = (up.point - down.point) / (2 * h);
       const Eigen::Vector3d column(difference.x(), difference.y(), difference.z());
-      CHECK((column - onto.col(a)).norm() < 1e-6);       // h^2 times third derivatives of some tens, and 1e-13 / h
+      CHECK((column - onto.col(a)).norm() < 1e-6); // h^2 times third derivatives of some tens, and 1e-13 / h
       ++checked;
     }
   }

@@ -1,5 +1,5 @@
-// Shell_projection_3.h, Shell_map_3.h: between certified meshes in a certified shell no point is lost, there and back again is the start, and
-// a search through everything finds the same images.
+// Shell_projection_3.h, Shell_map_3.h: between certified meshes in a certified shell no point is lost, there and back
+// again is the start, and a search through everything finds the same images.
 #include "meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -21,7 +21,10 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 typedef Map::Source_location Location;
 
-double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 Mesh triangulated(Mesh mesh)
 {
@@ -41,13 +44,16 @@ std::vector<Location> locations(const Mesh& mesh, int random_ones)
       result.push_back(corner);
       result.push_back(middle);
     }
-    result.push_back(Location(f, { 1/3., 1/3., 1/3. }));
+    result.push_back(Location(f, { 1 / 3., 1 / 3., 1 / 3. }));
   }
   CGAL::Random random(1);
   const std::vector<Mesh::Face_index> faces(mesh.faces_begin(), mesh.faces_end());
   for(int n = 0; n < random_ones; ++n) {
     double u = random.get_double(), v = random.get_double();
-    if(u + v > 1) { u = 1 - u; v = 1 - v; }
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
     result.push_back(Location(faces[std::size_t(random.get_int(0, int(faces.size())))], { 1 - u - v, u, v }));
   }
   return result;
@@ -84,7 +90,8 @@ void check_round_trips(const Shell& shell, const Mesh& a, const Mesh& b)
 
 TEST_CASE("Round trips: on ten meshes, no point is lost and all return")
 {
-  for(const char* name : { "tetrahedron", "cube", "octahedron", "icosahedron", "cross", "tripod", "part", "ellipsoid", "sphere", "eight" }) {
+  for(const char* name : { "tetrahedron", "cube", "octahedron", "icosahedron", "cross", "tripod", "part", "ellipsoid",
+                           "sphere", "eight" }) {
     INFO(name);
     const Mesh a = triangulated(demo_mesh(std::string(name) + ".off"));
     const Shell shell = CGAL::certified_bspline_shell_3(a, P::relative_thickness(0.02));
@@ -102,7 +109,7 @@ TEST_CASE("Round trips: far from the origin, the default tolerance allows for th
     REQUIRE(shell.is_certified());
     const double tolerance = Map(shell, a, a).to_target().tolerance();
     CHECK(tolerance >= 1e-9 * shell.report().unit);
-    CHECK(tolerance > 200 * 1e-9);       // at 5e6, a unit in the last place is 0.93e-9
+    CHECK(tolerance > 200 * 1e-9); // at 5e6, a unit in the last place is 0.93e-9
     CHECK(tolerance <= 512 * 1e-9);
     check_round_trips(shell, a, certified_mesh_in_shell(shell, a));
   }
@@ -115,7 +122,7 @@ TEST_CASE("Round trips: between meshes that have no facet in common")
   REQUIRE(thick.is_certified());
   BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(thick);
   Mesh fine = sphere(3, 0.97);
-  for(auto v : fine.vertices()) {       // turned, so that no vertex is on an edge or vertex of the other
+  for(auto v : fine.vertices()) { // turned, so that no vertex is on an edge or vertex of the other
     const Point_3 p = fine.point(v);
     fine.point(v) = Point_3(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
   }
@@ -156,8 +163,8 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
       const Vector_3 normal = CGAL::cross_product(q - p, r - p);
       const auto height = [&](const Point_3& x) { return normal * (x - p); };
       for(std::size_t i = 1; i < curve.size(); ++i) {
-        double low = curve[i-1].first, high = curve[i].first;
-        const bool below = height(curve[i-1].second) < 0;
+        double low = curve[i - 1].first, high = curve[i].first;
+        const bool below = height(curve[i - 1].second) < 0;
         if(below == (height(curve[i].second) < 0)) continue;
         Point_3 x = curve[i].second;
         for(int k = 0; k < 45; ++k) {
@@ -174,12 +181,13 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
         };
         if(!inside(p, q) || !inside(q, r) || !inside(r, p)) continue;
         ++met;
-        CHECK(below);         // never from above
-        // tolerances of the image, of the bisection and of the edges, and curves meet facets at angles that are not flat
+        CHECK(below); // never from above
+        // tolerances of the image, of the bisection and of the edges, and curves meet facets at angles that are not
+        // flat
         CHECK(distance(x, image.point) <= 5e-9 * shell.report().unit);
       }
     }
   }
-  CHECK(met >= 60);          // more where edges are met
+  CHECK(met >= 60); // more where edges are met
 }
 } // namespace test_shell_round_trips

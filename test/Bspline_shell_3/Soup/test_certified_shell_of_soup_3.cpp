@@ -34,17 +34,23 @@ std::string report_of(const BS::Shell_of_soup_3& result)
   return out.str();
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 // a strip of quadrilaterals, turned by `halves` half turns
 BS::Polygon_soup band(int halves, int around = 48)
 {
   BS::Polygon_soup soup;
-  const auto number = [&](int i, int side) { return std::size_t(2 * (i % around) + (i >= around && halves % 2 == 1 ? 1 - side : side)); };
+  const auto number = [&](int i, int side) {
+    return std::size_t(2 * (i % around) + (i >= around && halves % 2 == 1 ? 1 - side : side));
+  };
   for(int i = 0; i < around; ++i)
     for(int side = 0; side < 2; ++side) {
       const double a = 2 * CGAL_PI * i / around, b = CGAL_PI * halves * i / around, w = side == 0 ? -0.3 : 0.3;
-      soup.points.emplace_back((1 + w * std::cos(b)) * std::cos(a), (1 + w * std::cos(b)) * std::sin(a), w * std::sin(b));
+      soup.points.emplace_back((1 + w * std::cos(b)) * std::cos(a), (1 + w * std::cos(b)) * std::sin(a),
+                               w * std::sin(b));
     }
   for(int i = 0; i < around; ++i) {
     soup.polygons.push_back({ number(i, 0), number(i + 1, 0), number(i + 1, 1) });
@@ -96,15 +102,16 @@ TEST_CASE("Front door: an open mesh is closed virtually, and components that fac
 TEST_CASE("Near duplicates: points that are almost, but not quite, at others are counted")
 {
   BS::Polygon_soup::Points points;
-  for(int x = 0; x < 10; ++x) for(int y = 0; y < 10; ++y) points.emplace_back(x, y, 0);
+  for(int x = 0; x < 10; ++x)
+    for(int y = 0; y < 10; ++y) points.emplace_back(x, y, 0);
   CHECK(BS::number_of_near_duplicates({}) == 0);
   CHECK(BS::number_of_near_duplicates({ Point_3(1, 2, 3), Point_3(1, 2, 3) }) == 0);
   CHECK(BS::number_of_near_duplicates(points) == 0);
-  points.push_back(points[5]);                        // equal
+  points.push_back(points[5]); // equal
   CHECK(BS::number_of_near_duplicates(points) == 0);
-  points.emplace_back(3 + 8e-6, 4 - 8e-6, 8e-6);      // nearer than 1e-6 of the box, whose longest side is 9
+  points.emplace_back(3 + 8e-6, 4 - 8e-6, 8e-6); // nearer than 1e-6 of the box, whose longest side is 9
   points.emplace_back(7 - 1e-12, 7, 0);
-  points.emplace_back(2 + 1e-5, 2, 0);                // not so near
+  points.emplace_back(2 + 1e-5, 2, 0); // not so near
   CHECK(BS::number_of_near_duplicates(points) == 4);
 }
 
@@ -120,7 +127,7 @@ TEST_CASE("Front door: the message on polygons that are not a mesh counts points
   CHECK(contains(shell.mesh_message(), "2 are closer"));
   CHECK(contains(report_of(shell), "\"near_duplicates\": 2"));
   REQUIRE(shell.is_certified());
-  CHECK(contains(shell.message(), "thicker than asked"));      // the proxy is farther away than that
+  CHECK(contains(shell.message(), "thicker than asked")); // the proxy is farther away than that
   CHECK_FALSE(contains(shell.message(), "as thin as asked"));
 }
 
@@ -131,9 +138,10 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
   CHECK(contains(strip.mesh_message(), "one-sided"));
-  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy"));      // there is one
+  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy")); // there is one
   CHECK(CGAL::is_closed(strip.mesh()));
-  BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(strip.shell());
+  BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(
+    strip.shell());
   CHECK(certificate.verify(strip.mesh()));
   const std::string report = report_of(strip);
   CHECK(contains(report, "\"proxy\": {"));
@@ -141,7 +149,8 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
   CHECK(contains(report, strip.mesh_message()));
 
   // borders that touch each other in a vertex
-  const BS::Polygon_soup bow{ { Point_3(0, 0, 0), Point_3(1, -0.5, 0), Point_3(1, 0.5, 0), Point_3(-1, 0.5, 0.1), Point_3(-1, -0.5, 0) },
+  const BS::Polygon_soup bow{ { Point_3(0, 0, 0), Point_3(1, -0.5, 0), Point_3(1, 0.5, 0), Point_3(-1, 0.5, 0.1),
+                                Point_3(-1, -0.5, 0) },
                               { { 0, 1, 2 }, { 0, 3, 4 } } };
   const BS::Shell_of_soup_3 touching = CGAL::certified_shell_of_soup_3(bow, parameters::alpha(0.2));
   CHECK(touching.mesh_status == BS::Shell_status::NON_MANIFOLD);
@@ -152,11 +161,13 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
 TEST_CASE("Front door: nothing, points only, and facets without area are refused, each with a sentence")
 {
   const BS::Polygon_soup points{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(2, 0, 0) }, {} };
-  for(const BS::Polygon_soup& soup : { BS::Polygon_soup(), points, BS::Polygon_soup{ points.points, { { 0, 1, 2 } } } }) {
+  for(const BS::Polygon_soup& soup :
+      { BS::Polygon_soup(), points, BS::Polygon_soup{ points.points, { { 0, 1, 2 } } } }) {
     const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup);
     CHECK_FALSE(result);
     CHECK_FALSE(result.is_certified());
-    CHECK((result.mesh_status == BS::Shell_status::EMPTY_MESH || result.mesh_status == BS::Shell_status::DEGENERATE_FACET));
+    CHECK(
+      (result.mesh_status == BS::Shell_status::EMPTY_MESH || result.mesh_status == BS::Shell_status::DEGENERATE_FACET));
     CHECK(std::string(result.message()) == message(result.mesh_status));
     const std::string report = report_of(result);
     CHECK(contains(report, "\"status\": \"refused\""));
@@ -166,8 +177,8 @@ TEST_CASE("Front door: nothing, points only, and facets without area are refused
 
 TEST_CASE("Front door: the report of a shell that is not certified has the limit that ended refinement, and the places")
 {
-  const BS::Shell_of_soup_3 result =
-    CGAL::certified_shell_of_soup_3(soup_of(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002))), parameters::memory_limit(1.2e7));
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(
+    soup_of(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002))), parameters::memory_limit(1.2e7));
   REQUIRE(result);
   REQUIRE_FALSE(result.is_certified());
   const std::string report = report_of(result);

@@ -1,4 +1,5 @@
-// Polygons become a mesh where little is missing, and what was done is counted; where more is missing, the status says what.
+// Polygons become a mesh where little is missing, and what was done is counted; where more is missing, the status says
+// what.
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include "test_meshes.h"
 
@@ -47,7 +48,8 @@ TEST_CASE("Repair: a clean mesh needs none")
   CHECK(CGAL::is_closed(mesh));
 }
 
-TEST_CASE("Repair: triangles that share no points, some turned, some doubled, some without area, become the sphere that they were")
+TEST_CASE("Repair: triangles that share no points, some turned, some doubled, some without area, become the sphere "
+          "that they were")
 {
   const Mesh ball = sphere(2);
   BS::Polygon_soup soup = exploded(ball);
@@ -76,7 +78,8 @@ TEST_CASE("Repair: triangles that share no points, some turned, some doubled, so
 TEST_CASE("Repair: a facet without area between others goes, and the mesh stays closed")
 {
   // the point 4 lies on the edge from 0 to 1
-  const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0.5, 0, 0) },
+  const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
+                                 Point_3(0.5, 0, 0) },
                                { { 0, 2, 4 }, { 4, 2, 1 }, { 0, 4, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
   Mesh mesh;
   BS::Soup_repairs repairs;
@@ -92,23 +95,28 @@ TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are name
   Mesh mesh;
   BS::Soup_repairs repairs;
   BS::Offending_simplices offenders;
-  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs, offenders) == BS::Shell_status::NON_MANIFOLD);
+  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
+                                     Point_3(0, -1, -1) };
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs, offenders)
+        == BS::Shell_status::NON_MANIFOLD);
   CHECK(BS::repair_soup({ points, {} }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
   CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
   CHECK(repairs.removed_polygons == 1);
   // five triangles, of which the last is joined to the first the other way round
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs, offenders)
+  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs,
+                        offenders)
         == BS::Shell_status::NOT_ORIENTABLE);
 }
 
 TEST_CASE("Repair: offenders are those of the soup, whatever was removed before")
 {
-  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
+  const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0),
+                                     Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
   Mesh mesh;
   BS::Soup_repairs repairs;
   BS::Offending_simplices offenders;
-  CHECK(BS::repair_soup({ points, { { 0, 0, 2 }, { 0, 2, 3 }, { 3, 2, 1 }, { 1, 2, 4 }, { 3, 4, 5 }, { 0, 2, 5 } } }, mesh, repairs, offenders)
+  CHECK(BS::repair_soup({ points, { { 0, 0, 2 }, { 0, 2, 3 }, { 3, 2, 1 }, { 1, 2, 4 }, { 3, 4, 5 }, { 0, 2, 5 } } },
+                        mesh, repairs, offenders)
         == BS::Shell_status::NON_MANIFOLD);
   CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3, 5 });
   CHECK(repairs.doubled_polygons == 1);
@@ -119,7 +127,8 @@ TEST_CASE("Repair: a plate with a hole, whose facets have a bridge to it, become
 {
   BS::Polygon_soup soup;
   for(double z : { 0., 1. })
-    for(const auto& [x, y] : std::vector<std::pair<double, double> >{ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 1, 3 }, { 3, 3 }, { 3, 1 } })
+    for(const auto& [x, y] : std::vector<std::pair<double, double> >{
+          { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 1, 3 }, { 3, 3 }, { 3, 1 } })
       soup.points.emplace_back(x, y, z);
   soup.polygons = { { 8, 9, 10, 11, 8, 12, 13, 14, 15, 12 }, { 0, 4, 7, 6, 5, 4, 0, 3, 2, 1 } };
   for(std::size_t i = 0; i < 4; ++i) {
@@ -139,7 +148,7 @@ TEST_CASE("Repair: a plate with a hole, whose facets have a bridge to it, become
 TEST_CASE("Repair: components are turned inside out until they bound a volume")
 {
   Mesh mesh = sphere(2, 1), inner = sphere(2, 0.5);
-  mesh += inner;      // faces outwards, too
+  mesh += inner; // faces outwards, too
   CHECK_FALSE(PMP::does_bound_a_volume(mesh));
   CHECK(BS::orient_components(mesh));
   CHECK(PMP::does_bound_a_volume(mesh));

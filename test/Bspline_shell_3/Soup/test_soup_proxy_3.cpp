@@ -1,4 +1,5 @@
-// Proxies of polygon soups: what is no surface gets a clean mesh that carries its attributes, and says what share of it.
+// Proxies of polygon soups: what is no surface gets a clean mesh that carries its attributes, and says what share of
+// it.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
@@ -47,7 +48,10 @@ struct Soup : BS::Polygon_soup
   }
 };
 
-double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 // two spheres of radius one that meet in a circle: Figure 16 of the paper
 const Point_3 left(-0.6, 0, 0), right(0.6, 0, 0);
@@ -69,7 +73,10 @@ const BS::Soup_proxy_3& proxy_of_spheres()
   return proxy;
 }
 
-double linear(const Point_3& p) { return 2 + p.x() - 3 * p.y() + 0.5 * p.z(); }
+double linear(const Point_3& p)
+{
+  return 2 + p.x() - 3 * p.y() + 0.5 * p.z();
+}
 
 Soup random_triangles(int number)
 {
@@ -88,9 +95,11 @@ Soup random_triangles(int number)
 
 } // namespace
 
-TEST_CASE("Soup mesh: three triangles at an edge, in any order, become a mesh whose triangles and vertices know their origins")
+TEST_CASE(
+  "Soup mesh: three triangles at an edge, in any order, become a mesh whose triangles and vertices know their origins")
 {
-  const Points points{ Point_3(9, 9, 9), Point_3(0, 0, 0), Point_3(0, 0, 1), Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0) };
+  const Points points{ Point_3(9, 9, 9), Point_3(0, 0, 0),  Point_3(0, 0, 1),
+                       Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0) };
   const Polygons polygons{ { 1, 2, 3 }, { 1, 2, 4 }, { 1, 2, 5 } };
   const BS::Soup_mesh_3 soup(BS::Polygon_soup{ points, polygons });
   CHECK(CGAL::is_valid_polygon_mesh(soup.mesh()));
@@ -116,7 +125,8 @@ TEST_CASE("Soup mesh: a polygon with a hole, whose bridge has two points twice, 
   double area = 0;
   for(auto f : soup.mesh().faces()) {
     const auto h = soup.mesh().halfedge(f);
-    area += std::sqrt(CGAL::squared_area(soup.mesh().point(soup.mesh().source(h)), soup.mesh().point(soup.mesh().target(h)),
+    area += std::sqrt(CGAL::squared_area(soup.mesh().point(soup.mesh().source(h)),
+                                         soup.mesh().point(soup.mesh().target(h)),
                                          soup.mesh().point(soup.mesh().target(soup.mesh().next(h)))));
   }
   CHECK(area == Approx(12));
@@ -125,7 +135,8 @@ TEST_CASE("Soup mesh: a polygon with a hole, whose bridge has two points twice, 
 TEST_CASE("Soup mesh: polygons are triangulated, and those without an area are left out and named")
 {
   const Points points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(2, 0, 0) };
-  const BS::Soup_mesh_3 soup(BS::Polygon_soup{ points, { { 0, 1, 4 }, { 0, 1, 2, 3 }, { 1, 1, 2 }, { 0, 1 }, { 2, 1, 4 } } });
+  const BS::Soup_mesh_3 soup(
+    BS::Polygon_soup{ points, { { 0, 1, 4 }, { 0, 1, 2, 3 }, { 1, 1, 2 }, { 0, 1 }, { 2, 1, 4 } } });
   CHECK(soup.polygons_left_out() == std::vector<std::size_t>{ 0, 2, 3 });
   REQUIRE(soup.mesh().number_of_faces() == 3);
   std::vector<std::size_t> triangles(5, 0);
@@ -176,11 +187,14 @@ TEST_CASE("Soup proxy: points of the soup go to the proxy along curves and come 
     const auto image = map(v);
     REQUIRE(image);
     const bool is_hidden = (std::min)(distance(p, left), distance(p, right)) < 0.9;
-    if(is_hidden) { ++hidden; continue; }
+    if(is_hidden) {
+      ++hidden;
+      continue;
+    }
     if(image.is_continued) continue;
     const auto back = map.inverse()(image.location);
     REQUIRE(back);
-    if(std::abs(p.x()) < 0.2) continue;       // at the crease, the other sphere may be in front
+    if(std::abs(p.x()) < 0.2) continue; // at the crease, the other sphere may be in front
     CHECK_FALSE(back.is_continued);
     CHECK(distance(back.point, p) < 1e-6);
     ++carried;
@@ -197,7 +211,8 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
 
   std::vector<double> values;
   for(const Point_3& p : two_spheres().points) values.push_back(linear(p));
-  const auto value_of = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return values[proxy.soup().point_of(v)]; });
+  const auto value_of = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](Mesh::Vertex_index v) { return values[proxy.soup().point_of(v)]; });
   Mesh mesh = proxy.mesh();
   const auto map = proxy.map(mesh);
   Scalars scalars = mesh.add_property_map<Mesh::Vertex_index, double>("v:value", 1e9).first;
@@ -207,7 +222,8 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   // the gradient is 3.2, and images are some offsets away at most
   for(auto v : mesh.vertices()) CHECK(std::abs(scalars[v] - linear(mesh.point(v))) < 3.3 * 8 * proxy.report().offset);
 
-  const auto side_of = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return proxy.soup().polygon_of(f) >= first_of_right; });
+  const auto side_of = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return proxy.soup().polygon_of(f) >= first_of_right; });
   auto sides = mesh.add_property_map<Mesh::Face_index, bool>("f:side", false).first;
   CHECK(BS::transfer_face_labels(map, side_of, sides).failures.empty());
   for(auto f : mesh.faces()) {
@@ -221,7 +237,8 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   auto corners = mesh.add_property_map<Mesh::Halfedge_index, double>("h:value", 1e9).first;
   const BS::Transfer_report at_corners = BS::transfer_corner_attribute(map, corner_of, corners);
   CHECK(at_corners.failures.empty());
-  for(auto h : mesh.halfedges()) CHECK(std::abs(corners[h] - linear(mesh.point(mesh.target(h)))) < 3.3 * 20 * proxy.report().offset);
+  for(auto h : mesh.halfedges())
+    CHECK(std::abs(corners[h] - linear(mesh.point(mesh.target(h)))) < 3.3 * 20 * proxy.report().offset);
 
   // and from the proxy to the soup
   Mesh soup_copy = soup;
@@ -231,12 +248,14 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   CHECK(to_soup.failures.empty());
   for(auto v : soup_copy.vertices()) {
     const Point_3 p = soup_copy.point(v);
-    if((std::min)(distance(p, left), distance(p, right)) > 0.999) CHECK(std::abs(back[v] - linear(p)) < 3.3 * 16 * proxy.report().offset);
+    if((std::min)(distance(p, left), distance(p, right)) > 0.999)
+      CHECK(std::abs(back[v] - linear(p)) < 3.3 * 16 * proxy.report().offset);
   }
 
   // vectors along the y-axis stay so where both surfaces contain them nearly
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
-  const auto y_of = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index) { return Vector_3(0, 1, 0); });
+  const auto y_of = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index) { return Vector_3(0, 1, 0); });
   auto vectors = mesh.add_property_map<Mesh::Face_index, Vector_3>("f:vector").first;
   const BS::Transfer_report of_vectors = BS::transfer_tangent_vectors(map, y_of, vectors);
   CHECK(of_vectors.failures.size() < mesh.number_of_faces() / 50);
@@ -253,10 +272,12 @@ TEST_CASE("Soup proxy: it can be simplified in its shell, and still carries what
   const auto map = proxy.map(coarse);
   std::vector<double> values;
   for(auto v : proxy.soup().mesh().vertices()) values.push_back(linear(proxy.soup().mesh().point(v)));
-  const auto value_of = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) { return values[v]; });
+  const auto value_of = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](Mesh::Vertex_index v) { return values[v]; });
   Scalars scalars = coarse.add_property_map<Mesh::Vertex_index, double>("v:value", 1e9).first;
   CHECK(BS::transfer_vertex_attribute(map, value_of, scalars).failures.empty());
-  for(auto v : coarse.vertices()) CHECK(std::abs(scalars[v] - linear(coarse.point(v))) < 3.3 * 10 * proxy.report().offset);
+  for(auto v : coarse.vertices())
+    CHECK(std::abs(scalars[v] - linear(coarse.point(v))) < 3.3 * 10 * proxy.report().offset);
 }
 
 TEST_CASE("Soup projection: the image is the outermost of the facets on the curve, whichever way they face")
@@ -268,11 +289,13 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
   Soup soup;
   CGAL::Random random(11);
   for(int i = 0; i < 300; ++i) {
-    const double a = random.get_double(0, 2 * CGAL_PI), z = random.get_double(-1, 1), r = random.get_double(0.94, 1.06), s = std::sqrt(1 - z * z);
+    const double a = random.get_double(0, 2 * CGAL_PI), z = random.get_double(-1, 1), r = random.get_double(0.94, 1.06),
+                 s = std::sqrt(1 - z * z);
     const double size = 0.15;
     soup.polygons.push_back({ soup.points.size(), soup.points.size() + 1, soup.points.size() + 2 });
     for(int k = 0; k < 3; ++k) {
-      const double x = random.get_double(-size, size), y = random.get_double(-size, size), w = random.get_double(-size, size);
+      const double x = random.get_double(-size, size), y = random.get_double(-size, size),
+                   w = random.get_double(-size, size);
       Point_3 p(s * std::cos(a) + x, s * std::sin(a) + y, z + w);
       const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
       soup.points.push_back(CGAL::ORIGIN + r / length * (p - CGAL::ORIGIN));
@@ -303,19 +326,27 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
       for(auto f : mesh.mesh().faces()) {
         const auto h = mesh.mesh().halfedge(f);
         const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 t(
-          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)), mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
+          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)),
+          mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
         const CGAL::Exact_predicates_inexact_constructions_kernel::Segment_3 s(curve[i], curve[i + 1]);
         if(!CGAL::do_intersect(t, s)) continue;
         const auto meet = CGAL::intersection(t, s);
         if(!meet) continue;
         if(const Point_3* q = BS::internal::get_if<Point_3>(*meet))
-          if(distance(curve[i], *q) < least) { least = distance(curve[i], *q); first = *q; is_found = true; }
+          if(distance(curve[i], *q) < least) {
+            least = distance(curve[i], *q);
+            first = *q;
+            is_found = true;
+          }
       }
     }
     const auto image = projection(p);
     REQUIRE(image);
     CHECK(image.is_continued == !is_found);
-    if(is_found && !image.is_continued) { CHECK(distance(first, image.point) < 1e-3); ++hits; }
+    if(is_found && !image.is_continued) {
+      CHECK(distance(first, image.point) < 1e-3);
+      ++hits;
+    }
     if(image.is_continued) {
       const auto end = flow.trace(p, shell.inner_threshold().value(p));
       REQUIRE(end);
@@ -323,7 +354,8 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
       for(auto f : mesh.mesh().faces()) {
         const auto h = mesh.mesh().halfedge(f);
         const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 t(
-          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)), mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
+          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)),
+          mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
         least = (std::min)(least, std::sqrt(CGAL::squared_distance(end.point, t)));
       }
       CHECK(distance(end.point, image.point) == Approx(least).margin(0.003));
@@ -339,14 +371,15 @@ TEST_CASE("Soup proxy: a cube with a facet missing is wrapped inside and outside
   Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Soup soup;
   soup.add(cube);
-  soup.polygons.resize(10);      // of twelve
+  soup.polygons.resize(10); // of twelve
   const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::alpha(0.1));
   REQUIRE(proxy.is_certified());
   // inside of the cube
   bool is_entered = false;
   for(auto v : proxy.mesh().vertices()) {
     const Point_3 p = proxy.mesh().point(v);
-    is_entered = is_entered || ((std::max)({ std::abs(p.x() - 0.5), std::abs(p.y() - 0.5), std::abs(p.z() - 0.5) }) < 0.49);
+    is_entered = is_entered
+                 || ((std::max)({ std::abs(p.x() - 0.5), std::abs(p.y() - 0.5), std::abs(p.z() - 0.5) }) < 0.49);
   }
   CHECK(is_entered);
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
@@ -364,7 +397,8 @@ TEST_CASE("Soup proxy: triangles in disorder get a certified proxy, and what is 
   CHECK(shares.continued > 0.3);
   Mesh mesh = proxy.mesh();
   const auto map = proxy.map(mesh);
-  const auto polygon_of = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return proxy.soup().polygon_of(f); });
+  const auto polygon_of = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return proxy.soup().polygon_of(f); });
   auto labels = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:label", std::size_t(99)).first;
   const BS::Transfer_report report = BS::transfer_face_labels(map, polygon_of, labels);
   CHECK(report.failures.empty());
@@ -372,7 +406,8 @@ TEST_CASE("Soup proxy: triangles in disorder get a certified proxy, and what is 
   for(auto f : mesh.faces()) CHECK(labels[f] < 12);
 }
 
-TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, no numbers, no such point, no sensible alpha")
+TEST_CASE(
+  "Soup proxy: refused with a status are nothing, points only, no area, no numbers, no such point, no sensible alpha")
 {
   const Points points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(2, 0, 0) };
   const auto status = [](const Points& p, const Polygons& f, double alpha = 0.1) {
@@ -400,8 +435,10 @@ TEST_CASE("Soup proxy: refused with a status are nothing, points only, no area, 
   check(CGAL::certified_soup_proxy_3(points, one, parameters::time_limit(0.)), "time_limit", 0);
   check(CGAL::certified_soup_proxy_3(points, one, parameters::least_cone_margin(2.)), "least_cone_margin", 2);
   check(CGAL::certified_soup_proxy_3(points, std::vector<std::vector<std::size_t> >{ { 0, 1, 4 } }), "polygons", 4);
-  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::thickness(-1)).status() == BS::Shell_status::INVALID_PARAMETER);
-  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::resolution(0.)).status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::thickness(-1)).status()
+        == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_soup_proxy_3(points, one, parameters::resolution(0.)).status()
+        == BS::Shell_status::INVALID_PARAMETER);
   Points large = points;
   large[1] = Point_3(1e200, 0, 0);
   CHECK(status(large, { { 0, 1, 2 } }) == BS::Shell_status::COORDINATES_OUT_OF_RANGE);

@@ -1,5 +1,5 @@
-// Bernstein_bounds.h: every function within its radius is enclosed, in exact arithmetic, also at the ends of the radius, where all
-// roundings and displacements add up.
+// Bernstein_bounds.h: every function within its radius is enclosed, in exact arithmetic, also at the ends of the
+// radius, where all roundings and displacements add up.
 #include "exact_spline.h"
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
@@ -43,7 +43,10 @@ Exact_coefficients moved(const Enclosed_tricubic& f, const Sign& sign)
   return b;
 }
 
-bool contains(const Level_range& r, const Rational& x) { return Rational(r.min) <= x && x <= Rational(r.max); }
+bool contains(const Level_range& r, const Rational& x)
+{
+  return Rational(r.min) <= x && x <= Rational(r.max);
+}
 
 // with all bits at random: a random number has 32
 double random_number(CGAL::Random& random, double least, double most)
@@ -82,7 +85,10 @@ Exact_point combined(const std::vector<Point>& corners, const std::vector<Ration
 }
 
 // of a tensor product, for an axis and a place along it
-int along(int n, int axis) { return axis == 0 ? n % 4 : axis == 1 ? n / 4 % 4 : n / 16; }
+int along(int n, int axis)
+{
+  return axis == 0 ? n % 4 : axis == 1 ? n / 4 % 4 : n / 16;
+}
 
 // the derivative along an axis, per unit of the cell, raised to degree three
 Exact_coefficients derivative(const Exact_coefficients& b, int axis)
@@ -138,7 +144,8 @@ TEST_CASE("Bounds: the range towards a face, an edge or a vertex is that of the 
   CHECK(f.range_towards({ 0, 0, 0 }).min == f.range().min);
 }
 
-TEST_CASE("Bounds: values at points, on segments and triangles in the cell are enclosed, with all roundings of mixed sizes")
+TEST_CASE(
+  "Bounds: values at points, on segments and triangles in the cell are enclosed, with all roundings of mixed sizes")
 {
   CGAL::Random random(1);
   for(int n = 0; n < 60; ++n) {
@@ -146,7 +153,8 @@ TEST_CASE("Bounds: values at points, on segments and triangles in the cell are e
     const Exact_coefficients b = exact_coefficients(f);
     const Point p = random_point(random), q = random_point(random), r = random_point(random);
     CHECK(contains(BS::enclose_at_point(f, p, 0), bernstein_value(b, exact(p))));
-    const Level_range on_segment = BS::enclose_on_segment(f, { p, q }, 0), on_triangle = BS::enclose_on_triangle(f, { p, q, r }, 0);
+    const Level_range on_segment = BS::enclose_on_segment(f, { p, q }, 0),
+                      on_triangle = BS::enclose_on_triangle(f, { p, q, r }, 0);
     for(int i = 0; i <= 3; ++i)
       for(int j = 0; i + j <= 3; ++j) {
         const Rational u = Rational(i) / 3, v = Rational(j) / 3;
@@ -157,10 +165,13 @@ TEST_CASE("Bounds: values at points, on segments and triangles in the cell are e
   // the extremes are those of a corner, so that nothing hides its roundings
   for(int n = 0; n < 200; ++n) {
     Enclosed_tricubic f;
-    for(int m = 0; m < 64; ++m) f.coefficients[m] = along(m, 0) + along(m, 1) + along(m, 2) + random_number(random, 1000, 1000.001);
+    for(int m = 0; m < 64; ++m)
+      f.coefficients[m] = along(m, 0) + along(m, 1) + along(m, 2) + random_number(random, 1000, 1000.001);
     const Point p = random_point(random, 0, 0.3), q = random_point(random, 0.4, 0.6), r = random_point(random, 0.7, 1);
-    const Rational lowest = bernstein_value(exact_coefficients(f), exact(p)), highest = bernstein_value(exact_coefficients(f), exact(r));
-    for(const Level_range& range : { BS::enclose_on_segment(f, { p, r }, 0), BS::enclose_on_triangle(f, { p, q, r }, 0) }) {
+    const Rational lowest = bernstein_value(exact_coefficients(f), exact(p)),
+                   highest = bernstein_value(exact_coefficients(f), exact(r));
+    for(const Level_range& range :
+        { BS::enclose_on_segment(f, { p, r }, 0), BS::enclose_on_triangle(f, { p, q, r }, 0) }) {
       CHECK(Rational(range.min) <= lowest);
       CHECK(Rational(range.max) >= highest);
     }
@@ -171,12 +182,14 @@ TEST_CASE("Bounds: on forms, functions at both ends of the radius are enclosed")
 {
   const Enclosed_tricubic f = constant(1, 0.25);
   const std::array<Point, 3> t = { Point{ 0, 0, 0 }, Point{ 1, 0, 0.5 }, Point{ 0.25, 1, 1 } };
-  for(const Level_range& r : { BS::enclose_at_point(f, t[0], 0), BS::enclose_on_segment(f, { t[0], t[1] }, 0), BS::enclose_on_triangle(f, t, 0) }) {
+  for(const Level_range& r : { BS::enclose_at_point(f, t[0], 0), BS::enclose_on_segment(f, { t[0], t[1] }, 0),
+                               BS::enclose_on_triangle(f, t, 0) }) {
     CHECK(r.min <= 0.75);
     CHECK(r.max >= 1.25);
   }
   // beyond the cell a polynomial may grow by far more than its coefficients
-  for(const Point& t : { Point{ 2, 2, 2 }, Point{ 2, 0.5, 0.5 }, Point{ 0.5, -1, 0.5 }, Point{ 0.5, 0.5, 3 }, Point{ -0.5, 1.5, 0.5 } }) {
+  for(const Point& t : { Point{ 2, 2, 2 }, Point{ 2, 0.5, 0.5 }, Point{ 0.5, -1, 0.5 }, Point{ 0.5, 0.5, 3 },
+                         Point{ -0.5, 1.5, 0.5 } }) {
     std::array<Rational, 64> weight;
     for(int n = 0; n < 64; ++n) {
       Exact_coefficients unit;
@@ -213,7 +226,8 @@ TEST_CASE("Bounds: corners that are off by the shift are enclosed, where the fun
     }
 }
 
-TEST_CASE("Bounds: an octant's coefficients are within its radius of the exact ones, for all functions within the radius")
+TEST_CASE(
+  "Bounds: an octant's coefficients are within its radius of the exact ones, for all functions within the radius")
 {
   CGAL::Random random(3);
   for(int n = 0; n < 40; ++n) {
@@ -226,12 +240,18 @@ TEST_CASE("Bounds: an octant's coefficients are within its radius of the exact o
         for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
           for(int m = 0; m < 64; ++m) {
             if(along(m, axis) != 0) continue;
-            const Rational c[4] = { b[m], b[m + stride], b[m + 2*stride], b[m + 3*stride] };
-            const Rational half[7] = { c[0], (c[0] + c[1]) / 2, (c[0] + 2*c[1] + c[2]) / 4, (c[0] + 3*c[1] + 3*c[2] + c[3]) / 8,
-                                       (c[1] + 2*c[2] + c[3]) / 4, (c[2] + c[3]) / 2, c[3] };
-            for(int i = 0; i < 4; ++i) b[m + i*stride] = half[i + ((octant >> axis) & 1 ? 3 : 0)];
+            const Rational c[4] = { b[m], b[m + stride], b[m + 2 * stride], b[m + 3 * stride] };
+            const Rational half[7] = { c[0],
+                                       (c[0] + c[1]) / 2,
+                                       (c[0] + 2 * c[1] + c[2]) / 4,
+                                       (c[0] + 3 * c[1] + 3 * c[2] + c[3]) / 8,
+                                       (c[1] + 2 * c[2] + c[3]) / 4,
+                                       (c[2] + c[3]) / 2,
+                                       c[3] };
+            for(int i = 0; i < 4; ++i) b[m + i * stride] = half[i + ((octant >> axis) & 1 ? 3 : 0)];
           }
-        for(int m = 0; m < 64; ++m) CHECK(CGAL::abs(Rational(b[m] - Rational(g.coefficients[m]))) <= Rational(g.radius));
+        for(int m = 0; m < 64; ++m)
+          CHECK(CGAL::abs(Rational(b[m] - Rational(g.coefficients[m]))) <= Rational(g.radius));
       }
     }
   }
@@ -241,11 +261,14 @@ TEST_CASE("Bounds: a difference is within its radius of all differences of funct
 {
   CGAL::Random random(4);
   for(int n = 0; n < 20; ++n)
-    for(const std::array<double, 2>& radius : { std::array<double, 2>{ 0, 0 }, std::array<double, 2>{ 0.5, 0 }, std::array<double, 2>{ 0, 0.25 } }) {
-      const Enclosed_tricubic f = random_function(random, 10, radius[0]), g = random_function(random, 10, radius[1]), d = BS::difference(f, g);
+    for(const std::array<double, 2>& radius :
+        { std::array<double, 2>{ 0, 0 }, std::array<double, 2>{ 0.5, 0 }, std::array<double, 2>{ 0, 0.25 } }) {
+      const Enclosed_tricubic f = random_function(random, 10, radius[0]), g = random_function(random, 10, radius[1]),
+                              d = BS::difference(f, g);
       for(int sign : { 1, -1 }) {
         const Exact_coefficients a = moved(f, [&](int) { return sign; }), b = moved(g, [&](int) { return -sign; });
-        for(int m = 0; m < 64; ++m) CHECK(CGAL::abs(Rational(a[m] - b[m] - Rational(d.coefficients[m]))) <= Rational(d.radius));
+        for(int m = 0; m < 64; ++m)
+          CHECK(CGAL::abs(Rational(a[m] - b[m] - Rational(d.coefficients[m]))) <= Rational(d.radius));
       }
     }
 }
@@ -256,7 +279,7 @@ TEST_CASE("Bounds: a derivative is within its radius of those of all functions a
   for(int n = 0; n < 60; ++n) {
     const double radius = n % 3 == 1 ? 0.125 : 0, direction_radius = n % 3 == 2 ? 0.0625 : 0;
     Enclosed_tricubic f = random_function(random, n % 2 * 20, radius);
-    if(n % 5 == 0) {      // steep along one axis only, at one of its ends
+    if(n % 5 == 0) { // steep along one axis only, at one of its ends
       const int axis = n / 5 % 3, at = n / 15 % 2 * 3;
       for(int m = 0; m < 64; ++m) f.coefficients[m] = along(m, axis) == at ? 1 : 0;
     }
@@ -272,7 +295,8 @@ TEST_CASE("Bounds: a derivative is within its radius of those of all functions a
           for(int away : { 1, -1 }) {
             Rational exact_slope = 0;
             for(int a = 0; a < 3; ++a)
-              exact_slope += slopes[a][m] * (Rational(d[a]) + Rational(direction_radius) * (slopes[a][m] > 0 ? away : -away));
+              exact_slope += slopes[a][m]
+                             * (Rational(d[a]) + Rational(direction_radius) * (slopes[a][m] > 0 ? away : -away));
             CHECK(CGAL::abs(Rational(exact_slope - Rational(g.coefficients[m]))) <= Rational(g.radius));
           }
       }
@@ -292,10 +316,12 @@ TEST_CASE("Bounds: numbers so small that products vanish are enclosed as others 
     const Enclosed_tricubic half = BS::restrict_to_octant(f, 0);
     CHECK(CGAL::abs(Rational(half.coefficients[1] - (b[0] + b[1]) / 2)) <= Rational(half.radius));
     const std::array<Exact_coefficients, 3> slopes = { derivative(b, 0), derivative(b, 1), derivative(b, 2) };
-    for(double d : { 0.3, 0.3e300 }) {        // along a long direction, derivatives are not small
+    for(double d : { 0.3, 0.3e300 }) { // along a long direction, derivatives are not small
       const Enclosed_tricubic g = BS::enclosed_derivative(f, { d, d, d });
       for(int m = 0; m < 64; ++m)
-        CHECK(CGAL::abs(Rational(Rational(d) * (slopes[0][m] + slopes[1][m] + slopes[2][m]) - Rational(g.coefficients[m]))) <= Rational(g.radius));
+        CHECK(
+          CGAL::abs(Rational(Rational(d) * (slopes[0][m] + slopes[1][m] + slopes[2][m]) - Rational(g.coefficients[m])))
+          <= Rational(g.radius));
     }
   }
 }
@@ -303,7 +329,9 @@ TEST_CASE("Bounds: numbers so small that products vanish are enclosed as others 
 TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, bounds are infinite")
 {
   constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
-  const auto is_infinite = [](const Level_range& r) { return r.min == -std::numeric_limits<double>::infinity() && r.max == -r.min; };
+  const auto is_infinite = [](const Level_range& r) {
+    return r.min == -std::numeric_limits<double>::infinity() && r.max == -r.min;
+  };
   CGAL::Random random(14);
   const std::array<Point, 3> corners = { random_point(random), random_point(random), random_point(random) };
   for(double bad : { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity })
@@ -337,7 +365,8 @@ TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, boun
   CHECK(is_infinite(BS::difference(constant(largest), constant(-largest)).range()));
 }
 
-TEST_CASE("Bounds: a field on a cell has the cell's radius; thresholds are subtracted with theirs, and have their range")
+TEST_CASE(
+  "Bounds: a field on a cell has the cell's radius; thresholds are subtracted with theirs, and have their range")
 {
   typedef BS::Uniform_bspline_field_3<> Field;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
@@ -354,7 +383,8 @@ TEST_CASE("Bounds: a field on a cell has the cell's radius; thresholds are subtr
   CHECK(f.radius >= field.cell(0).error_radius());
   const BS::Spline_threshold<Field> threshold(other);
   const Enclosed_tricubic above = threshold.difference(f, 0), above_two = BS::Constant_threshold(2).difference(f, 0);
-  const Exact_coefficients exact_f = field.bernstein_coefficients<Rational>(0), exact_g = other.bernstein_coefficients<Rational>(0);
+  const Exact_coefficients exact_f = field.bernstein_coefficients<Rational>(0),
+                           exact_g = other.bernstein_coefficients<Rational>(0);
   for(int n = 0; n < 64; ++n) {
     CHECK(CGAL::abs(Rational(exact_f[n] - exact_g[n] - Rational(above.coefficients[n]))) <= Rational(above.radius));
     CHECK(CGAL::abs(Rational(exact_f[n] - 2 - Rational(above_two.coefficients[n]))) <= Rational(above_two.radius));

@@ -1,6 +1,6 @@
-// A tricubic on a segment or a triangle in its cell, as a Bernstein form of degree nine. Polynomials of degree nine that
-// agree at ten points of a segment, or at the 55 points (i, j, k) / 9 of a triangle, are the same: done with rationals,
-// the comparisons at these points are proofs.
+// A tricubic on a segment or a triangle in its cell, as a Bernstein form of degree nine. Polynomials of degree nine
+// that agree at ten points of a segment, or at the 55 points (i, j, k) / 9 of a triangle, are the same: done with
+// rationals, the comparisons at these points are proofs.
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
 
 #include <CGAL/Exact_rational.h>
@@ -40,7 +40,7 @@ Rational tricubic(const Coefficients& c, const Exact_point& p)
   Rational sum(0);
   for(int k = 0; k < 4; ++k)
     for(int j = 0; j < 4; ++j)
-      for(int i = 0; i < 4; ++i) sum += Rational(c[i + 4*j + 16*k]) * b[0][i] * b[1][j] * b[2][k];
+      for(int i = 0; i < 4; ++i) sum += Rational(c[i + 4 * j + 16 * k]) * b[0][i] * b[1][j] * b[2][k];
   return sum;
 }
 
@@ -48,7 +48,7 @@ template <typename NT, std::size_t size>
 NT de_casteljau(std::array<NT, size> b, const NT& t)
 {
   for(std::size_t n = size - 1; n > 0; --n)
-    for(std::size_t i = 0; i < n; ++i) b[i] = (1 - t) * b[i] + t * b[i+1];
+    for(std::size_t i = 0; i < n; ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
   return b[0];
 }
 
@@ -69,15 +69,18 @@ Rational de_casteljau(const std::array<Rational, 55>& coefficients, const std::a
     std::vector<Rational> next;
     for(int i = d; i >= 0; --i)
       for(int j = d - i; j >= 0; --j)
-        next.push_back(barycentric[0] * b[position(d+1, i+1, j)] + barycentric[1] * b[position(d+1, i, j+1)]
-                       + barycentric[2] * b[position(d+1, i, j)]);
+        next.push_back(barycentric[0] * b[position(d + 1, i + 1, j)] + barycentric[1] * b[position(d + 1, i, j + 1)]
+                       + barycentric[2] * b[position(d + 1, i, j)]);
     b = next;
   }
   return b[0];
 }
 
 template <typename NT>
-std::array<NT, 3> as(const Point& p) { return { NT(p[0]), NT(p[1]), NT(p[2]) }; }
+std::array<NT, 3> as(const Point& p)
+{
+  return { NT(p[0]), NT(p[1]), NT(p[2]) };
+}
 
 Coefficients random_coefficients(CGAL::Random& random)
 {
@@ -111,7 +114,7 @@ TEST_CASE("Bernstein forms: on a segment the form is the tricubic")
     // the last ones leave the cell, where the form must still be the tricubic
     const Exact_point p = as<Rational>(random_point(random));
     Exact_point q = as<Rational>(random_point(random));
-    if(n > 2) q[n-3] += 2;
+    if(n > 2) q[n - 3] += 2;
     const std::array<Rational, 10> b = BS::segment_bernstein_form<Rational>(c.data(), p, q);
     for(int m = 0; m <= 9; ++m) {
       const Rational t = Rational(m) / 9;
@@ -151,9 +154,10 @@ TEST_CASE("Bernstein forms: coefficients come by decreasing exponent of the firs
 {
   // the function x has the coefficients i/3, and on a triangle the averages of its corners' x
   Coefficients c;
-  for(int n = 0; n < 64; ++n) c[n] = n % 4 * 3;       // 9 x, to have integers
-  const Exact_point p = { Rational(1)/2, Rational(0), Rational(1) }, q = { Rational(1)/8, Rational(1), Rational(0) },
-                    r = { Rational(1), Rational(1)/3, Rational(1) };
+  for(int n = 0; n < 64; ++n) c[n] = n % 4 * 3; // 9 x, to have integers
+  const Exact_point p = { Rational(1) / 2, Rational(0), Rational(1) },
+                    q = { Rational(1) / 8, Rational(1), Rational(0) },
+                    r = { Rational(1), Rational(1) / 3, Rational(1) };
   const std::array<Rational, 10> s = BS::segment_bernstein_form<Rational>(c.data(), p, q);
   for(int m = 0; m <= 9; ++m) CHECK(s[m] == (9 - m) * p[0] + m * q[0]);
   const std::array<Rational, 55> b = BS::triangle_bernstein_form<Rational>(c.data(), p, q, r);
@@ -185,7 +189,9 @@ TEST_CASE("Bernstein forms: every coefficient is a convex combination of the cel
   CGAL::Random random(4);
   Exact_point p = as<Rational>(random_point(random)), q = as<Rational>(random_point(random)),
               r = as<Rational>(random_point(random));
-  p[0] = 0; q[1] = 1; r = { Rational(1), Rational(0), Rational(1) };      // also on the cell's boundary
+  p[0] = 0;
+  q[1] = 1;
+  r = { Rational(1), Rational(0), Rational(1) }; // also on the cell's boundary
   std::array<Rational, 10> segment_sum;
   std::array<Rational, 55> triangle_sum;
   segment_sum.fill(Rational(0));
@@ -209,13 +215,14 @@ TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest c
   CGAL::Random random(5);
   for(int n = 0; n < 10; ++n) {
     Coefficients c = random_coefficients(random);
-    if(n % 2) for(double& x : c) x += 1000;            // where absolute errors are largest
+    if(n % 2)
+      for(double& x : c) x += 1000; // where absolute errors are largest
     double largest = 0;
     for(double x : c) largest = (std::max)(largest, std::abs(x));
     const Point p = random_point(random), q = random_point(random), r = random_point(random);
     const std::array<Rational, 10> s = BS::segment_bernstein_form(c.data(), as<Rational>(p), as<Rational>(q));
-    const std::array<Rational, 55> t =
-      BS::triangle_bernstein_form(c.data(), as<Rational>(p), as<Rational>(q), as<Rational>(r));
+    const std::array<Rational, 55> t = BS::triangle_bernstein_form(c.data(), as<Rational>(p), as<Rational>(q),
+                                                                   as<Rational>(r));
     const std::array<double, 10> sd = BS::segment_bernstein_form(c.data(), p, q);
     const std::array<double, 55> td = BS::triangle_bernstein_form(c.data(), p, q, r);
     std::array<Interval, 10> si;
@@ -229,7 +236,7 @@ TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest c
       CHECK(std::abs(CGAL::to_double(Rational(Rational(rounded) - exact))) <= rounding * largest);
       CHECK(Rational(enclosure.inf()) <= exact);
       CHECK(Rational(enclosure.sup()) >= exact);
-      CHECK(enclosure.sup() - enclosure.inf() <= 4 * rounding * largest);    // and is of use
+      CHECK(enclosure.sup() - enclosure.inf() <= 4 * rounding * largest); // and is of use
     };
     for(int m = 0; m < 10; ++m) check(s[m], sd[m], si[m]);
     for(int m = 0; m < 55; ++m) check(t[m], td[m], ti[m]);

@@ -1,8 +1,8 @@
-// The univariate cubic B-spline: all that is said of it is an identity of polynomials with rational coefficients, and is
-// tested in exact arithmetic. Two cubics that agree at the 17 points k/16 are the same cubic.
+// The univariate cubic B-spline: all that is said of it is an identity of polynomials with rational coefficients, and
+// is tested in exact arithmetic. Two cubics that agree at the 17 points k/16 are the same cubic.
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include "exact_spline.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 
 #include <catch2/catch.hpp>
@@ -13,31 +13,21 @@
 namespace test_Cubic_bspline {
 namespace {
 
-typedef CGAL::Exact_rational Rational;
 typedef CGAL::Bspline_shells::Cubic_bspline<Rational> Basis;
 typedef Basis::Weights Weights;
-
-// Eq. 3.1 of the paper as it is printed, and its pieces differentiated by hand
-Rational bspline(const Rational& t, int order)
-{
-  const Rational a = t < 0 ? Rational(-t) : t;        // the function is even
-  const int sign = t < 0 ? -1 : 1;
-  if(a >= 2) return Rational(0);
-  if(order == 0)
-    return a >= 1 ? Rational(-a*a*a/6 + a*a - 2*a + Rational(4)/3) : Rational(a*a*a/2 - a*a + Rational(2)/3);
-  if(order == 1) return a >= 1 ? Rational(sign * (-a*a/2 + 2*a - 2)) : Rational(sign * (3*a*a/2 - 2*a));
-  return a >= 1 ? Rational(2 - a) : Rational(3*a - 2);
-}
 
 Weights basis(int order, const Rational& t)
 {
   return order == 0 ? Basis::values(t) : order == 1 ? Basis::first_derivatives(t) : Basis::second_derivatives(t);
 }
 
-Rational sixteenths(int k) { return Rational(k) / 16; }
+Rational sixteenths(int k)
+{
+  return Rational(k) / 16;
+}
 
 // coefficients of a spline that are no multiples of each other
-const Weights some_coefficients = { Rational(7)/3, Rational(-11)/5, Rational(13)/2, Rational(1)/17 };
+const Weights some_coefficients = { Rational(7) / 3, Rational(-11) / 5, Rational(13) / 2, Rational(1) / 17 };
 
 } // namespace
 
@@ -55,7 +45,7 @@ TEST_CASE("B-splines: values and derivatives on a cell are those of Eq. 3.1, cen
 
 TEST_CASE("B-splines: the four functions sum to one and their derivatives to zero")
 {
-  for(int k = -16; k <= 32; ++k)      // the pieces also do where they are continued beyond the cell
+  for(int k = -16; k <= 32; ++k) // the pieces also do where they are continued beyond the cell
     for(int order = 0; order < 3; ++order) {
       const Weights w = basis(order, sixteenths(k));
       CHECK(w[0] + w[1] + w[2] + w[3] == (order == 0 ? 1 : 0));
@@ -74,12 +64,12 @@ TEST_CASE("B-splines: derivatives are the limits of difference quotients")
   for(const Rational& h : { Rational(1), Rational(1, 7) })
     for(int k = 0; k <= 16; ++k) {
       const Rational t = sixteenths(k);
-      const Weights ll = Basis::values(t - 2*h), l = Basis::values(t - h), m = Basis::values(t),
-                    r = Basis::values(t + h), rr = Basis::values(t + 2*h);
+      const Weights ll = Basis::values(t - 2 * h), l = Basis::values(t - h), m = Basis::values(t),
+                    r = Basis::values(t + h), rr = Basis::values(t + 2 * h);
       const Weights first = Basis::first_derivatives(t), second = Basis::second_derivatives(t);
       for(int n = 0; n < 4; ++n) {
-        CHECK(first[n] == (ll[n] - 8*l[n] + 8*r[n] - rr[n]) / (12*h));
-        CHECK(second[n] == (-ll[n] + 16*l[n] - 30*m[n] + 16*r[n] - rr[n]) / (12*h*h));
+        CHECK(first[n] == (ll[n] - 8 * l[n] + 8 * r[n] - rr[n]) / (12 * h));
+        CHECK(second[n] == (-ll[n] + 16 * l[n] - 30 * m[n] + 16 * r[n] - rr[n]) / (12 * h * h));
       }
     }
 }
@@ -88,9 +78,9 @@ TEST_CASE("B-splines: value, first and second derivative continue across a knot"
 {
   for(int order = 0; order < 3; ++order) {
     const Weights left = basis(order, Rational(1)), right = basis(order, Rational(0));
-    CHECK(left[0] == 0);                // this function ends here
-    for(int n = 0; n < 3; ++n) CHECK(left[n+1] == right[n]);
-    CHECK(right[3] == 0);               // and this one begins
+    CHECK(left[0] == 0); // this function ends here
+    for(int n = 0; n < 3; ++n) CHECK(left[n + 1] == right[n]);
+    CHECK(right[3] == 0); // and this one begins
   }
 }
 
@@ -98,7 +88,10 @@ TEST_CASE("B-splines: polynomials to degree three are splines")
 {
   // the coefficient at knot g is the polar form at (g-1, g, g+1)
   const auto coefficient = [](int degree, const Rational& g) {
-    return degree == 0 ? Rational(1) : degree == 1 ? g : degree == 2 ? Rational(g*g - Rational(1)/3) : Rational(g*g*g - g);
+    return degree == 0   ? Rational(1)
+           : degree == 1 ? g
+           : degree == 2 ? Rational(g * g - Rational(1) / 3)
+                         : Rational(g * g * g - g);
   };
   const auto power = [](const Rational& x, int n) {
     Rational r(1);
@@ -125,7 +118,7 @@ TEST_CASE("B-splines: each one is a sum of five of half the width")
   for(int k = -40; k <= 40; ++k) {
     const Rational t = sixteenths(k);
     Rational sum(0);
-    for(int j = -2; j <= 2; ++j) sum += mask[j+2] * bspline(2*t - j, 0);
+    for(int j = -2; j <= 2; ++j) sum += mask[j + 2] * bspline(2 * t - j, 0);
     CHECK(sum == bspline(t, 0));
   }
 }
@@ -138,7 +131,7 @@ TEST_CASE("B-splines: the Bernstein form is the same cubic")
     const Weights w = Basis::values(t);
     Rational spline(0);
     for(int n = 0; n < 4; ++n) spline += w[n] * some_coefficients[n];
-    CHECK(s*s*s*b[0] + 3*s*s*t*b[1] + 3*s*t*t*b[2] + t*t*t*b[3] == spline);
+    CHECK(s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3] == spline);
   }
 }
 
@@ -152,15 +145,16 @@ TEST_CASE("B-splines: doubles are rounded rationals, intervals contain them")
     for(int order = 0; order < 3; ++order) {
       const Weights exact = basis(order, Rational(t));
       typedef CGAL::Bspline_shells::Cubic_bspline<double> Double_basis;
-      const std::array<double, 4> w = order == 0 ? Double_basis::values(t)
-                                    : order == 1 ? Double_basis::first_derivatives(t)
-                                                 : Double_basis::second_derivatives(t);
+      const std::array<double, 4> w = order == 0   ? Double_basis::values(t)
+                                      : order == 1 ? Double_basis::first_derivatives(t)
+                                                   : Double_basis::second_derivatives(t);
       std::array<Interval, 4> enclosure;
       {
         Interval::Protector protector;
         typedef CGAL::Bspline_shells::Cubic_bspline<Interval> Interval_basis;
-        enclosure = order == 0 ? Interval_basis::values(t)
-                  : order == 1 ? Interval_basis::first_derivatives(t) : Interval_basis::second_derivatives(t);
+        enclosure = order == 0   ? Interval_basis::values(t)
+                    : order == 1 ? Interval_basis::first_derivatives(t)
+                                 : Interval_basis::second_derivatives(t);
       }
       for(int m = 0; m < 4; ++m) {
         CHECK(std::abs(CGAL::to_double(Rational(Rational(w[m]) - exact[m]))) <= tolerance);

@@ -25,7 +25,7 @@ TEST_CASE("Along each axis, every coefficient is on one line, and its neighbors 
   });
   for(const auto& t : times)
     for(int k : t) CHECK(k == 1);
-  CHECK(std::is_sorted(axes.begin(), axes.end()));        // one axis after the other
+  CHECK(std::is_sorted(axes.begin(), axes.end())); // one axis after the other
   CHECK(axes.size() == 48);
 }
 } // namespace test_coefficient_lines

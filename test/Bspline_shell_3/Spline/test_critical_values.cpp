@@ -1,5 +1,5 @@
-// critical_values.h: what is said of critical points holds in exact arithmetic for every function within the radius, and is sharp where
-// functions are quadratic, whatever their axes.
+// critical_values.h: what is said of critical points holds in exact arithmetic for every function within the radius,
+// and is sharp where functions are quadratic, whatever their axes.
 #include "exact_spline.h"
 
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
@@ -26,7 +26,7 @@ typedef std::array<Rational, 64> Exact_coefficients;
 
 double random_number(CGAL::Random& random, double least, double most)
 {
-  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31);      // all bits
+  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31); // all bits
 }
 
 Point random_point(CGAL::Random& random, double least, double most)
@@ -70,13 +70,15 @@ Enclosed_tricubic quadratic(const double (&H)[3][3], const Point& center, double
 
 } // namespace
 
-TEST_CASE("Values at critical points: g less half of the slope of f towards the center is enclosed at every point, exactly")
+TEST_CASE(
+  "Values at critical points: g less half of the slope of f towards the center is enclosed at every point, exactly")
 {
   CGAL::Random random(1);
   int close = 0;
   for(int n = 0; n < 400; ++n) {
     const double radius = n % 3 == 0 ? 0 : std::ldexp(1., -random.get_int(10, 60));
-    const Enclosed_tricubic f = random_function(random, n % 2 ? 0 : 60, radius), g = random_function(random, n % 4 < 2 ? 0 : 60, radius / 2);
+    const Enclosed_tricubic f = random_function(random, n % 2 ? 0 : 60, radius),
+                            g = random_function(random, n % 4 < 2 ? 0 : 60, radius / 2);
     const double far = n % 5 == 0 ? 1e3 : 2;
     const Point c = random_point(random, -far, far);
     const Enclosed_tricubic found = BS::values_at_critical_points(g, f, c);
@@ -96,7 +98,7 @@ TEST_CASE("Values at critical points: g less half of the slope of f towards the 
     CHECK(truth <= Rational(found.range().max));
     close += found.radius < 1e-12 * far;
   }
-  CHECK(close > 100);       // the radius is that of roundings
+  CHECK(close > 100); // the radius is that of roundings
 }
 
 TEST_CASE("Values at critical points: terms that cancel leave their roundings, also where little else is left")
@@ -127,7 +129,8 @@ TEST_CASE("Values at critical points: terms that cancel leave their roundings, a
   }
 }
 
-TEST_CASE("Values at critical points: of a quadratic function about its center they are one number, and the center is found")
+TEST_CASE(
+  "Values at critical points: of a quadratic function about its center they are one number, and the center is found")
 {
   CGAL::Random random(2);
   for(int n = 0; n < 200; ++n) {
@@ -158,7 +161,7 @@ TEST_CASE("Values at critical points: across a wall of any direction they are th
   CGAL::Random random(3);
   for(int k = 0; k < 200; ++k) {
     Point n = random_point(random, -1, 1);
-    const double length = std::sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     if(length < 0.3) continue;
     double H[3][3];
     for(int a = 0; a < 3; ++a)
@@ -175,7 +178,8 @@ TEST_CASE("Values at critical points: across a wall of any direction they are th
   }
 }
 
-TEST_CASE("Values at critical points: with a third derivative, those across a wall are bounded from the side of the middle nearly exactly")
+TEST_CASE("Values at critical points: with a third derivative, those across a wall are bounded from the side of the "
+          "middle nearly exactly")
 {
   // z^2 - 0.2 z^3 - 0.1 on [0, 1]: its only critical point on the box has the value -0.1
   Enclosed_tricubic f;

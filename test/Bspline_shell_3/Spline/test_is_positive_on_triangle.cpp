@@ -17,13 +17,15 @@ namespace {
 typedef std::array<double, 3> Numbers;
 using CGAL::Bspline_shells::is_positive_on_triangle;
 
-// of sum l_i g_i - sum l_i l_j q_ij / 2: at the corners, or where its derivative along an edge or in the triangle vanishes
+// of sum l_i g_i - sum l_i l_j q_ij / 2: at the corners, or where its derivative along an edge or in the triangle
+// vanishes
 double least_value(const Numbers& g, const Numbers& q)
 {
   double least = std::numeric_limits<double>::infinity();
   const auto visit = [&](double l0, double l1, double l2) {
     if(!(l0 >= 0 && l1 >= 0 && l2 >= 0)) return;
-    least = (std::min)(least, l0*g[0] + l1*g[1] + l2*g[2] - (l1*l2*q[0] + l0*l2*q[1] + l0*l1*q[2]) / 2);
+    least = (std::min)(least,
+                       l0 * g[0] + l1 * g[1] + l2 * g[2] - (l1 * l2 * q[0] + l0 * l2 * q[1] + l0 * l1 * q[2]) / 2);
   };
   visit(1, 0, 0);
   visit(0, 1, 0);
@@ -35,15 +37,18 @@ double least_value(const Numbers& g, const Numbers& q)
   visit(t1, 0, 1 - t1);
   visit(1 - t2, t2, 0);
   // both derivatives of the quadratic in the first two coordinates
-  const double xx = q[1], yy = q[0], xy = (q[0] + q[1] - q[2]) / 2, x = g[2] - g[0] + q[1] / 2, y = g[2] - g[1] + q[0] / 2;
-  const double determinant = xx * yy - xy * xy, u = (x * yy - y * xy) / determinant, v = (y * xx - x * xy) / determinant;
+  const double xx = q[1], yy = q[0], xy = (q[0] + q[1] - q[2]) / 2, x = g[2] - g[0] + q[1] / 2,
+               y = g[2] - g[1] + q[0] / 2;
+  const double determinant = xx * yy - xy * xy, u = (x * yy - y * xy) / determinant,
+               v = (y * xx - x * xy) / determinant;
   visit(u, v, 1 - u - v);
   return least;
 }
 
 } // namespace
 
-TEST_CASE("Equal corners allow six times their value on all edges, eight times on one, and an edge as much as its roots allow")
+TEST_CASE(
+  "Equal corners allow six times their value on all edges, eight times on one, and an edge as much as its roots allow")
 {
   for(double hair : { 1e-3, 1e-9, 1e-12 }) {
     CHECK(is_positive_on_triangle({ 2, 2, 2 }, { 12 - hair, 12 - hair, 12 - hair }));
@@ -68,7 +73,8 @@ TEST_CASE("Equal corners allow six times their value on all edges, eight times o
   CHECK_FALSE(is_positive_on_triangle({ 1e-9, 1, 1 }, { 0, 2.1, 1.9 }));
 }
 
-TEST_CASE("The answer is yes if and only if the least value is positive, up to rounding, for values of very different size, too")
+TEST_CASE("The answer is yes if and only if the least value is positive, up to rounding, for values of very different "
+          "size, too")
 {
   CGAL::Random random(7);
   int positive = 0, negative = 0, in_the_middle = 0;
@@ -76,11 +82,15 @@ TEST_CASE("The answer is yes if and only if the least value is positive, up to r
     Numbers g, q;
     for(double& x : g) x = n % 2 ? random.get_double(0, 1) : std::pow(10, random.get_double(-12, 0));
     for(std::size_t v = 0; v < 3; ++v)
-      q[v] = n % 3 ? random.get_double(-1, 8) : 2 * random.get_double(0.8, 1.2) * std::pow(std::sqrt(g[(v + 1) % 3]) + std::sqrt(g[(v + 2) % 3]), 2);
-    const double least = least_value(g, q), size = *std::max_element(g.begin(), g.end()) + *std::max_element(q.begin(), q.end());
+      q[v] = n % 3
+               ? random.get_double(-1, 8)
+               : 2 * random.get_double(0.8, 1.2) * std::pow(std::sqrt(g[(v + 1) % 3]) + std::sqrt(g[(v + 2) % 3]), 2);
+    const double least = least_value(g, q),
+                 size = *std::max_element(g.begin(), g.end()) + *std::max_element(q.begin(), q.end());
     const bool is_positive = is_positive_on_triangle(g, q);
     if(std::abs(least) < 1e-13 * size) continue;
-    const double at_border = (std::min)({ least_value(g, { q[0], -1e9, -1e9 }), least_value(g, { -1e9, q[1], -1e9 }), least_value(g, { -1e9, -1e9, q[2] }) });
+    const double at_border = (std::min)({ least_value(g, { q[0], -1e9, -1e9 }), least_value(g, { -1e9, q[1], -1e9 }),
+                                          least_value(g, { -1e9, -1e9, q[2] }) });
     in_the_middle += least < 0 && at_border > 0;
     if(is_positive) CHECK(least > 0);
     else CHECK(least < 0);

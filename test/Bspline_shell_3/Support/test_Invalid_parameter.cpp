@@ -50,7 +50,8 @@ TEST_CASE("Invalid parameters: what the bounds contain")
 TEST_CASE("Invalid parameters: the message has the name, the value and the bounds")
 {
   CHECK(sentence(1, Parameter_bounds::positive()) == "");
-  CHECK(sentence(-1, Parameter_bounds::positive()) == "The parameter size is -1. It must be greater than 0 and finite.");
+  CHECK(sentence(-1, Parameter_bounds::positive())
+        == "The parameter size is -1. It must be greater than 0 and finite.");
   CHECK(sentence(0, Parameter_bounds::positive_or_infinite()) == "The parameter size is 0. It must be greater than 0.");
   CHECK(sentence(infinity, Parameter_bounds::not_negative())
         == "The parameter size is inf. It must be at least 0 and finite.");

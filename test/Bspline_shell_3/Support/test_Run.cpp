@@ -26,10 +26,12 @@ const auto reason = [](End end) { return end; };
 // polls so many times
 End poll(Run& run, int times)
 {
-  return run([times] {
-    for(int n = 0; n < times; ++n) Run::poll();
-    return End::NONE;
-  }, reason);
+  return run(
+    [times] {
+      for(int n = 0; n < times; ++n) Run::poll();
+      return End::NONE;
+    },
+    reason);
 }
 
 } // namespace
@@ -68,7 +70,11 @@ TEST_CASE("Runs: the visitor is called at each poll, and not again once it has s
 TEST_CASE("Runs: a visitor may itself call functions that poll, and throw")
 {
   int calls = 0;
-  Run run(forever, [&] { ++calls; Run::poll(); return true; });
+  Run run(forever, [&] {
+    ++calls;
+    Run::poll();
+    return true;
+  });
   CHECK(poll(run, 2) == End::NONE);
   CHECK(calls == 2);
   Run thrown(forever, []() -> bool { throw std::runtime_error("enough"); });
@@ -98,10 +104,12 @@ TEST_CASE("Runs: chunks that begin after the end are left out, with any number o
     std::atomic<int> done(0);
     int calls = 0;
     Run run(forever, [&] { return ++calls <= most; });
-    const End end = run([&] {
-      BS::internal::for_each_chunk<decltype(tag)>(1000, 10, [&](std::size_t, std::size_t) { ++done; });
-      return End::NONE;
-    }, reason);
+    const End end = run(
+      [&] {
+        BS::internal::for_each_chunk<decltype(tag)>(1000, 10, [&](std::size_t, std::size_t) { ++done; });
+        return End::NONE;
+      },
+      reason);
     CHECK(end == (most < 100 ? End::CANCELED : End::NONE));
     CHECK(Run::current() == nullptr);
     return done.load();
@@ -113,10 +121,12 @@ TEST_CASE("Runs: chunks that begin after the end are left out, with any number o
   // all threads see the limit
   std::atomic<int> done(0);
   Run late(0);
-  const End end = late([&] {
-    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) { ++done; });
-    return End::NONE;
-  }, reason);
+  const End end = late(
+    [&] {
+      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) { ++done; });
+      return End::NONE;
+    },
+    reason);
   CHECK(end == End::OUT_OF_TIME);
   CHECK(done == 0);
 }
@@ -126,17 +136,22 @@ TEST_CASE("Runs: the visitor is called by the thread that began the run alone, a
   const std::thread::id here = std::this_thread::get_id();
   int elsewhere = 0;
   std::atomic<int> strangers(0);
-  Run run(forever, [&] { elsewhere += std::this_thread::get_id() != here; return true; });
-  const End end = run([&] {
-    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
-      if(Run::current() != &run) ++strangers;
-      // in chunks of chunks, too
-      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
+  Run run(forever, [&] {
+    elsewhere += std::this_thread::get_id() != here;
+    return true;
+  });
+  const End end = run(
+    [&] {
+      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
         if(Run::current() != &run) ++strangers;
+        // in chunks of chunks, too
+        BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
+          if(Run::current() != &run) ++strangers;
+        });
       });
-    });
-    return End::NONE;
-  }, reason);
+      return End::NONE;
+    },
+    reason);
   CHECK(end == End::NONE);
   CHECK(elsewhere == 0);
   CHECK(strangers == 0);
@@ -144,7 +159,10 @@ TEST_CASE("Runs: the visitor is called by the thread that began the run alone, a
 
 TEST_CASE("Runs: a visitor without go_on() is never asked")
 {
-  struct Old_visitor { bool start_step(BS::Shell_step) { return true; } };
+  struct Old_visitor
+  {
+    bool start_step(BS::Shell_step) { return true; }
+  };
   Old_visitor old;
   CHECK_FALSE(BS::internal::Go_on<Old_visitor>::of(old));
   BS::Default_shell_visitor visitor;

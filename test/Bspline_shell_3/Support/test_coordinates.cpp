@@ -41,7 +41,7 @@ TEST_CASE("A lazy number is rounded as its exact value, before and after that is
   CHECK(rounded(third) == CGAL::to_double(CGAL::Exact_rational(1) / 3));
 }
 
-#ifdef NDEBUG      // otherwise, CGAL asserts that they are finite
+#ifdef NDEBUG // otherwise, CGAL asserts that they are finite
 TEST_CASE("Lazy numbers that are infinite, or not numbers, stay what they are")
 {
   const double infinity = std::numeric_limits<double>::infinity();

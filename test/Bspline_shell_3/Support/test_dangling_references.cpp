@@ -31,8 +31,10 @@ typedef CGAL::Bspline_shell_3<Field, Threshold> Shell;
 template <typename Object, typename Argument, typename... Others>
 constexpr bool refuses_temporaries()
 {
-  return std::is_constructible<Object, Argument&, Others...>::value && std::is_constructible<Object, const Argument&, Others...>::value
-      && !std::is_constructible<Object, Argument, Others...>::value && !std::is_constructible<Object, const Argument, Others...>::value;
+  return std::is_constructible<Object, Argument&, Others...>::value
+         && std::is_constructible<Object, const Argument&, Others...>::value
+         && !std::is_constructible<Object, Argument, Others...>::value
+         && !std::is_constructible<Object, const Argument, Others...>::value;
 }
 
 typedef BS::Shell_map_3<Shell, Mesh> Map;
@@ -45,7 +47,8 @@ typedef decltype(BS::parameters::tolerance(1.)) Parameters;
 static_assert(std::is_constructible<Map, const Shell&, const Mesh&, const Mesh&, const Parameters&>::value);
 static_assert(!std::is_constructible<Map, Shell, const Mesh&, const Mesh&, const Parameters&>::value);
 static_assert(!std::is_constructible<Map, const Shell&, Mesh, const Mesh&, const Parameters&>::value);
-static_assert(!std::is_constructible<Map, const Shell&, const Mesh&, Mesh, const Parameters&, const Parameters&>::value);
+static_assert(
+  !std::is_constructible<Map, const Shell&, const Mesh&, Mesh, const Parameters&, const Parameters&>::value);
 static_assert(refuses_temporaries<BS::Soup_map_3<Shell, Mesh>, Shell, const Mesh&, const Mesh&>());
 
 typedef BS::Projection_target_3<Mesh> Target;

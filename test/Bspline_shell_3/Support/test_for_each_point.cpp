@@ -50,12 +50,13 @@ TEST_CASE("Points in order: each is dealt with once, with its coordinates, whate
       std::vector<std::atomic<int> > met(size);
       std::atomic<std::size_t> wrong(0);
       Counting_visitor visitor;
-      const bool all = BSI::for_each_point<CGAL::Parallel_if_available_tag>(size, [&](std::size_t n) { return points[n]; }, visitor,
-                                                                           [&](std::size_t n, const Point& p) {
-        ++met[n];
-        for(int a = 0; a < 3; ++a)
-          if(!(p[a] == points[n][a] || (std::isnan(p[a]) && std::isnan(points[n][a])))) ++wrong;
-      });
+      const bool all = BSI::for_each_point<CGAL::Parallel_if_available_tag>(
+        size, [&](std::size_t n) { return points[n]; }, visitor,
+        [&](std::size_t n, const Point& p) {
+          ++met[n];
+          for(int a = 0; a < 3; ++a)
+            if(!(p[a] == points[n][a] || (std::isnan(p[a]) && std::isnan(points[n][a])))) ++wrong;
+        });
       CHECK(all);
       CHECK(visitor.done == size);
       CHECK(wrong == 0);
@@ -69,8 +70,8 @@ TEST_CASE("Points in order: a visitor stops it")
   Counting_visitor visitor;
   visitor.stops_at = 30000;
   std::size_t met = 0;
-  CHECK_FALSE(BSI::for_each_point<CGAL::Sequential_tag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-                                                        [&](std::size_t, const Point&) { ++met; }));
+  CHECK_FALSE(BSI::for_each_point<CGAL::Sequential_tag>(
+    points.size(), [&](std::size_t n) { return points[n]; }, visitor, [&](std::size_t, const Point&) { ++met; }));
   CHECK(met == visitor.done);
   CHECK(met >= 30000);
   CHECK(met < points.size());

@@ -44,9 +44,12 @@ TEST_CASE("Morton order: codes bit by bit, with the same points by their numbers
   CGAL::Random random(6);
   constexpr unsigned int side = 32;
   std::vector<Point> points = { { 0, 0, 0 }, { side - 1, side - 1, side - 1 } };
-  std::vector<std::pair<std::uint64_t, std::size_t> > expected = { { 0, 0 }, { interleaved({ side - 1, side - 1, side - 1 }), 1 } };
+  std::vector<std::pair<std::uint64_t, std::size_t> > expected = {
+    { 0, 0 }, { interleaved({ side - 1, side - 1, side - 1 }), 1 }
+  };
   for(std::size_t n = 2; n < 3000; ++n) {
-    const std::array<unsigned int, 3> x = { unsigned(random.get_int(0, side)), unsigned(random.get_int(0, side)), unsigned(random.get_int(0, side)) };
+    const std::array<unsigned int, 3> x = { unsigned(random.get_int(0, side)), unsigned(random.get_int(0, side)),
+                                            unsigned(random.get_int(0, side)) };
     points.push_back({ double(x[0]), double(x[1]), double(x[2]) });
     expected.push_back({ interleaved(x), n });
     if(n % 100 == 50) {

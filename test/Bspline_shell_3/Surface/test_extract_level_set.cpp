@@ -72,18 +72,21 @@ Field make_field(int size, double width, const Coefficient& coefficient, const P
 // |x|^2, which cubic splines reproduce
 Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
 {
-  return make_field(size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
+  return make_field(
+    size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
 }
 
-// The same cells, some of them split, up to a number of levels; `coefficient` is a function of the point and the width of cells of
-// its level.
+// The same cells, some of them split, up to a number of levels; `coefficient` is a function of the point and the width
+// of cells of its level.
 template <typename Coefficient>
-Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels, const Coefficient& coefficient)
+Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels,
+                                           const Coefficient& coefficient)
 {
   CGAL::Random random(seed);
   const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
   REQUIRE(lattice.spacing() == width);
-  Hierarchical_field field(random_hierarchy(random, some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
+  Hierarchical_field field(random_hierarchy(
+    random, some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
   REQUIRE(field.number_of_levels() == levels);
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
   Eigen::Index n = 0;
@@ -100,7 +103,8 @@ Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width
 
 Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
 {
-  return make_hierarchical_field(seed, size, width, levels, [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
+  return make_hierarchical_field(seed, size, width, levels,
+                                 [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
 }
 
 // a field whose polynomials are off by up to a given error, in every cell another one
@@ -213,7 +217,8 @@ TEST_CASE("Level set: more subcells approach a sphere quadratically")
   double last = 0;
   for(int ratio : { 1, 2, 4 }) {
     Mesh mesh;
-    REQUIRE(extract_level_set(field, 1.2, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+    REQUIRE(extract_level_set(field, 1.2, mesh, CGAL::parameters::subdivision_ratio(ratio))
+            == Level_set_status::SUCCESS);
     const double error = 4. / 3 * pi * std::pow(1.2, 1.5) - PMP::volume(mesh);
     CHECK(error > 0);
     if(ratio > 1) CHECK(error < 0.3 * last);
@@ -331,7 +336,8 @@ TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
       CAPTURE(error, ratio);
       const Rough_field rough(field, error);
       Mesh mesh;
-      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio))
+              == Level_set_status::SUCCESS);
       check_closed_manifold(mesh);
       if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
       CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
@@ -346,11 +352,12 @@ TEST_CASE("Level set: across cells of different sizes it is closed, and on the l
     // with level changes at the sphere: cells of two sizes pass it
     const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
     REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
-    for(double level : { 1.21, 1., 1.5625, 2.1 })      // some through corners of cells
+    for(double level : { 1.21, 1., 1.5625, 2.1 }) // some through corners of cells
       for(int ratio : { 1, 2, 3 }) {
         CAPTURE(seed, level, ratio);
         Mesh mesh;
-        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio))
+                == Level_set_status::SUCCESS);
         check_closed_manifold(mesh);
         CHECK(euler_characteristic(mesh) == 2);
         CHECK(PMP::is_outward_oriented(mesh));
@@ -367,16 +374,18 @@ TEST_CASE("Level set: of a field without any order, on cells of different sizes,
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> any(-3, 3);
     // large at the end of the cells, so that it does not leave them
-    const Hierarchical_field field = make_hierarchical_field(seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
-      const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
-      return m > 3 ? 216. * 4 : 216. * any(random);
-    });
+    const Hierarchical_field field = make_hierarchical_field(
+      seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
+        const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
+        return m > 3 ? 216. * 4 : 216. * any(random);
+      });
     for(int ratio : { 1, 2 })
       for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
         const double level = *field.value(p);
         CAPTURE(seed, ratio, p, level);
         Mesh mesh;
-        const Level_set_status status = extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio));
+        const Level_set_status status = extract_level_set(field, level, mesh,
+                                                          CGAL::parameters::subdivision_ratio(ratio));
         REQUIRE((status == Level_set_status::SUCCESS || level >= 216 * 4));
         if(status != Level_set_status::SUCCESS) continue;
         ++passed;
@@ -397,7 +406,8 @@ TEST_CASE("Level set: cells of different sizes that disagree on their common fac
       CAPTURE(error, ratio);
       const Rough_field rough(field, error);
       Mesh mesh;
-      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio)) == Level_set_status::SUCCESS);
+      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio))
+              == Level_set_status::SUCCESS);
       check_closed_manifold(mesh);
       if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
       CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
@@ -420,11 +430,11 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must hold all 
       least += std::pow((std::max)({ 0., (box.min)(a), -(box.max)(a) }), 2);
       most += std::pow((std::max)(std::abs((box.min)(a)), std::abs((box.max)(a))), 2);
     }
-    if(least > 0.9 || most < 1.1) continue;       // the sphere does not go through the middle of it
+    if(least > 0.9 || most < 1.1) continue; // the sphere does not go through the middle of it
     ++all;
     if(all % 40 != 0 && c != last) continue;
     refused += extract_level_set(field, 0.98, mesh, CGAL::parameters::filter([c](auto other) { return other != c; }))
-            == Level_set_status::LEVEL_SET_LEAVES_CELLS;
+               == Level_set_status::LEVEL_SET_LEAVES_CELLS;
     ++passed[c];
   }
   CHECK(refused == std::size_t(std::count(passed.begin(), passed.end(), 1)));
@@ -445,11 +455,13 @@ TEST_CASE("Level set: of a threshold that varies it is where the field equals it
   CHECK(PMP::is_outward_oriented(mesh));
   double largest = 0;
   for(auto v : mesh.vertices())
-    largest = (std::max)(largest, std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), Point_3(0.25, 0, 0))) - std::sqrt(1.0625)));
+    largest = (std::max)(
+      largest, std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), Point_3(0.25, 0, 0))) - std::sqrt(1.0625)));
   CHECK(largest < 1e-11);
   Mesh by_number, by_constant;
   REQUIRE(extract_level_set(field, 1, by_number) == Level_set_status::SUCCESS);
-  REQUIRE(extract_level_set(field, CGAL::Bspline_shells::Constant_threshold(1), by_constant) == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set(field, CGAL::Bspline_shells::Constant_threshold(1), by_constant)
+          == Level_set_status::SUCCESS);
   CHECK(by_number.number_of_faces() == by_constant.number_of_faces());
 }
 
@@ -471,8 +483,9 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
     is_low[c] = field.cell(c).corner()[2] < 0;
   }
   Mesh left;
-  REQUIRE(extract_level_set(field, 0, left, CGAL::parameters::filter([&](Field::Cell_index c) { return is_left[c] != 0; }))
-          == Level_set_status::SUCCESS);
+  REQUIRE(
+    extract_level_set(field, 0, left, CGAL::parameters::filter([&](Field::Cell_index c) { return is_left[c] != 0; }))
+    == Level_set_status::SUCCESS);
   check_closed_manifold(left);
   CHECK(euler_characteristic(left) == 2);
   CHECK(2 * left.number_of_faces() == both.number_of_faces());
@@ -490,8 +503,9 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
   for(auto v : closed.vertices()) CHECK(closed.point(v).x() < 0);
 
   Mesh low;
-  CHECK(extract_level_set(field, 0, low, P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
-        == Level_set_status::LEVEL_SET_LEAVES_CELLS);      // all of it is open
+  CHECK(extract_level_set(field, 0, low,
+                          P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS); // all of it is open
   CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([&](Field::Cell_index c) { return is_low[c] != 0; }))
         == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   CHECK(low.is_empty());
@@ -514,7 +528,8 @@ TEST_CASE("Level set: the output may be a Polyhedron_3, or have points of its ow
 
   Mesh mesh, other;
   auto points = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:other_point", CGAL::ORIGIN).first;
-  REQUIRE(extract_level_set(field, 0.05, mesh, CGAL::parameters::vertex_point_map(points)) == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set(field, 0.05, mesh, CGAL::parameters::vertex_point_map(points))
+          == Level_set_status::SUCCESS);
   REQUIRE(extract_level_set(field, 0.05, other) == Level_set_status::SUCCESS);
   REQUIRE(mesh.number_of_vertices() == other.number_of_vertices());
   CHECK(polyhedron.size_of_vertices() == other.number_of_vertices());
@@ -541,8 +556,8 @@ TEST_CASE("Level set: several threads make the same mesh, vertex by vertex")
 
 TEST_CASE("Level set: every status has a message")
 {
-  for(Level_set_status s : { Level_set_status::SUCCESS, Level_set_status::LEVEL_SET_EMPTY,
-                             Level_set_status::LEVEL_SET_LEAVES_CELLS })
+  for(Level_set_status s :
+      { Level_set_status::SUCCESS, Level_set_status::LEVEL_SET_EMPTY, Level_set_status::LEVEL_SET_LEAVES_CELLS })
     CHECK_FALSE(std::string(CGAL::Bspline_shells::message(s)).empty());
 }
 } // namespace test_extract_level_set

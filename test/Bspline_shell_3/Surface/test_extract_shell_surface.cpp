@@ -100,7 +100,10 @@ const Field& two_shells()
   return field;
 }
 
-Mesh small_sphere() { return sphere(3, 0.56); }
+Mesh small_sphere()
+{
+  return sphere(3, 0.56);
+}
 Mesh both_spheres()
 {
   Mesh mesh = sphere(3, 0.85);
@@ -147,9 +150,8 @@ Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>&
 
 bool is_small(const Mesh& mesh)
 {
-  return std::all_of(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) {
-    return CGAL::squared_distance(mesh.point(v), Point_3(0, 0, 0)) < ridge * ridge;
-  });
+  return std::all_of(mesh.vertices().begin(), mesh.vertices().end(),
+                     [&](auto v) { return CGAL::squared_distance(mesh.point(v), Point_3(0, 0, 0)) < ridge * ridge; });
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// transfer_vertex_attribute.h, transfer_face_labels.h, transfer_tangent_vectors.h, Barycentric_interpolation.h: what arrives is what the source
-// has where the curve meets it, and what cannot arrive is left as it was, with a reason.
+// transfer_vertex_attribute.h, transfer_face_labels.h, transfer_tangent_vectors.h, Barycentric_interpolation.h: what
+// arrives is what the source has where the curve meets it, and what cannot arrive is left as it was, with a reason.
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
@@ -58,9 +58,18 @@ void check_identity(const char* name, const Function& value)
   CHECK(changed == 0);
 }
 
-Mesh source_sheet() { return sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; }); }
-double tilt(double x, double y) { return 0.2 + 0.3 * x - 0.25 * y; }
-Mesh tilted_sheet() { return sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6), tilt); }
+Mesh source_sheet()
+{
+  return sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; });
+}
+double tilt(double x, double y)
+{
+  return 0.2 + 0.3 * x - 0.25 * y;
+}
+Mesh tilted_sheet()
+{
+  return sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6), tilt);
+}
 
 } // namespace
 
@@ -69,10 +78,16 @@ TEST_CASE("Transfer: under the identity, whole numbers and colors arrive as they
   check_identity<int>("int", [](std::size_t n) { return int(n * 7919 % 1000003) - 500000; });
   check_identity<unsigned char>("unsigned char", [](std::size_t n) { return (unsigned char)(n * 37); });
   check_identity<CGAL::IO::Color>("Color", [](std::size_t n) {
-    return CGAL::IO::Color((unsigned char)(n * 37), (unsigned char)(n % 2 ? 255 : 0), (unsigned char)(n), (unsigned char)(n * 11)); });
-  check_identity<std::array<int, 2> >("array of int", [](std::size_t n) { return std::array<int, 2>{ int(n), -int(n * n) }; });
+    return CGAL::IO::Color((unsigned char)(n * 37), (unsigned char)(n % 2 ? 255 : 0), (unsigned char)(n),
+                           (unsigned char)(n * 11));
+  });
+  check_identity<std::array<int, 2> >("array of int", [](std::size_t n) {
+    return std::array<int, 2>{ int(n), -int(n * n) };
+  });
   check_identity<std::array<CGAL::IO::Color, 2> >("array of Color", [](std::size_t n) {
-    return std::array<CGAL::IO::Color, 2>{ CGAL::IO::Color((unsigned char)n, 0, 0), CGAL::IO::Color(0, (unsigned char)(3 * n), 255) }; });
+    return std::array<CGAL::IO::Color, 2>{ CGAL::IO::Color((unsigned char)n, 0, 0),
+                                           CGAL::IO::Color(0, (unsigned char)(3 * n), 255) };
+  });
 }
 
 TEST_CASE("Transfer: under the identity, real values arrive up to rounding")
@@ -81,10 +96,12 @@ TEST_CASE("Transfer: under the identity, real values arrive up to rounding")
   const Map map(ball(), mesh, mesh);
   auto d = map_of<Vertex, double>(mesh, "v:d"), d2 = map_of<Vertex, double>(mesh, "v:d2");
   auto f = map_of<Vertex, float>(mesh, "v:f"), f2 = map_of<Vertex, float>(mesh, "v:f2");
-  auto a = map_of<Vertex, std::array<double, 3> >(mesh, "v:a"), a2 = map_of<Vertex, std::array<double, 3> >(mesh, "v:a2");
+  auto a = map_of<Vertex, std::array<double, 3> >(mesh, "v:a"),
+       a2 = map_of<Vertex, std::array<double, 3> >(mesh, "v:a2");
   auto w = map_of<Vertex, Vector_3>(mesh, "v:w"), w2 = map_of<Vertex, Vector_3>(mesh, "v:w2");
   auto p2 = map_of<Vertex, Point_3>(mesh, "v:p2");
-  auto e = map_of<Vertex, Eigen::Vector2d>(mesh, "v:e", { 0, 0 }), e2 = map_of<Vertex, Eigen::Vector2d>(mesh, "v:e2", { 0, 0 });
+  auto e = map_of<Vertex, Eigen::Vector2d>(mesh, "v:e", { 0, 0 }),
+       e2 = map_of<Vertex, Eigen::Vector2d>(mesh, "v:e2", { 0, 0 });
   CGAL::Random random(1);
   for(auto v : mesh.vertices()) {
     d[v] = random.get_double(-1, 1);
@@ -136,8 +153,7 @@ TEST_CASE("Transfer: linear functions are reproduced, both ways, and what is not
       CHECK(report.failures[outside].second == Flow_status::LEAVES_SHELL);
       CHECK(again[v] == before);
       ++outside;
-    }
-    else CHECK(again[v] == Approx(linear(p)).margin(6 * tolerance));
+    } else CHECK(again[v] == Approx(linear(p)).margin(6 * tolerance));
     ++position;
   }
   CHECK(outside == report.failures.size());
@@ -149,7 +165,8 @@ TEST_CASE("Transfer: between spheres, functions change by no more than the facet
 {
   Mesh a = sphere(3, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);
-  auto on_a = map_of<Vertex, double>(a, "v:d"), on_b = map_of<Vertex, double>(b, "v:d"), average = map_of<Vertex, double>(b, "v:average");
+  auto on_a = map_of<Vertex, double>(a, "v:d"), on_b = map_of<Vertex, double>(b, "v:d"),
+       average = map_of<Vertex, double>(b, "v:average");
   const auto direction = [](const Point_3& p) {
     return (p - CGAL::ORIGIN) * Vector_3(1, -2, 2) / std::sqrt((p - CGAL::ORIGIN).squared_length()) / 3;
   };
@@ -172,8 +189,9 @@ TEST_CASE("Transfer: averages of a constant are that constant, whatever the numb
     auto d = map_of<Vertex, double>(a, "v:d", 0.7), d2 = map_of<Vertex, double>(b, "v:d");
     auto w = map_of<Vertex, Vector_3>(a, "v:w", Vector_3(1, 2, 3)), w2 = map_of<Vertex, Vector_3>(b, "v:w");
     auto i = map_of<Vertex, int>(a, "v:i", 41), i2 = map_of<Vertex, int>(b, "v:i");
-    for(const BS::Transfer_report& report : { BS::average_vertex_attribute(map, d, d2), BS::average_vertex_attribute(map, w, w2),
-                                              BS::average_vertex_attribute(map, i, i2) }) {
+    for(const BS::Transfer_report& report :
+        { BS::average_vertex_attribute(map, d, d2), BS::average_vertex_attribute(map, w, w2),
+          BS::average_vertex_attribute(map, i, i2) }) {
       CHECK(report);
       CHECK(report.transferred == b.number_of_vertices());
     }
@@ -200,7 +218,7 @@ TEST_CASE("Transfer: an average keeps what the values add up to, if each is spre
   for(auto v : a.vertices()) {
     d[v] = random.get_double(0, 1);
     const auto image = map.to_target()(a.point(v));
-    if(!image) continue;          // of those on the border, by rounding
+    if(!image) continue; // of those on the border, by rounding
     sum += d[v] * area[v];
     const auto h = b.halfedge(image.location.first);
     const Vertex corners[3] = { b.source(h), b.target(h), b.target(b.next(h)) };
@@ -216,7 +234,8 @@ TEST_CASE("Transfer: functors interpolate and map values, and are told the diffe
   Mesh a = source_sheet(), b = tilted_sheet();
   const Map map(slab(), a, b);
   auto displacement = map_of<Vertex, Vector_3>(a, "v:d", Vector_3(1, 2, 0)), on_b = map_of<Vertex, Vector_3>(b, "v:d");
-  // the differential of the flow between levels of z is the identity: tangent vectors of levels are kept, and the vertical part is lost
+  // the differential of the flow between levels of z is the identity: tangent vectors of levels are kept, and the
+  // vertical part is lost
   CHECK(BS::transfer_vertex_attribute(map, displacement, on_b, P::mapping(BS::Tangent_vector_mapping())));
   for(auto v : b.vertices()) CHECK((on_b[v] - Vector_3(1, 2, 0)).squared_length() < 1e-16);
   for(auto v : a.vertices()) displacement[v] = Vector_3(1, 2, 7);
@@ -281,7 +300,9 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
   int decided = 0;
   for(int n = 0; n < 60; ++n) {
     Mesh b;
-    const auto at = [&]() { return Point_3(random.get_double(-0.7, 0.7), random.get_double(-0.7, 0.7), random.get_double(-0.5, 0.5)); };
+    const auto at = [&]() {
+      return Point_3(random.get_double(-0.7, 0.7), random.get_double(-0.7, 0.7), random.get_double(-0.5, 0.5));
+    };
     Point_3 p = at(), q = at(), r = at();
     if(CGAL::cross_product(q - p, r - p).z() < 0) std::swap(q, r);
     b.add_face(b.add_vertex(p), b.add_vertex(q), b.add_vertex(r));
@@ -294,15 +315,18 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
     const int parts = 200;
     for(int i = 0; i < parts; ++i)
       for(int j = 0; i + j < parts; ++j) {
-        const double u = (i + 1/3.) / parts, v = (j + 1/3.) / parts;
+        const double u = (i + 1 / 3.) / parts, v = (j + 1 / 3.) / parts;
         share[strip(p.x() + u * (q.x() - p.x()) + v * (r.x() - p.x()))] += 2. / (parts * (parts + 1));
       }
     const Face f(0);
     CHECK(at_centroid[f] == strip(centroid(b, f).x()));
     const int most = int(std::max_element(share, share + 3) - share);
-    bool clear = true;        // not within what 400 samples can tell: rows of 20 along a border
+    bool clear = true; // not within what 400 samples can tell: rows of 20 along a border
     for(int l = 0; l < 3; ++l) clear = clear && (l == most || share[most] - share[l] > 0.1);
-    if(clear) { CHECK(found[f] == most); ++decided; }
+    if(clear) {
+      CHECK(found[f] == most);
+      ++decided;
+    }
   }
   CHECK(decided > 30);
 }
@@ -312,7 +336,8 @@ TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, til
   // concentric spheres with the same facets: all is stretched by the ratio of the radii
   Mesh a = sphere(2, 0.7), b = sphere(2, 0.85);
   const Map map(ball(), a, b);
-  auto v = map_of<Face, Vector_3>(a, "f:v"), image = map_of<Face, Vector_3>(b, "f:v"), again = map_of<Face, Vector_3>(a, "f:again");
+  auto v = map_of<Face, Vector_3>(a, "f:v"), image = map_of<Face, Vector_3>(b, "f:v"),
+       again = map_of<Face, Vector_3>(a, "f:again");
   CGAL::Random random(6);
   for(auto f : a.faces()) {
     const std::array<Point_3, 3> t = triangle(a, f);
@@ -344,7 +369,8 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
 {
   // to the plane z = slope x: with u along the slope and v across, (x, y) goes to (stretch x, y)
   const double slope = 0.6, stretch = std::sqrt(1 + slope * slope);
-  Mesh a = source_sheet(), b = sheet(steps(-0.7, 0.65, 3), steps(-0.6, 0.7, 2), [=](double x, double) { return slope * x; });
+  Mesh a = source_sheet(),
+       b = sheet(steps(-0.7, 0.65, 3), steps(-0.6, 0.7, 2), [=](double x, double) { return slope * x; });
   const Map map(slab(), a, b);
   auto from = map_of<Face, Vector_3>(a, "f:v"), to = map_of<Face, Vector_3>(b, "f:v");
   const Vector_3 u(1 / stretch, 0, slope / stretch), v(0, 1, 0);
@@ -354,7 +380,9 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
       for(auto f : a.faces()) from[f] = length * Vector_3(std::cos(angle), std::sin(angle), 0);
       CHECK(BS::transfer_tangent_vectors(map, from, to, P::symmetry(symmetry)));
       // by search: the direction next to the image of the first whose N-th power is nearest to those of the images
-      const auto sheared = [&](double alpha) { return std::complex<double>(stretch * std::cos(alpha), std::sin(alpha)); };
+      const auto sheared = [&](double alpha) {
+        return std::complex<double>(stretch * std::cos(alpha), std::sin(alpha));
+      };
       double least = 1e9, best = 0, product = 1;
       const double first = std::arg(sheared(angle));
       for(int k = 0; k < symmetry; ++k) product *= length * std::abs(sheared(angle + 2 * CGAL_PI * k / symmetry));
@@ -362,12 +390,17 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
         const double candidate = first + CGAL_PI / symmetry * i / 20000;
         double error = 0;
         for(int k = 0; k < symmetry; ++k)
-          error += std::norm(std::polar(1., symmetry * candidate) - std::polar(1., symmetry * std::arg(sheared(angle + 2 * CGAL_PI * k / symmetry))));
-        if(error < least) { least = error; best = candidate; }
+          error += std::norm(std::polar(1., symmetry * candidate)
+                             - std::polar(1., symmetry * std::arg(sheared(angle + 2 * CGAL_PI * k / symmetry))));
+        if(error < least) {
+          least = error;
+          best = candidate;
+        }
       }
       const Vector_3 expected = std::pow(product, 1. / symmetry) * (std::cos(best) * u + std::sin(best) * v);
       INFO("symmetry " << symmetry << ", angle " << angle);
-      for(auto f : b.faces()) CHECK((to[f] - expected).squared_length() < 1e-6);      // the search's steps are 1.6e-4 and less
+      // the search's steps are 1.6e-4 and less
+      for(auto f : b.faces()) CHECK((to[f] - expected).squared_length() < 1e-6);
     }
 }
 
@@ -376,10 +409,12 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
   Mesh a = sphere(2, 0.7), b = sphere(1, 0.85);
   auto d = map_of<Vertex, double>(a, "v:d", 1.), d2 = map_of<Vertex, double>(b, "v:d", -7.);
   auto l = map_of<Face, int>(a, "f:l", 1), l2 = map_of<Face, int>(b, "f:l", -7);
-  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
+  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)),
+       w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
   const auto check_none = [&](const Map& map, Flow_status status) {
-    for(const BS::Transfer_report& report : { BS::transfer_vertex_attribute(map, d, d2), BS::transfer_face_labels(map, l, l2),
-                                              BS::transfer_tangent_vectors(map, w, w2) }) {
+    for(const BS::Transfer_report& report :
+        { BS::transfer_vertex_attribute(map, d, d2), BS::transfer_face_labels(map, l, l2),
+          BS::transfer_tangent_vectors(map, w, w2) }) {
       CHECK_FALSE(report);
       CHECK(report.transferred == 0);
       REQUIRE((report.failures.size() == b.number_of_vertices() || report.failures.size() == b.number_of_faces()));
@@ -418,12 +453,18 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
   struct Hasty
   {
     std::size_t calls = 0, done = 0;
-    bool advance(std::size_t n, std::size_t) { ++calls; done = n; return false; }
+    bool advance(std::size_t n, std::size_t)
+    {
+      ++calls;
+      done = n;
+      return false;
+    }
   };
-  Mesh many = sphere(5, 0.85);          // 10242 vertices, 20480 facets, 81920 samples
+  Mesh many = sphere(5, 0.85); // 10242 vertices, 20480 facets, 81920 samples
   auto labels = map_of<Face, int>(many, "f:l", -7);
   Hasty visitor;
-  const BS::Transfer_report some = BS::transfer_face_labels(Map(ball(), a, many), l, labels, P::visitor(std::ref(visitor)));
+  const BS::Transfer_report some = BS::transfer_face_labels(Map(ball(), a, many), l, labels,
+                                                            P::visitor(std::ref(visitor)));
   CHECK(visitor.calls == 1);
   CHECK(some.transferred > 0);
   CHECK(some.transferred < many.number_of_faces());
@@ -440,14 +481,15 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
   Mesh a = source_sheet(), b = tilted_sheet();
   const std::vector<Face> facets(a.faces_begin(), a.faces_end());
   for(auto f : facets)
-    if(std::abs(centroid(a, f).x()) < 0.3 && std::abs(centroid(a, f).y()) < 0.3) CGAL::Euler::remove_face(a.halfedge(f), a);
+    if(std::abs(centroid(a, f).x()) < 0.3 && std::abs(centroid(a, f).y()) < 0.3)
+      CGAL::Euler::remove_face(a.halfedge(f), a);
   REQUIRE(a.number_of_faces() < facets.size());
   a.collect_garbage();
   const Map map(slab(), a, b);
   const BS::Projection_target_3<Mesh> source(a, a.points());
   const auto is_over_hole = [&](const Point_3& p) {
     for(BS::Projection_target_3<Mesh>::Index f = 0; f < source.number_of_facets(); ++f)
-      if(source.position(f, { p.x(), p.y(), 0 }).outside <= tolerance) return false;     // some are over the border
+      if(source.position(f, { p.x(), p.y(), 0 }).outside <= tolerance) return false; // some are over the border
     return true;
   };
   std::vector<std::pair<std::size_t, Flow_status> > no_vertices, no_facets;
@@ -461,10 +503,12 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
   for(const auto& failure : no_vertices) vertices_in_hole.insert(failure.first);
   for(const auto& failure : no_facets) facets_in_hole.insert(failure.first);
 
-  auto d = map_of<Vertex, double>(a, "v:d", 1.), kept = map_of<Vertex, double>(b, "v:kept", -7.), set = map_of<Vertex, double>(b, "v:set", -7.);
+  auto d = map_of<Vertex, double>(a, "v:d", 1.), kept = map_of<Vertex, double>(b, "v:kept", -7.),
+       set = map_of<Vertex, double>(b, "v:set", -7.);
   auto l = map_of<Face, std::string>(a, "f:l", "there"), l_kept = map_of<Face, std::string>(b, "f:kept", "before"),
        l_set = map_of<Face, std::string>(b, "f:set", "before");
-  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w_kept = map_of<Face, Vector_3>(b, "f:w1", Vector_3(-7, -7, -7)),
+  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)),
+       w_kept = map_of<Face, Vector_3>(b, "f:w1", Vector_3(-7, -7, -7)),
        w_set = map_of<Face, Vector_3>(b, "f:w2", Vector_3(-7, -7, -7));
   const auto check_vertices = [&](const BS::Transfer_report& keep, const BS::Transfer_report& replace) {
     for(const BS::Transfer_report& report : { keep, replace }) {
@@ -480,16 +524,19 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
     }
   };
   // a whole number for real ones
-  check_vertices(BS::transfer_vertex_attribute(map, d, kept), BS::transfer_vertex_attribute(map, d, set, P::default_value(-1)));
+  check_vertices(BS::transfer_vertex_attribute(map, d, kept),
+                 BS::transfer_vertex_attribute(map, d, set, P::default_value(-1)));
   const auto twice = [](double value, const BS::Flow_differential&) { return value; };
   check_vertices(BS::transfer_vertex_attribute(map, d, kept, P::mapping(twice)),
                  BS::transfer_vertex_attribute(map, d, set, P::default_value(-1.).mapping(twice)));
 
   const BS::Transfer_report labels[] = {
     BS::transfer_face_labels(map, l, l_kept, P::samples_per_facet(std::size_t(1))),
-    BS::transfer_face_labels(map, l, l_set, P::samples_per_facet(std::size_t(1)).default_value(std::string("none"))) };
+    BS::transfer_face_labels(map, l, l_set, P::samples_per_facet(std::size_t(1)).default_value(std::string("none")))
+  };
   const BS::Transfer_report vectors[] = { BS::transfer_tangent_vectors(map, w, w_kept),
-                                          BS::transfer_tangent_vectors(map, w, w_set, P::default_value(Vector_3(0, 0, 0))) };
+                                          BS::transfer_tangent_vectors(map, w, w_set,
+                                                                       P::default_value(Vector_3(0, 0, 0))) };
   for(const BS::Transfer_report& report : { labels[0], labels[1], vectors[0], vectors[1] }) {
     CHECK_FALSE(report);
     CHECK(report.failures == no_facets);
@@ -504,8 +551,8 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
     CHECK_FALSE(w_set[f] == Vector_3(-7, -7, -7));
   }
 
-  // Averages go the other way: vertices of the source over a hole of the target are left out and named, and vertices of the target that
-  // nothing arrives at, nor is pulled back from, have no value.
+  // Averages go the other way: vertices of the source over a hole of the target are left out and named, and vertices of
+  // the target that nothing arrives at, nor is pulled back from, have no value.
   auto back = map_of<Vertex, double>(b, "v:back", 1.), average = map_of<Vertex, double>(a, "v:average", -7.);
   const BS::Transfer_report report = BS::average_vertex_attribute(map.inverse(), back, average, P::default_value(-1));
   CHECK(report.left_out == no_vertices);
@@ -526,11 +573,13 @@ TEST_CASE("Transfer: to and from a mesh that is not valid, everything gets the c
   for(const Map& map : { Map(ball(), a, b), Map(ball(), b, a).inverse() }) {
     auto d = map_of<Vertex, double>(a, "v:d", 1.), d2 = map_of<Vertex, double>(b, "v:d", -7.);
     auto l = map_of<Face, int>(a, "f:l", 1), l2 = map_of<Face, int>(b, "f:l", -7);
-    auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
+    auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)),
+         w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
     CHECK(BS::average_vertex_attribute(map, d, d2, P::default_value(5.)).failures.size() == b.number_of_vertices());
     for(auto v : b.vertices()) CHECK(d2[v] == 5);
     CHECK(BS::transfer_face_labels(map, l, l2, P::default_value(6)).failures.size() == b.number_of_faces());
-    CHECK(BS::transfer_tangent_vectors(map, w, w2, P::default_value(Vector_3(7, 0, 0))).failures.size() == b.number_of_faces());
+    CHECK(BS::transfer_tangent_vectors(map, w, w2, P::default_value(Vector_3(7, 0, 0))).failures.size()
+          == b.number_of_faces());
     for(auto f : b.faces()) {
       CHECK(l2[f] == 6);
       CHECK(w2[f] == Vector_3(7, 0, 0));
@@ -542,9 +591,11 @@ TEST_CASE("Transfer: a facet without an area has no tangent vectors, and is name
 {
   Mesh a = source_sheet(), b = tilted_sheet();
   const std::size_t before = b.number_of_faces();
-  const Vertex p = b.add_vertex(Point_3(0, 0, 0.2)), q = b.add_vertex(Point_3(0.25, 0, 0.2)), r = b.add_vertex(Point_3(0.125, 0, 0.2));
+  const Vertex p = b.add_vertex(Point_3(0, 0, 0.2)), q = b.add_vertex(Point_3(0.25, 0, 0.2)),
+               r = b.add_vertex(Point_3(0.125, 0, 0.2));
   b.add_face(p, q, r);
-  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)), w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
+  auto w = map_of<Face, Vector_3>(a, "f:w", Vector_3(1, 0, 0)),
+       w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
   const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(slab(), a, b), w, w2);
   REQUIRE(report.failures.size() == 1);
   CHECK(report.failures[0] == std::make_pair(before, Flow_status::FACES_WRONG_WAY));
@@ -555,8 +606,10 @@ TEST_CASE("Transfer: one thread and several give the same, bit by bit")
 {
   Mesh a = sphere(3, 0.7), b = turned(sphere(3, 0.85), 0.2);
   const Map map(ball(), a, b);
-  auto d = map_of<Vertex, double>(a, "v:d"), one = map_of<Vertex, double>(b, "v:1"), two = map_of<Vertex, double>(b, "v:2");
-  auto w = map_of<Face, Vector_3>(a, "f:w"), w1 = map_of<Face, Vector_3>(b, "f:1"), w2 = map_of<Face, Vector_3>(b, "f:2");
+  auto d = map_of<Vertex, double>(a, "v:d"), one = map_of<Vertex, double>(b, "v:1"),
+       two = map_of<Vertex, double>(b, "v:2");
+  auto w = map_of<Face, Vector_3>(a, "f:w"), w1 = map_of<Face, Vector_3>(b, "f:1"),
+       w2 = map_of<Face, Vector_3>(b, "f:2");
   for(auto v : a.vertices()) d[v] = std::sin(5 * a.point(v).x());
   for(auto f : a.faces()) w[f] = triangle(a, f)[1] - triangle(a, f)[0];
   const auto compare = [&]() {

@@ -1,4 +1,5 @@
-// transfer_corner_attribute.h: texture coordinates arrive as they are, and no facet is spread over the texture because it lies across a seam.
+// transfer_corner_attribute.h: texture coordinates arrive as they are, and no facet is spread over the texture because
+// it lies across a seam.
 #include "flat_and_round_maps.h"
 #include "meshes_in_shell.h"
 
@@ -20,20 +21,30 @@ typedef Mesh::Face_index Face;
 typedef Kernel::Point_2 Point_2;
 typedef Mesh::Property_map<Halfedge, Point_2> Texture;
 
-Texture texture_of(Mesh& mesh, const char* name) { return mesh.add_property_map<Halfedge, Point_2>(name, Point_2(-7, -7)).first; }
+Texture texture_of(Mesh& mesh, const char* name)
+{
+  return mesh.add_property_map<Halfedge, Point_2>(name, Point_2(-7, -7)).first;
+}
 
-double distance(const Point_2& p, const Point_2& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Point_2& p, const Point_2& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 // for each corner, by the point and that of the facet's centroid
 template <typename Function>
 void set_texture(const Mesh& mesh, Texture texture, const Function& uv)
 {
   for(auto f : mesh.faces())
-    for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) texture[h] = uv(mesh.point(mesh.target(h)), centroid(mesh, f));
+    for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      texture[h] = uv(mesh.point(mesh.target(h)), centroid(mesh, f));
 }
 
 // flat, with a jump at x = 1/8
-Point_2 cut_sheet(const Point_3& p, const Point_3& center) { return Point_2(p.x() + (center.x() < 0.125 ? 0 : 10), 2 * p.y()); }
+Point_2 cut_sheet(const Point_3& p, const Point_3& center)
+{
+  return Point_2(p.x() + (center.x() < 0.125 ? 0 : 10), 2 * p.y());
+}
 
 // around the z-axis from 0 to 1, cut where y = 0 and x < 0, and at each facet on one side of the cut
 Point_2 around(const Point_3& p, const Point_3& center)
@@ -61,10 +72,12 @@ TEST_CASE("Texture coordinates: under the identity they arrive unchanged, on clo
     CHECK(report.facets_across_seams.empty());
     for(auto h : mesh.halfedges()) CHECK(distance(before[h], after[h]) < 1e-12);
 
-    // with vertices moved within the shell, edges stay as long as they were, up to the displacement: 1 % of the box, a tenth of an edge
+    // with vertices moved within the shell, edges stay as long as they were, up to the displacement: 1 % of the box, a
+    // tenth of an edge
     Mesh moved = certified_mesh_in_shell(shell, mesh);
     Texture on_moved = texture_of(moved, "h:moved");
-    CHECK(BS::transfer_corner_attribute(BS::Shell_map_3<CGAL::Certified_bspline_shell_3, Mesh>(shell, mesh, moved), before, on_moved));
+    CHECK(BS::transfer_corner_attribute(BS::Shell_map_3<CGAL::Certified_bspline_shell_3, Mesh>(shell, mesh, moved),
+                                        before, on_moved));
     for(auto h : mesh.halfedges()) CHECK(distance(before[h], on_moved[h]) < 0.01);
   }
 }
@@ -76,9 +89,11 @@ TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and i
   Texture on_a = texture_of(a, "h:uv");
   set_texture(a, on_a, cut_sheet);
   for(int number : { 3, 10, 12, 37 }) {
-    // also facets far larger and far smaller than those of the source, and with 12, vertices and edges over those of the source
-    Mesh b = sheet(steps(-0.75, 0.75, number), steps(-0.7, 0.6, number), [](double x, double y) { return 0.2 + 0.2 * x - 0.3 * y; });
-    for(auto v : b.vertices())        // inside
+    // also facets far larger and far smaller than those of the source, and with 12, vertices and edges over those of
+    // the source
+    Mesh b = sheet(steps(-0.75, 0.75, number), steps(-0.7, 0.6, number),
+                   [](double x, double y) { return 0.2 + 0.2 * x - 0.3 * y; });
+    for(auto v : b.vertices()) // inside
       if(b.is_border(v)) b.point(v) = Point_3(0.999 * b.point(v).x(), b.point(v).y(), b.point(v).z());
     Texture on_b = texture_of(b, "h:uv");
     const BS::Transfer_report report = BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, on_b);
@@ -86,7 +101,8 @@ TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and i
     const std::set<std::size_t> named(report.facets_across_seams.begin(), report.facets_across_seams.end());
     for(auto f : b.faces()) {
       const std::array<Point_3, 3> t = triangle(b, f);
-      const double least = (std::min)({ t[0].x(), t[1].x(), t[2].x() }), largest = (std::max)({ t[0].x(), t[1].x(), t[2].x() });
+      const double least = (std::min)({ t[0].x(), t[1].x(), t[2].x() }),
+                   largest = (std::max)({ t[0].x(), t[1].x(), t[2].x() });
       const double near = 1e-6;
       if(least < 0.125 - near && largest > 0.125 + near) CHECK(named.count(std::size_t(f)) == 1);
       if(largest < 0.125 + 1e-12 || least > 0.125 - 1e-12) CHECK(named.count(std::size_t(f)) == 0);
@@ -109,13 +125,14 @@ TEST_CASE("Texture coordinates: around a ball, no edge goes round the wrong way"
     CHECK(report);
     std::size_t checked = 0;
     for(auto f : b.faces()) {
-      bool at_pole = false;         // where longitudes mean little
+      bool at_pole = false; // where longitudes mean little
       for(auto v : b.vertices_around_face(b.halfedge(f))) at_pole = at_pole || std::abs(b.point(v).z()) > 0.6;
       if(at_pole) continue;
       for(auto h : b.halfedges_around_face(b.halfedge(f))) {
         Point_2 expected = around(b.point(b.target(h)), centroid(b, f));
         expected = Point_2(expected.x(), expected.y() * 0.75 / (subdivisions == 1 ? 0.9 : 0.85));
-        // whole turns are the choice of the side; the rest is chords for arcs, and what is extrapolated up to an edge of b beyond the seam
+        // whole turns are the choice of the side; the rest is chords for arcs, and what is extrapolated up to an edge
+        // of b beyond the seam
         const double turns = std::nearbyint(on_b[h].x() - expected.x());
         CHECK(std::abs(on_b[h].x() - turns - expected.x()) < (subdivisions == 1 ? 0.05 : 0.01));
         CHECK(std::abs(on_b[h].y() - expected.y()) < (subdivisions == 1 ? 0.1 : 0.02));
@@ -153,20 +170,25 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
 
   // or they get the caller's value, at all of their corners
   Texture set = texture_of(b, "h:set");
-  CHECK(BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, set, P::default_value(Point_2(-1, -1))).failures == report.failures);
+  CHECK(
+    BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, set, P::default_value(Point_2(-1, -1))).failures
+    == report.failures);
   for(auto f : b.faces())
-    for(auto h : b.halfedges_around_face(b.halfedge(f))) CHECK(set[h] == (failed.count(std::size_t(f)) ? Point_2(-1, -1) : on_b[h]));
+    for(auto h : b.halfedges_around_face(b.halfedge(f)))
+      CHECK(set[h] == (failed.count(std::size_t(f)) ? Point_2(-1, -1) : on_b[h]));
 
   Mesh quads = a;
   CGAL::Euler::join_face(*std::find_if(quads.halfedges_begin(), quads.halfedges_end(),
-                                       [&](Halfedge h) { return !quads.is_border(quads.edge(h)); }), quads);
+                                       [&](Halfedge h) { return !quads.is_border(quads.edge(h)); }),
+                         quads);
   Texture on_quads = texture_of(quads, "h:other");
   report = BS::transfer_corner_attribute(Polynomial_map(slab(), quads, b), on_quads, on_b);
   CHECK(report.transferred == 0);
   CHECK(report.failures.size() == b.number_of_faces());
   CHECK(report.failures[0].second == BS::Flow_status::INVALID_MESH);
   // also the four corners of a facet that is no triangle
-  report = BS::transfer_corner_attribute(Polynomial_map(slab(), b, quads), set, on_quads, P::default_value(Point_2(-2, -2)));
+  report = BS::transfer_corner_attribute(Polynomial_map(slab(), b, quads), set, on_quads,
+                                         P::default_value(Point_2(-2, -2)));
   CHECK(report.failures.size() == quads.number_of_faces());
   for(auto f : quads.faces())
     for(auto h : quads.halfedges_around_face(quads.halfedge(f))) CHECK(on_quads[h] == Point_2(-2, -2));

@@ -1,4 +1,5 @@
-// transfer_tangent_vectors.h between meshes of different resolution: means and interpolation are what they say, and singularities stay where they are.
+// transfer_tangent_vectors.h between meshes of different resolution: means and interpolation are what they say, and
+// singularities stay where they are.
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
@@ -27,10 +28,19 @@ typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Face_index Face;
 typedef std::function<Vector_3(const Point_3&)> Field;
 
-Mesh::Property_map<Face, Vector_3> at_facets(Mesh& mesh, const std::string& name) { return mesh.add_property_map<Face, Vector_3>("f:" + name).first; }
-Mesh::Property_map<Vertex, Vector_3> at_vertices(Mesh& mesh, const std::string& name) { return mesh.add_property_map<Vertex, Vector_3>("v:" + name).first; }
+Mesh::Property_map<Face, Vector_3> at_facets(Mesh& mesh, const std::string& name)
+{
+  return mesh.add_property_map<Face, Vector_3>("f:" + name).first;
+}
+Mesh::Property_map<Vertex, Vector_3> at_vertices(Mesh& mesh, const std::string& name)
+{
+  return mesh.add_property_map<Vertex, Vector_3>("v:" + name).first;
+}
 
-Vector_3 in_plane(const Vector_3& v, const Vector_3& normal) { return v - (v * normal) / normal.squared_length() * normal; }
+Vector_3 in_plane(const Vector_3& v, const Vector_3& normal)
+{
+  return v - (v * normal) / normal.squared_length() * normal;
+}
 
 // at centroids
 Mesh::Property_map<Face, Vector_3> sampled(Mesh& mesh, const Field& field, const std::string& name)
@@ -43,12 +53,15 @@ Mesh::Property_map<Face, Vector_3> sampled(Mesh& mesh, const Field& field, const
 // of two symmetric directions, in degrees
 double angle_between(const Vector_3& u, const Vector_3& v, const Vector_3& normal, int symmetry)
 {
-  const double step = 360. / symmetry, angle = std::atan2(CGAL::cross_product(u, v) * normal / std::sqrt(normal.squared_length()), u * v) * 180 / CGAL_PI;
+  const double step = 360. / symmetry,
+               angle = std::atan2(CGAL::cross_product(u, v) * normal / std::sqrt(normal.squared_length()), u * v) * 180
+                       / CGAL_PI;
   return std::abs(angle - step * std::round(angle / step));
 }
 
-double mean_angle(const Mesh& mesh, const Field& field, const Mesh::Property_map<Face, Vector_3>& vectors, int symmetry,
-                  const std::function<bool(const Point_3&)>& counts = [](const Point_3&) { return true; })
+double mean_angle(
+  const Mesh& mesh, const Field& field, const Mesh::Property_map<Face, Vector_3>& vectors, int symmetry,
+  const std::function<bool(const Point_3&)>& counts = [](const Point_3&) { return true; })
 {
   double sum = 0;
   std::size_t number = 0;
@@ -60,14 +73,16 @@ double mean_angle(const Mesh& mesh, const Field& field, const Mesh::Property_map
   return sum / double(number);
 }
 
-// How often the field turns around a vertex, in turns by 2 pi / symmetry: vectors are carried from facet to facet across edges, the facets being
-// unfolded; what they turn in all, and the angle that is missing at the vertex, are a multiple of that.
+// How often the field turns around a vertex, in turns by 2 pi / symmetry: vectors are carried from facet to facet
+// across edges, the facets being unfolded; what they turn in all, and the angle that is missing at the vertex, are a
+// multiple of that.
 int index_at(const Mesh& mesh, Vertex v, const Mesh::Property_map<Face, Vector_3>& vectors, int symmetry)
 {
   const double step = 2 * CGAL_PI / symmetry;
   double turn = 0, angles = 0;
   for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-    const Vector_3 edge = mesh.point(mesh.source(h)) - mesh.point(v), next = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
+    const Vector_3 edge = mesh.point(mesh.source(h)) - mesh.point(v),
+                   next = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
     angles += std::atan2(std::sqrt(CGAL::cross_product(edge, next).squared_length()), edge * next);
     const auto angle = [&](Face f) {
       const Vector_3 n = normal(mesh, f);
@@ -81,7 +96,8 @@ int index_at(const Mesh& mesh, Vertex v, const Mesh::Property_map<Face, Vector_3
 }
 
 // where the index is not zero, and what it is
-std::vector<std::pair<Point_3, int> > singularities(const Mesh& mesh, const Mesh::Property_map<Face, Vector_3>& vectors, int symmetry)
+std::vector<std::pair<Point_3, int> > singularities(const Mesh& mesh, const Mesh::Property_map<Face, Vector_3>& vectors,
+                                                    int symmetry)
 {
   std::vector<std::pair<Point_3, int> > result;
   for(Vertex v : mesh.vertices())
@@ -117,9 +133,10 @@ Vector_3 along_cube(const Point_3& p)
 void turn_some(const Mesh& mesh, Mesh::Property_map<Face, Vector_3>& vectors, int symmetry)
 {
   for(Face f : mesh.faces()) {
-    const Eigen::Vector3d n = Eigen::Vector3d(normal(mesh, f).x(), normal(mesh, f).y(), normal(mesh, f).z()).normalized(),
-                          v = Eigen::AngleAxisd(2 * CGAL_PI * int(std::size_t(f) * 7 % std::size_t(symmetry)) / symmetry, n)
-                            * Eigen::Vector3d(vectors[f].x(), vectors[f].y(), vectors[f].z());
+    const Eigen::Vector3d
+      n = Eigen::Vector3d(normal(mesh, f).x(), normal(mesh, f).y(), normal(mesh, f).z()).normalized(),
+      v = Eigen::AngleAxisd(2 * CGAL_PI * int(std::size_t(f) * 7 % std::size_t(symmetry)) / symmetry, n)
+          * Eigen::Vector3d(vectors[f].x(), vectors[f].y(), vectors[f].z());
     vectors[f] = Vector_3(v[0], v[1], v[2]);
   }
 }
@@ -151,7 +168,8 @@ TEST_CASE("Tangent vectors: the mean over a facet is that of what it covers")
     covered[triangle_of(coarse, centroid(fine, f))].push_back(v[f]);
   }
   REQUIRE(covered.size() == coarse.number_of_faces());
-  const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(slab(), fine, coarse), v, mean, P::samples_per_facet(std::size_t(16)));
+  const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(slab(), fine, coarse), v, mean,
+                                                                  P::samples_per_facet(std::size_t(16)));
   CHECK(report);
   CHECK(report.transferred == coarse.number_of_faces());
   for(Face f : coarse.faces()) {
@@ -162,12 +180,14 @@ TEST_CASE("Tangent vectors: the mean over a facet is that of what it covers")
   }
 }
 
-TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four vectors stands for each, nor do interpolated ones")
+TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four vectors stands for each, nor do "
+          "interpolated ones")
 {
   for(int symmetry : { 2, 3, 4, 6 }) {
     Mesh fine = sphere(3, 0.7), coarse = turned(sphere(2, 0.85), 0.3);
-    auto v = sampled(fine, [](const Point_3& p) { return Vector_3(p.y() + 0.2, -p.z(), p.x()); }, "v"), w = at_facets(fine, "w"), v2 = at_facets(coarse, "v2"),
-         w2 = at_facets(coarse, "w2");
+    auto v = sampled(
+           fine, [](const Point_3&p) { return Vector_3(p.y() + 0.2, -p.z(), p.x()); }, "v"),
+         w = at_facets(fine, "w"), v2 = at_facets(coarse, "v2"), w2 = at_facets(coarse, "w2");
     for(Face f : fine.faces()) w[f] = v[f];
     turn_some(fine, w, symmetry);
     const Map map(ball(), fine, coarse);
@@ -186,13 +206,16 @@ TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four
 TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolated, and mapped, exactly")
 {
   Mesh flat = sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; }),
-       tilted = sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6), [](double x, double y) { return 0.2 + 0.3 * x - 0.25 * y; });
+       tilted = sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6),
+                      [](double x, double y) { return 0.2 + 0.3 * x - 0.25 * y; });
   const auto linear = [](double x, double y) { return Vector_3(1 + x - 2 * y, 0.5 * x + y - 2, 0); };
   auto v = at_vertices(flat, "v"), w = at_vertices(tilted, "w");
-  for(Vertex a : flat.vertices()) v[a] = linear(flat.point(a).x(), flat.point(a).y()) + Vector_3(0, 0, 5);       // what is along the normal is lost
+  // what is along the normal is lost
+  for(Vertex a : flat.vertices()) v[a] = linear(flat.point(a).x(), flat.point(a).y()) + Vector_3(0, 0, 5);
   CHECK(BS::transfer_vertex_tangent_vectors(Map(slab(), flat, tilted), v, w));
   // images are tangent to the level sets of z, whatever the target's facets are
-  for(Vertex b : tilted.vertices()) CHECK((w[b] - linear(tilted.point(b).x(), tilted.point(b).y())).squared_length() < 1e-20);
+  for(Vertex b : tilted.vertices())
+    CHECK((w[b] - linear(tilted.point(b).x(), tilted.point(b).y())).squared_length() < 1e-20);
 }
 
 TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the square of the edges' length")
@@ -212,7 +235,7 @@ TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the squ
       double most = 0;
       for(Vertex p : b.vertices()) {
         const Vector_3 n = b.point(p) - CGAL::ORIGIN, expected = field(b.point(p));
-        if(expected.squared_length() < 0.1) continue;      // near the two places where the field vanishes
+        if(expected.squared_length() < 0.1) continue; // near the two places where the field vanishes
         CHECK(std::abs(w[p] * n) < 1e-9);
         most = (std::max)(most, angle_between(w[p], expected, n, symmetry));
       }
@@ -225,7 +248,9 @@ TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the squ
 
 TEST_CASE("Tangent vectors: means and interpolation halve the angle, there and back")
 {
-  const Field field = [](const Point_3& p) { return CGAL::cross_product(Vector_3(0.2, 0.3, 1), p - CGAL::ORIGIN) + 0.5 * Vector_3(p.z(), p.x(), p.y()); };
+  const Field field = [](const Point_3& p) {
+    return CGAL::cross_product(Vector_3(0.2, 0.3, 1), p - CGAL::ORIGIN) + 0.5 * Vector_3(p.z(), p.x(), p.y());
+  };
   for(int symmetry : { 1, 4 }) {
     Mesh fine = sphere(4, 0.7), coarse = turned(sphere(2, 0.85), 0.3);
     auto v = sampled(fine, field, "v"), there = at_facets(coarse, "there"), back = at_facets(fine, "back");
@@ -244,7 +269,13 @@ TEST_CASE("Tangent vectors: means and interpolation halve the angle, there and b
 TEST_CASE("Tangent vectors: singularities of fields on a sphere keep their index and place")
 {
   Mesh fine = turned(sphere(4, 0.7), 0.1), coarse = turned(sphere(2, 0.85), 0.35), finer = turned(sphere(4, 0.8), 0.2);
-  struct Case { const char* name; Field field; int symmetry; std::vector<Vector_3> places; };
+  struct Case
+  {
+    const char* name;
+    Field field;
+    int symmetry;
+    std::vector<Vector_3> places;
+  };
   std::vector<Vector_3> corners;
   for(int n = 0; n < 8; ++n) corners.emplace_back(n & 1 ? 1 : -1, n & 2 ? 1 : -1, n & 4 ? 1 : -1);
   const std::vector<Case> cases{ { "around the axis", around_z, 1, { Vector_3(0, 0, 1), Vector_3(0, 0, -1) } },
@@ -252,7 +283,7 @@ TEST_CASE("Tangent vectors: singularities of fields on a sphere keep their index
                                  { "cross along a cube", along_cube, 4, corners } };
   for(const Case& c : cases) {
     INFO(c.name);
-    const int index = 2 * c.symmetry / int(c.places.size());       // the Euler characteristic is 2
+    const int index = 2 * c.symmetry / int(c.places.size()); // the Euler characteristic is 2
     auto v = sampled(fine, c.field, "v"), there = at_facets(coarse, "there"), back = at_facets(finer, "back");
     const auto check = [&](const Mesh& mesh, const Mesh::Property_map<Face, Vector_3>& vectors) {
       const auto all = singularities(mesh, vectors, c.symmetry);
@@ -262,9 +293,11 @@ TEST_CASE("Tangent vectors: singularities of fields on a sphere keep their index
       for(const Vector_3& place : c.places) CHECK(index_near(all, place) == index);
     };
     check(fine, v);
-    CHECK(BS::transfer_tangent_vectors(Map(ball(), fine, coarse), v, there, P::symmetry(c.symmetry).samples_per_facet(std::size_t(16))));
+    CHECK(BS::transfer_tangent_vectors(Map(ball(), fine, coarse), v, there,
+                                       P::symmetry(c.symmetry).samples_per_facet(std::size_t(16))));
     check(coarse, there);
-    CHECK(BS::transfer_tangent_vectors(Map(ball(), coarse, finer), there, back, P::symmetry(c.symmetry).linear_reconstruction(true)));
+    CHECK(BS::transfer_tangent_vectors(Map(ball(), coarse, finer), there, back,
+                                       P::symmetry(c.symmetry).linear_reconstruction(true)));
     check(finer, back);
   }
 }
@@ -292,21 +325,24 @@ TEST_CASE("Tangent vectors: a field without singularities on a torus has none on
 TEST_CASE("Tangent vectors: what does not arrive is named, and the number of threads does not matter")
 {
   Mesh fine = sphere(3, 0.7), coarse = turned(sphere(1, 0.85), 0.3), outside = sphere(1, 2);
-  auto v = sampled(fine, around_z, "v"), one = at_facets(coarse, "one"), two = at_facets(coarse, "two"), none = at_facets(outside, "none");
+  auto v = sampled(fine, around_z, "v"), one = at_facets(coarse, "one"), two = at_facets(coarse, "two"),
+       none = at_facets(outside, "none");
   const Map map(ball(), fine, coarse);
-  const auto np = P::symmetry(4).samples_per_facet(std::size_t(5)).linear_reconstruction(true);       // up to the next square
+  // up to the next square
+  const auto np = P::symmetry(4).samples_per_facet(std::size_t(5)).linear_reconstruction(true);
   CHECK(BS::transfer_tangent_vectors<CGAL::Sequential_tag>(map, v, one, np));
   CHECK(BS::transfer_tangent_vectors<CGAL::Parallel_if_available_tag>(map, v, two, np));
   for(Face f : coarse.faces()) CHECK(one[f] == two[f]);
 
   const Vector_3 missing(7, 7, 7);
-  const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(ball(), fine, outside), v, none,
-    P::samples_per_facet(std::size_t(4)).default_value(missing));
+  const BS::Transfer_report report = BS::transfer_tangent_vectors(
+    Map(ball(), fine, outside), v, none, P::samples_per_facet(std::size_t(4)).default_value(missing));
   CHECK(report.transferred == 0);
   CHECK(report.failures.size() == outside.number_of_faces());
   for(Face f : outside.faces()) CHECK(none[f] == missing);
   auto at_fine = at_vertices(fine, "v"), at_outside = at_vertices(outside, "v");
-  CHECK(BS::transfer_vertex_tangent_vectors(Map(ball(), fine, outside), at_fine, at_outside, P::default_value(missing)).failures.size()
+  CHECK(BS::transfer_vertex_tangent_vectors(Map(ball(), fine, outside), at_fine, at_outside, P::default_value(missing))
+          .failures.size()
         == outside.number_of_vertices());
   for(Vertex p : outside.vertices()) CHECK(at_outside[p] == missing);
 }

@@ -1,5 +1,5 @@
-// Disc_search.h and Spherical_discs.h: all of many random cones that are singular get a disc, which is embedded and leaves as much room as the edges
-// that it cuts allow.
+// Disc_search.h and Spherical_discs.h: all of many random cones that are singular get a disc, which is embedded and
+// leaves as much room as the edges that it cuts allow.
 #include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Spherical_discs.h>
 #include "test_meshes.h"
@@ -28,7 +28,8 @@ Mesh random_cone(std::mt19937& random)
     std::vector<Mesh::Vertex_index> link;
     for(std::size_t k = 4 + random() % 7; k > 0; --k) {
       const Vector_3 d(normal(random), normal(random), normal(random));
-      link.push_back(cone.add_vertex(CGAL::ORIGIN + (0.5 + double(random() % 100) / 66) / std::sqrt(d.squared_length()) * d));
+      link.push_back(
+        cone.add_vertex(CGAL::ORIGIN + (0.5 + double(random() % 100) / 66) / std::sqrt(d.squared_length()) * d));
     }
     for(std::size_t i = 0; i < link.size(); ++i) cone.add_face(apex, link[i], link[(i + 1) % link.size()]);
     if(!PMP::does_self_intersect<CGAL::Sequential_tag>(cone) && !BS::vertex_cone(cone, apex)) return cone;
@@ -40,8 +41,10 @@ BS::internal::Tip tip(const Mesh& cone)
   BS::internal::Tip result(cone, Mesh::Vertex_index(0));
   result.radius = result.shortest_edge() / 3;
   for(std::size_t i = 0; i < result.size(); ++i)
-    result.radius = (std::min)(result.radius, std::sqrt(CGAL::squared_distance(
-      result.center, Kernel::Segment_3(result.ends[i], result.ends[(i + 1) % result.size()]))) / 2);
+    result.radius = (std::min)(
+      result.radius, std::sqrt(CGAL::squared_distance(
+                       result.center, Kernel::Segment_3(result.ends[i], result.ends[(i + 1) % result.size()])))
+                       / 2);
   return result;
 }
 

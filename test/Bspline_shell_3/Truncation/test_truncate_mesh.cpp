@@ -1,5 +1,5 @@
-// truncate_mesh.h: singular vertices are replaced by discs that leave room, and intersect nothing; what cannot be truncated is named, and what need
-// not be is left alone.
+// truncate_mesh.h: singular vertices are replaced by discs that leave room, and intersect nothing; what cannot be
+// truncated is named, and what need not be is left alone.
 #include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include "test_meshes.h"
@@ -33,7 +33,8 @@ BS::Input_mesh_3 input(const Mesh& mesh, const BS::Input_mesh_3::Closer& closer 
   return result;
 }
 
-std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3& mesh, double radius, double margin, BS::Truncation_report& report)
+std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3& mesh, double radius, double margin,
+                                                         BS::Truncation_report& report)
 {
   return BS::truncate_mesh<CGAL::Sequential_tag>(
     mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, report);
@@ -112,7 +113,7 @@ TEST_CASE("Two singular vertices that an edge joins")
   REQUIRE(report.vertices.size() == 2);
   for(const auto& v : report.vertices) {
     CHECK(v.outcome == Outcome::TRUNCATED);
-    CHECK(v.radius <= 1. / 3);        // the balls are disjoint
+    CHECK(v.radius <= 1. / 3); // the balls are disjoint
     CHECK(v.margin_after > 0.2);
   }
 }
@@ -132,8 +133,8 @@ TEST_CASE("Folded edges are named, and left alone")
 {
   // a blade: its two facets face away from each other by all but half a degree
   Mesh blade;
-  const auto a = blade.add_vertex(Point_3(0, 0, 0)), b = blade.add_vertex(Point_3(1, 0, 0)), c = blade.add_vertex(Point_3(0.5, 1, 0.004)),
-             d = blade.add_vertex(Point_3(0.5, 1, -0.004));
+  const auto a = blade.add_vertex(Point_3(0, 0, 0)), b = blade.add_vertex(Point_3(1, 0, 0)),
+             c = blade.add_vertex(Point_3(0.5, 1, 0.004)), d = blade.add_vertex(Point_3(0.5, 1, -0.004));
   blade.add_face(a, b, c);
   blade.add_face(b, a, d);
   blade.add_face(c, b, d);
@@ -149,7 +150,8 @@ TEST_CASE("Singular vertices on the border of an open mesh are named")
   // the screw without one of the squares at its singular vertex, closed by that square
   Mesh open = screw();
   const Point_3 corner(1, 1, 1);
-  const auto v = *std::find_if(open.vertices().begin(), open.vertices().end(), [&](auto w) { return open.point(w) == corner; });
+  const auto v = *std::find_if(open.vertices().begin(), open.vertices().end(),
+                               [&](auto w) { return open.point(w) == corner; });
   const auto f = open.face(open.halfedge(v));
   const auto h = open.halfedge(f);
   std::vector<BS::Shell_closing_3::Point> points;
@@ -159,8 +161,9 @@ TEST_CASE("Singular vertices on the border of an open mesh are named")
   }
   CGAL::Euler::remove_face(h, open);
   open.collect_garbage();
-  const auto closing = std::make_shared<const BS::Shell_closing_3>(points, 3, std::vector<BS::Shell_closing_3::Triangle>{ { 0, 1, 2 } },
-                                                                   std::vector<BS::Shell_closing_3::Kind>{ BS::Shell_closing_3::Kind::CAP });
+  const auto closing = std::make_shared<const BS::Shell_closing_3>(
+    points, 3, std::vector<BS::Shell_closing_3::Triangle>{ { 0, 1, 2 } },
+    std::vector<BS::Shell_closing_3::Kind>{ BS::Shell_closing_3::Kind::CAP });
   BS::Truncation_report report;
   CHECK_FALSE(truncation(input(open, BS::Input_mesh_3::closer(closing)), 0.1, 0.05, report));
   REQUIRE(report.vertices.size() == 1);
@@ -197,7 +200,8 @@ TEST_CASE("Truncation does not depend on scale, rotation and threads")
   const double c = std::cos(0.7), s = std::sin(0.7);
   for(double scale : { 1e-6, 1., 1e9 }) {
     Mesh mesh = screw(5);
-    PMP::transform(CGAL::Aff_transformation_3<Kernel>(c, -s, 0, s * 0.6, c * 0.6, -0.8, s * 0.8, c * 0.8, 0.6, 1. / scale), mesh);
+    PMP::transform(
+      CGAL::Aff_transformation_3<Kernel>(c, -s, 0, s * 0.6, c * 0.6, -0.8, s * 0.8, c * 0.8, 0.6, 1. / scale), mesh);
     BS::Truncation_report report;
     truncated(mesh, 0.2 * scale, 0.05, report);
     REQUIRE(report.vertices.size() == first.vertices.size());
@@ -210,8 +214,8 @@ TEST_CASE("Truncation does not depend on scale, rotation and threads")
 #ifdef CGAL_LINKED_WITH_TBB
   BS::Truncation_report report;
   const BS::Input_mesh_3 mesh = input(screw(5));
-  const auto parallel
-    = BS::truncate_mesh<CGAL::Parallel_tag>(mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, report);
+  const auto parallel = BS::truncate_mesh<CGAL::Parallel_tag>(
+    mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, report);
   const auto sequential = truncation(mesh, 0.2, 0.05, report);
   REQUIRE(parallel);
   CHECK(parallel->points() == sequential->points());

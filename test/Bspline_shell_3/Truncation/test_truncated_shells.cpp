@@ -1,4 +1,5 @@
-// Shells of meshes with singular vertices: certified with tips replaced; certificates, maps, transfers, edits and files take the mesh as it is.
+// Shells of meshes with singular vertices: certified with tips replaced; certificates, maps, transfers, edits and files
+// take the mesh as it is.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -46,7 +47,8 @@ const Shell& screw_shell()
 }
 Mesh::Vertex_index tip(const Mesh& mesh)
 {
-  return *std::find_if(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) { return mesh.point(v) == Point_3(1, 1, 1); });
+  return *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                       [&](auto v) { return mesh.point(v) == Point_3(1, 1, 1); });
 }
 
 const Mesh& simplified()
@@ -73,7 +75,10 @@ std::vector<Map::Source_location> places(const Mesh& mesh)
     const auto at = std::find(corner.begin(), corner.end(), v) - corner.begin();
     for(int n = 0; n < (at == 3 ? 3 : 90); ++n) {
       double a = uniform(), b = uniform();
-      if(a + b > 1) { a = 1 - a; b = 1 - b; }
+      if(a + b > 1) {
+        a = 1 - a;
+        b = 1 - b;
+      }
       std::array<double, 3> barycentric = { 1 - a - b, a, b };
       if(at < 3) {
         const double scale = std::pow(0.1, n % 3);
@@ -117,8 +122,10 @@ TEST_CASE("Without truncation, a singular vertex is refused, or not certified")
   CHECK(refused.status() == BS::Shell_status::SINGULAR_VERTEX);
   CHECK(refused.report().offending_simplices.vertices == std::vector<std::size_t>{ std::size_t(tip(screw_mesh())) });
   CHECK(refused.report().truncation.vertices.empty());
-  CHECK(CGAL::certified_bspline_shell_3(screw_mesh(), parameters::least_cone_margin(-0.1)).status() == BS::Shell_status::INVALID_PARAMETER);
-  CHECK(CGAL::certified_bspline_shell_3(screw_mesh(), parameters::least_cone_margin(1.)).status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(screw_mesh(), parameters::least_cone_margin(-0.1)).status()
+        == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(CGAL::certified_bspline_shell_3(screw_mesh(), parameters::least_cone_margin(1.)).status()
+        == BS::Shell_status::INVALID_PARAMETER);
   // the certificate of a shell that does not truncate it
   Certificate certificate(screw_shell().field(), screw_shell().inner_threshold(), screw_shell().outer_threshold());
   CHECK_FALSE(certificate.verify(screw_mesh()));
@@ -166,7 +173,8 @@ TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
     const auto back = inverse(image.location);
     REQUIRE(back);
     const auto p = map.point(location);
-    worst = (std::max)(worst, std::sqrt(CGAL::squared_distance(Point_3(p[0], p[1], p[2]), Point_3(back.point[0], back.point[1], back.point[2]))));
+    worst = (std::max)(worst, std::sqrt(CGAL::squared_distance(Point_3(p[0], p[1], p[2]),
+                                                               Point_3(back.point[0], back.point[1], back.point[2]))));
   }
   CHECK(worst < 1e-9 * screw_shell().report().unit);
   // many at once
@@ -176,9 +184,11 @@ TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
   REQUIRE(at_tip);
   const auto returned = inverse(at_tip.location);
   REQUIRE(returned);
-  CHECK(CGAL::squared_distance(Point_3(returned.point[0], returned.point[1], returned.point[2]), Point_3(1, 1, 1)) < 1e-20);
+  CHECK(CGAL::squared_distance(Point_3(returned.point[0], returned.point[1], returned.point[2]), Point_3(1, 1, 1))
+        < 1e-20);
 
-  // images of a disc around the tip do not fold: a circle around it is mapped to a simple curve around the image, without jumps
+  // images of a disc around the tip do not fold: a circle around it is mapped to a simple curve around the image,
+  // without jumps
   worst = 0;
   for(auto f : mesh.faces_around_target(mesh.halfedge(tip(mesh)))) {
     const auto h = mesh.halfedge(f);
@@ -220,7 +230,8 @@ TEST_CASE("The differential of the map is that of differences, at the tip, too")
     const auto& normal = map.to_target().target().normal(map.to_target().target().facet_of(image.location.first));
     const auto d = map.differential(location, image);
     REQUIRE(d);
-    const Eigen::Vector3d change = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2])) * Eigen::Vector3d(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+    const Eigen::Vector3d change = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2]))
+                                   * Eigen::Vector3d(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
     const Eigen::Vector3d expected = coordinates(moved_image.point) - coordinates(image.point);
     // the map of the tip has kinks, which few of the short steps meet
     if((change - expected).norm() <= 1e-3 * expected.norm() + 1e-10) ++tried;
@@ -257,7 +268,8 @@ TEST_CASE("Attributes are transferred from and to a mesh with tips")
 
   auto vector = from.add_property_map<Mesh::Face_index, Vector_3>("f:vector").first;
   auto target_vector = to.add_property_map<Mesh::Face_index, Vector_3>("f:vector").first;
-  for(auto f : from.faces()) vector[f] = from.point(from.target(from.halfedge(f))) - from.point(from.source(from.halfedge(f)));
+  for(auto f : from.faces())
+    vector[f] = from.point(from.target(from.halfedge(f))) - from.point(from.source(from.halfedge(f)));
   CHECK(BS::transfer_tangent_vectors(map, vector, target_vector).failures.empty());
   CHECK(BS::transfer_tangent_vectors(map.inverse(), target_vector, vector).failures.empty());
 }
@@ -303,7 +315,8 @@ TEST_CASE("A mesh that is refused after it was truncated is what it was")
 {
   Mesh mesh = screw_mesh();
   // far from the tip, a vertex out of the shell
-  const auto far = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(), [&](auto v) { return mesh.point(v) == Point_3(0, 0, 0); });
+  const auto far = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                 [&](auto v) { return mesh.point(v) == Point_3(0, 0, 0); });
   mesh.point(far) = Point_3(-1, -1, -1);
   const Mesh before = mesh;
   const auto result = BS::simplify_in_shell(mesh, screw_shell());
@@ -357,7 +370,8 @@ TEST_CASE("An open mesh with a singular vertex is closed and truncated")
   Mesh mesh = screw_mesh();
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const Point_3 c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
+    const Point_3 c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                     mesh.point(mesh.target(mesh.next(h))));
     if(c.z() == 0 && c.x() < 0.5 && c.y() < 0.5) {
       CGAL::Euler::remove_face(h, mesh);
       break;

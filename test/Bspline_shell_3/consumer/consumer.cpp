@@ -21,9 +21,12 @@ int main()
   if(!shell) return EXIT_FAILURE;
   std::cout << shell.inner_level() << "\n" << shell.outer_level() << "\n" << shell.field().coefficients() << "\n";
 
-  const auto certified = CGAL::certified_bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::relative_thickness(0.1).resolution(8));
+  const auto certified = CGAL::certified_bspline_shell_3(
+    mesh, CGAL::Bspline_shells::parameters::relative_thickness(0.1).resolution(8));
   if(!certified.is_certified()) return EXIT_FAILURE;
-  std::cout << certified.report().certificate.least_gradient << "\n" << certified.field().coefficients() << "\n"
-            << certified.inner_threshold().field().coefficients() << "\n" << certified.outer_threshold().field().coefficients() << std::endl;
+  std::cout << certified.report().certificate.least_gradient << "\n"
+            << certified.field().coefficients() << "\n"
+            << certified.inner_threshold().field().coefficients() << "\n"
+            << certified.outer_threshold().field().coefficients() << std::endl;
   return EXIT_SUCCESS;
 }

@@ -14,7 +14,7 @@ header that includes it. With --all, all other tests follow. Faults of check_cer
 first; the large ones follow with --all.
 
 FOLDER keeps what was compiled and what was found, in found.json. A run that was cut off continues where it stopped: a fault is examined
-again if its text or a source has changed since, or if it was not seen and --all asks for more tests.
+again if its text, or the code of its header or of a test file that it is left to, has changed since, or if it was not seen and --all asks for more tests.
 
 Exit code 0 if every fault is seen, but those that the list argues to change no answer; 1 if others survive, or one of these is seen; 2 if the
 list does not fit the sources. --dry stops after it was planted.
@@ -46,6 +46,50 @@ inline const int planted_fault = std::getenv("PLANTED_FAULT") ? std::atoi(std::g
 inline bool planted(int fault) { return fault == planted_fault; }
 #endif
 """
+
+
+class Sources:
+    """headers, and the test files that include them"""
+
+    def __init__(self):
+        self.includers = collections.defaultdict(set)
+        folders = (os.path.join(ROOT, HEADERS), os.path.join(ROOT, "test", "Bspline_shell_3"))
+        for path in (os.path.join(f, n) for folder in folders for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
+            for header in re.findall(r"#include <CGAL/Bspline_shell_3/(.*)>", open(path, encoding="utf-8").read()):
+                self.includers[header].add(path.removeprefix(os.path.join(ROOT, HEADERS)))
+
+    def tests(self, header):
+        """those of the header itself; all others that include it, or, if there are none, that include a header that includes it"""
+        name = header.replace("_impl.h", ".h")
+        own, others = self._including(name)
+        if not own and not others:
+            for includer in sorted(n for n in self.includers[header] if n.endswith(".h")):
+                more = self._including(includer)
+                own |= more[0]
+                others |= more[1]
+        return own, others - own
+
+    def _including(self, header):
+        own = "test_" + os.path.basename(header).removesuffix(".h") + ".cpp"
+        files = {n for n in self.includers[header] if n.endswith(".cpp")}
+        return {n for n in files if os.path.basename(n) == own}, {n for n in files if os.path.basename(n) != own}
+
+    def checksum(self, fault):
+        """of all that decides whether the fault is seen, but for other headers"""
+        result = hashlib.sha256(fault.text.encode())
+        if fault.is_of_checker:
+            paths = [os.path.join(f, n) for f, _, names in os.walk(os.path.join(ROOT, CHECKER)) for n in names if not n.endswith(".pyc")]
+        else:
+            own, others = self.tests(fault.file.removeprefix(HEADERS))
+            paths = [os.path.join(ROOT, fault.file), *own, *others]
+        for path in sorted(paths):
+            result.update(code(open(path, encoding="utf-8").read()))
+        return result.hexdigest()
+
+
+def code(text):
+    """without comments and space, which change no answer"""
+    return re.sub(r"//.*|/\*.*?\*/|\s+", "", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)).encode()
 
 
 class Fault:
@@ -104,8 +148,8 @@ def read_list(path):
 
 
 def pattern(text):
-    """that finds the text however lines are broken in it"""
-    return r"\s+".join(re.escape(word) for word in text.split())
+    """that finds the text whatever space is in it"""
+    return r"\s*".join(re.escape(character) for character in "".join(text.split()))
 
 
 class Place:
@@ -118,12 +162,8 @@ class Place:
 def find(fault, text):
     before, rest = " ".join(fault.lines).split("⟦")
     changed, after = rest.split("⟧")
-    parts = [pattern(part) for part in (before, changed, after)]
-    # spaces at the marks
-    glue = [r"\s+" if a[-1:].isspace() or b[:1].isspace() else "" for a, b in ((before, changed), (changed, after))]
-    if not changed.strip():
-        glue = [r"\s*", r"\s*"]
-    expression = f"{parts[0]}{glue[0]}({parts[1]}){glue[1]}{parts[2]}"
+    before, changed, after = (pattern(part) for part in (before, changed, after))
+    expression = rf"{before}\s*({changed})\s*{after}"
     found = list(re.finditer(expression, text))
     if len(found) != 1:
         fail(f"{fault.name}: its place is found {len(found)} times in {fault.file}")
@@ -247,15 +287,10 @@ class Tests:
 
 
 class Package_tests(Tests):
-    def __init__(self, build_folder):
+    def __init__(self, build_folder, sources):
         super().__init__([os.path.join(build_folder, "test", "Bspline_shell_3", "proof_tests"), "--abort", "-r", "xml", "-d", "yes",
                           "--filenames-as-tags"], r'<TestCase name="([^"]*)"')
-        # headers, and test files by the headers that they include
-        self.includers = collections.defaultdict(set)
-        folders = (os.path.join(ROOT, HEADERS), os.path.join(ROOT, "test", "Bspline_shell_3"))
-        for path in (os.path.join(f, n) for folder in folders for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
-            for header in re.findall(r"#include <CGAL/Bspline_shell_3/(.*)>", open(path, encoding="utf-8").read()):
-                self.includers[header].add(path.removeprefix(os.path.join(ROOT, HEADERS)))
+        self.sources = sources
 
     def learn(self, output):
         """finds out how long each test and each test file takes"""
@@ -265,24 +300,12 @@ class Package_tests(Tests):
             for key in (xml.sax.saxutils.unescape(name, {"&quot;": '"'}), file, ""):
                 self.seconds[key] += float(seconds)
 
-    def files(self, header):
-        """those that the program has, the file of the header first"""
-        own = "test_" + os.path.basename(header).removesuffix(".h")
-        files = {os.path.basename(n).removesuffix(".cpp") for n in self.includers[header] if n.endswith(".cpp")} & set(self.seconds)
-        return [f for f in [own] if f in self.seconds], sorted(files - {own}, key=self.seconds.get)
-
     def attempts(self, fault, seen_by, is_all):
         """arguments that choose tests, and how long they may take"""
         if seen_by in self.seconds:
             yield [re.sub(r"([,\[\\])", r"\\\1", seen_by)], self.seconds[seen_by]
-        header = fault.file.removeprefix(HEADERS).replace("_impl.h", ".h")
-        own, others = self.files(header)
-        if not own and not others:
-            for includer in sorted(n for n in self.includers[fault.file.removeprefix(HEADERS)] if n.endswith(".h")):
-                more = self.files(includer)
-                own += more[0]
-                others += more[1]
-        for files in [[f] for f in dict.fromkeys(own)] + [[f for f in dict.fromkeys(others) if f not in own]]:
+        for paths in self.sources.tests(fault.file.removeprefix(HEADERS)):
+            files = sorted({os.path.basename(n).removesuffix(".cpp") for n in paths} & set(self.seconds), key=self.seconds.get)
             if files:
                 yield [",".join(f"[#{f}]" for f in files)], sum(self.seconds[f] for f in files)
         if is_all:
@@ -338,15 +361,17 @@ def main():
             json.dump(found, out, indent=1)
         os.replace(memory + ".new", memory)
 
+    sources = Sources()
+
     def is_known(fault):
         known = found.get(fault.name, {})
-        return known.get("sources") == checksum and known.get("text") == fault.text and (known["seen"] or known["all"] or not arguments.all)
+        return known.get("sources") == sources.checksum(fault) and (known["seen"] or known["all"] or not arguments.all)
 
     unknown = [f for f in chosen if not is_known(f)]
     sets = {}
     if unknown:
         build(source, build_folder, arguments.jobs)
-        sets = {False: Package_tests(build_folder), True: Checker_tests(build_folder)}
+        sets = {False: Package_tests(build_folder, sources), True: Checker_tests(build_folder)}
         if any(f.is_of_checker for f in unknown):
             run(["ctest", "--test-dir", build_folder, "-R", "^write_certificate"], stdout=subprocess.DEVNULL)
     for is_of_checker in sorted({f.is_of_checker for f in unknown}):
@@ -371,7 +396,7 @@ def main():
             seen, _ = sets[fault.is_of_checker].run(fault.number, only, 10 + 5 * seconds)
             if seen:
                 break
-        return fault, {"sources": checksum, "text": fault.text, "seen": seen, "by": seen.removesuffix(" (not in time)") if seen else None,
+        return fault, {"sources": sources.checksum(fault), "seen": seen, "by": seen.removesuffix(" (not in time)") if seen else None,
                        "all": arguments.all, "time": round(time.time() - start, 1)}
 
     start, file, survivors, argued, mistaken = time.time(), None, [], [], []

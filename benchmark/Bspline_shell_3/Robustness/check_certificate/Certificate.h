@@ -50,7 +50,8 @@ struct Certificate
     if(in.expect("shell").word() != shell.checksum) in.fail("the certificate is for another shell");
     in.end_line();
     const Integer vertices = in.expect("mesh").integer(0, 1 << 30), facets = in.integer(0, 1 << 30);
-    if(std::size_t(vertices) != mesh.point.size() || std::size_t(facets) != mesh.facet.size() || in.word() != mesh.checksum)
+    if(std::size_t(vertices) != mesh.point.size() || std::size_t(facets) != mesh.facet.size()
+       || in.word() != mesh.checksum)
       in.fail("the certificate is for another mesh");
     in.end_line();
     in.expect("verdicts");
@@ -68,13 +69,15 @@ struct Certificate
       b.depth = int(in.integer(0, largest_depth));
       for(Integer& i : b.place) i = in.integer(0, (Integer(1) << b.depth) - 1);
       const std::string kind = in.word();
-      if(kind.size() != 1 || !std::strchr("xgbauo", kind[0])) in.fail("the kind of a box is none of x, g, b, a, u and o");
+      if(kind.size() != 1 || !std::strchr("xgbauo", kind[0]))
+        in.fail("the kind of a box is none of x, g, b, a, u and o");
       b.kind = kind[0];
       b.proof = std::strchr("gba", b.kind) ? in.point() : Point{ 0, 0, 0 };
       box.push_back(b);
       in.end_line();
     }
-    if(std::size_t(in.expect("seeds").integer(0, 1 << 30)) != mesh.components) in.fail("there is not one seed for each component");
+    if(std::size_t(in.expect("seeds").integer(0, 1 << 30)) != mesh.components)
+      in.fail("there is not one seed for each component");
     in.end_line();
     for(Integer n = 0; n < Integer(mesh.components); ++n) {
       in.integer(n, n);
@@ -88,7 +91,8 @@ struct Certificate
     in.end_line();
     for(Integer n = 0; n < paths; ++n) {
       Path p;
-      p.component = std::size_t(in.integer(path.empty() ? 0 : Integer(path.back().component) + 1, Integer(mesh.components) - 1));
+      p.component = std::size_t(
+        in.integer(path.empty() ? 0 : Integer(path.back().component) + 1, Integer(mesh.components) - 1));
       p.facet = std::size_t(in.integer(0, facets - 1));
       p.p = in.point();
       p.q = in.point();

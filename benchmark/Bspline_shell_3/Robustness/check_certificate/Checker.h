@@ -18,11 +18,14 @@
 #include <utility>
 #include <vector>
 
-// how often a part of a triangle no larger than the leaves that it meets, and a box of the certificate, is subdivided before it
-// counts as unconfirmed
+// how often a part of a triangle no larger than the leaves that it meets, and a box of the certificate, is subdivided
+// before it counts as unconfirmed
 const int triangle_levels = 16, box_levels = 4;
 
-inline int sign(const Rational& r) { return r.sign(); }
+inline int sign(const Rational& r)
+{
+  return r.sign();
+}
 
 template <class Number>
 std::array<Number, 3> cross(const Point& a, const Point& b, const Point& c)
@@ -39,7 +42,8 @@ template <class Number>
 Number volume(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const std::array<Number, 3> n = cross<Number>(a, b, c);
-  return n[0] * (Number(d[0]) - Number(a[0])) + n[1] * (Number(d[1]) - Number(a[1])) + n[2] * (Number(d[2]) - Number(a[2]));
+  return n[0] * (Number(d[0]) - Number(a[0])) + n[1] * (Number(d[1]) - Number(a[1]))
+         + n[2] * (Number(d[2]) - Number(a[2]));
 }
 
 // positive if d is on the side of (a, b, c) to which (b - a) x (c - a) points
@@ -78,7 +82,8 @@ public:
     // the arguments for the last three follow the mesh from P1 on
     for(int i = 2; i < 5; ++i)
       if(claimed[i] && !claimed[0]) throw Unconfirmed("P" + std::to_string(i + 1) + " is claimed without P1");
-    if(!mesh.is_closed_and_oriented()) throw Unconfirmed("The mesh is not closed, or its facets do not agree on a side");
+    if(!mesh.is_closed_and_oriented())
+      throw Unconfirmed("The mesh is not closed, or its facets do not agree on a side");
     if(claimed[0] || claimed[1])
       for(std::size_t f = 0; f < mesh.facet.size(); ++f) check_facet(f);
     if(claimed[2] || claimed[3]) check_boxes();
@@ -99,13 +104,14 @@ private:
     return *known[l.number];
   }
 
-  // Whether for each leaf the polynomial form(splines on the leaf) has, on the part of a triangle in that leaf, a range for which
-  // `holds`. The part is the one with the given corners, barycentric coordinates in units of 2^-depth. It is subdivided until
-  // it is not larger than any leaf that it may meet; these are the candidates, of which the undecided remain.
+  // Whether for each leaf the polynomial form(splines on the leaf) has, on the part of a triangle in that leaf, a range
+  // for which `holds`. The part is the one with the given corners, barycentric coordinates in units of 2^-depth. It is
+  // subdivided until it is not larger than any leaf that it may meet; these are the candidates, of which the undecided
+  // remain.
   template <class Form, class Holds>
   bool holds_on(const std::array<Point, 3>& t, const Form& form, const Holds& holds,
-                const Corners& corners = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }, int depth = 0, int levels = triangle_levels,
-                const std::vector<Candidate>* candidates = nullptr) const
+                const Corners& corners = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }, int depth = 0,
+                int levels = triangle_levels, const std::vector<Candidate>* candidates = nullptr) const
   {
     Triangle corner;
     Extent box;
@@ -117,7 +123,8 @@ private:
           if(corners[i][j] != 0) x = x + Interval(std::ldexp(double(corners[i][j]), -depth)) * t[j][axis];
         corner[i][axis] = x;
       }
-      const Interval cells = shell.lattice_coordinate(axis, hull(std::array<Interval, 3>{ corner[0][axis], corner[1][axis], corner[2][axis] }));
+      const Interval cells = shell.lattice_coordinate(
+        axis, hull(std::array<Interval, 3>{ corner[0][axis], corner[1][axis], corner[2][axis] }));
       if(!(cells.lo >= double(-largest_index) && cells.hi < double(largest_index))) return false;
       box.low[axis] = Integer(std::floor(cells.lo * double(root_edge)));
       box.high[axis] = Integer(std::ceil(cells.hi * double(root_edge)));
@@ -129,25 +136,26 @@ private:
     if(candidates) {
       for(const Candidate& c : *candidates)
         if(c.extent.touches(box)) undecided.push_back(c);
-    }
-    else if(!large)
+    } else if(!large)
       shell.visit_leaves(box, [&](const Cell& c, const Leaf* l) {
         undecided.push_back({ c.extent(), l });
         large = large || (l && widest > l->edge());
       });
     if(large) {
       if(depth == 2 * largest_depth) return false;
-    }
-    else {
-      undecided.erase(std::remove_if(undecided.begin(), undecided.end(), [&](const Candidate& c) {
-                        if(!c.leaf) return false; // the part may turn out not to meet it
-                        const Coefficients b = form(splines(*c.leaf));
-                        if(holds(hull(b))) return true;
-                        Triangle local;
-                        for(int i = 0; i < 3; ++i)
-                          for(int axis = 0; axis < 3; ++axis) local[i][axis] = (corner[i][axis] - c.leaf->corner[axis]) / c.leaf->width;
-                        return holds(range_on_triangle(b, local));
-                      }), undecided.end());
+    } else {
+      undecided.erase(std::remove_if(undecided.begin(), undecided.end(),
+                                     [&](const Candidate& c) {
+                                       if(!c.leaf) return false; // the part may turn out not to meet it
+                                       const Coefficients b = form(splines(*c.leaf));
+                                       if(holds(hull(b))) return true;
+                                       Triangle local;
+                                       for(int i = 0; i < 3; ++i)
+                                         for(int axis = 0; axis < 3; ++axis)
+                                           local[i][axis] = (corner[i][axis] - c.leaf->corner[axis]) / c.leaf->width;
+                                       return holds(range_on_triangle(b, local));
+                                     }),
+                      undecided.end());
       if(undecided.empty()) return true;
       if(levels-- == 0) return false;
       candidates = &undecided;
@@ -159,8 +167,9 @@ private:
         middle[i][j] = corners[(i + 1) % 3][j] + corners[(i + 2) % 3][j];
         doubled[i][j] = 2 * corners[i][j];
       }
-    for(const Corners& part : { middle, Corners{ doubled[0], middle[2], middle[1] }, Corners{ middle[2], doubled[1], middle[0] },
-                                Corners{ middle[1], middle[0], doubled[2] } })
+    for(const Corners& part :
+        { middle, Corners{ doubled[0], middle[2], middle[1] }, Corners{ middle[2], doubled[1], middle[0] },
+          Corners{ middle[1], middle[0], doubled[2] } })
       if(!holds_on(t, form, holds, part, depth + 1, levels, candidates)) return false;
     return true;
   }
@@ -173,19 +182,25 @@ private:
 
   bool rises_on(const std::array<Point, 3>& t, const std::array<Interval, 3>& direction, int threshold = FIELD) const
   {
-    return holds_on(t, [&](const Splines& s) { return derivative(above(s, threshold), direction); }, [](const Interval& r) { return r.lo > 0; });
+    return holds_on(
+      t, [&](const Splines& s) { return derivative(above(s, threshold), direction); },
+      [](const Interval& r) { return r.lo > 0; });
   }
 
   // P1 and P2
   void check_facet(std::size_t f) const
   {
     const std::array<Point, 3> t = mesh.triangle(f);
-    if(certificate.claimed[0] &&
-       !(holds_on(t, [](const Splines& s) { return above(s, INNER); }, [](const Interval& r) { return r.lo >= 0; })
-         && holds_on(t, [](const Splines& s) { return above(s, OUTER); }, [](const Interval& r) { return r.hi <= 0; })))
-      throw Unconfirmed("P1, facet " + std::to_string(f) + ": f is not between the thresholds on it, or it leaves the leaves");
+    if(certificate.claimed[0]
+       && !(holds_on(
+              t, [](const Splines& s) { return above(s, INNER); }, [](const Interval& r) { return r.lo >= 0; })
+            && holds_on(
+              t, [](const Splines& s) { return above(s, OUTER); }, [](const Interval& r) { return r.hi <= 0; })))
+      throw Unconfirmed("P1, facet " + std::to_string(f)
+                        + ": f is not between the thresholds on it, or it leaves the leaves");
     if(certificate.claimed[1] && !rises_on(t, normal(t)))
-      throw Unconfirmed("P2, facet " + std::to_string(f) + ": the gradient does not make an acute angle with its normal");
+      throw Unconfirmed("P2, facet " + std::to_string(f)
+                        + ": the gradient does not make an acute angle with its normal");
   }
 
   // Whether holds(splines on it, part) is true of each part of a box. Where it is not, the part is subdivided.
@@ -224,7 +239,8 @@ private:
   {
     return holds_on_part(splines_on_box(box), Part(), holds, box_levels);
   }
-  // the same on the face, edge or vertex that a box has in common with a cell: there, splines do not vary towards the cell
+  // the same on the face, edge or vertex that a box has in common with a cell: there, splines do not vary towards the
+  // cell
   template <class Holds>
   bool holds_towards_cell(const Box& box, const Extent& cell, const Holds& holds) const
   {
@@ -240,8 +256,9 @@ private:
 
   static bool is_excluded(const Splines& s) { return hull(above(s, INNER)).hi < 0 || hull(above(s, OUTER)).lo > 0; }
 
-  // Whether f rises along the direction on all of a cube, and, where it may equal a threshold, is steeper than this: so grad f .
-  // grad (f - threshold) > 0. Numbers are divided by the largest of them, as squares of very small ones would not be known.
+  // Whether f rises along the direction on all of a cube, and, where it may equal a threshold, is steeper than this: so
+  // grad f . grad (f - threshold) > 0. Numbers are divided by the largest of them, as squares of very small ones would
+  // not be known.
   static bool is_crossed(const Splines& s, std::array<Interval, 3> direction)
   {
     const double longest = largest_of(direction);
@@ -251,8 +268,9 @@ private:
     return are_less_steep(s, hull(derivative(s[FIELD], direction)).lo, squared(direction));
   }
 
-  // Whether in all of a cube, f is beyond a threshold where its gradient vanishes, and steeper than a threshold where it may equal it. With
-  // v = (x - center) / 2 and g = f - threshold, v . grad f > 0 where g - v . grad f < 0 and g >= 0; the other way round beyond the outer threshold.
+  // Whether in all of a cube, f is beyond a threshold where its gradient vanishes, and steeper than a threshold where
+  // it may equal it. With v = (x - center) / 2 and g = f - threshold, v . grad f > 0 where g - v . grad f < 0 and g >=
+  // 0; the other way round beyond the outer threshold.
   static bool is_critical_beyond(const Splines& s, int threshold, const std::array<Interval, 3>& center)
   {
     const Interval r = hull(difference(above(s, threshold), along_half_offset(s[FIELD], center)));
@@ -260,7 +278,9 @@ private:
     std::array<Interval, 3> farthest;
     for(int axis = 0; axis < 3; ++axis) {
       const Interval other = Interval(1) - center[axis];
-      farthest[axis] = Interval((std::max)({ std::abs(center[axis].lo), std::abs(center[axis].hi), std::abs(other.lo), std::abs(other.hi) })) / 2;
+      farthest[axis] = Interval((std::max)({ std::abs(center[axis].lo), std::abs(center[axis].hi), std::abs(other.lo),
+                                             std::abs(other.hi) }))
+                       / 2;
     }
     // |grad f| >= beyond / |v| in the shell
     return are_less_steep(s, beyond, squared(farthest));
@@ -295,7 +315,8 @@ private:
   }
   static Interval squared(const std::array<Interval, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-  // whether the boxes begin..end of a leaf are a partition of it: in the order of an octree each begins where the last ends
+  // whether the boxes begin..end of a leaf are a partition of it: in the order of an octree each begins where the last
+  // ends
   bool is_partition(std::size_t begin, std::size_t end) const
   {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> range;
@@ -303,7 +324,8 @@ private:
       const Box& b = certificate.box[n];
       std::uint64_t code = 0;
       for(int d = largest_depth - 1; d >= 0; --d)
-        for(int axis = 0; axis < 3; ++axis) code = (code << 1) | (std::uint64_t(b.place[axis]) << (largest_depth - b.depth) >> d & 1);
+        for(int axis = 0; axis < 3; ++axis)
+          code = (code << 1) | (std::uint64_t(b.place[axis]) << (largest_depth - b.depth) >> d & 1);
       range.emplace_back(code, code + (std::uint64_t(1) << 3 * (largest_depth - b.depth)));
     }
     std::sort(range.begin(), range.end());
@@ -315,8 +337,9 @@ private:
     return covered == std::uint64_t(1) << 3 * largest_depth;
   }
 
-  // P3 and P4. Omega* is in the cover: each component of A begins in a cover box (at its seed), and {EPS1 <= f <= EPS2} is
-  // connected to it through cover boxes only, because around these are other cover boxes, excluded ones, and ends of the leaves outside of it.
+  // P3 and P4. Omega* is in the cover: each component of A begins in a cover box (at its seed), and {EPS1 <= f <= EPS2}
+  // is connected to it through cover boxes only, because around these are other cover boxes, excluded ones, and ends of
+  // the leaves outside of it.
   void check_boxes()
   {
     const std::vector<Box>& box = certificate.box;
@@ -335,7 +358,8 @@ private:
     for(std::size_t n = 0; n < box.size(); ++n)
       if(box[n].is_cover() && cover.find(n) == n) root.push_back(n);
     if(root.size() != certificate.covers)
-      throw Unconfirmed("P4: the cover has " + std::to_string(root.size()) + " components, not " + std::to_string(certificate.covers));
+      throw Unconfirmed("P4: the cover has " + std::to_string(root.size()) + " components, not "
+                        + std::to_string(certificate.covers));
     std::vector<std::size_t> root_of_seed;
     for(std::size_t c = 0; c < mesh.components; ++c) root_of_seed.push_back(cover.find(cover_box_of_seed(c, begin)));
     if(!certificate.claimed[3]) return;
@@ -343,10 +367,12 @@ private:
     const bool are_apart = std::adjacent_find(root_of_seed.begin(), root_of_seed.end()) == root_of_seed.end();
     root_of_seed.erase(std::unique(root_of_seed.begin(), root_of_seed.end()), root_of_seed.end());
     if(root_of_seed != root) throw Unconfirmed("P4: a component of the cover contains no component of the mesh");
-    // Components of A that share a component of the cover do not share one of Omega*: without critical points, all curves of that meet each component
-    // of A in it equally often, and at least once; so does a path through one of them, which meets A once.
+    // Components of A that share a component of the cover do not share one of Omega*: without critical points, all
+    // curves of that meet each component of A in it equally often, and at least once; so does a path through one of
+    // them, which meets A once.
     if(!are_apart && !(certificate.claimed[1] && certificate.claimed[2] && certificate.claimed[4]))
-      throw Unconfirmed("P4: a component of the cover contains several components of the mesh, and P2, P3 and P5 are not all claimed");
+      throw Unconfirmed(
+        "P4: a component of the cover contains several components of the mesh, and P2, P3 and P5 are not all claimed");
   }
 
   // what is claimed about f on a box
@@ -360,32 +386,39 @@ private:
     if(b.kind == 'u') throw Unconfirmed(name + "it is undecided");
     const std::array<Interval, 3> direction = { b.proof[0], b.proof[1], b.proof[2] };
     if(b.kind == 'g' && !holds_on_box(b, [&](const Splines& s, const Part&) { return is_crossed(s, direction); }))
-      throw Unconfirmed(name + "f does not rise in its direction on all of it, or not more steeply than a threshold that it meets");
+      throw Unconfirmed(
+        name + "f does not rise in its direction on all of it, or not more steeply than a threshold that it meets");
     const auto is_critical = [&](const Splines& s, const Part& part) {
       std::array<Interval, 3> center;
       for(int axis = 0; axis < 3; ++axis) center[axis] = (Interval(b.proof[axis]) - part.low[axis]) / part.edge;
       return is_critical_beyond(s, b.kind == 'b' ? INNER : OUTER, center);
     };
     if((b.kind == 'b' || b.kind == 'a') && !holds_on_box(b, is_critical))
-      throw Unconfirmed(name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
+      throw Unconfirmed(
+        name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
   }
 
-  // Cover boxes and excluded ones have to surround a cover box, which must be excluded where leaves end; it is joined with the former.
+  // Cover boxes and excluded ones have to surround a cover box, which must be excluded where leaves end; it is joined
+  // with the former.
   void check_surroundings(std::size_t n, const std::vector<std::size_t>& begin)
   {
     const std::string name = name_of(n);
     const Extent extent = certificate.box[n].extent(shell);
     shell.visit_leaves(extent, [&](const Cell& cell, const Leaf* leaf) {
       if(!leaf) {
-        if(!holds_towards_cell(certificate.box[n], cell.extent(), [](const Splines& s, const Part&) { return is_excluded(s); }))
-          throw Unconfirmed(name + "where the leaves end, f is not less than the inner threshold, nor greater than the outer one");
+        if(!holds_towards_cell(certificate.box[n], cell.extent(),
+                               [](const Splines& s, const Part&) { return is_excluded(s); }))
+          throw Unconfirmed(
+            name + "where the leaves end, f is not less than the inner threshold, nor greater than the outer one");
         return;
       }
-      if(begin[leaf->number] == begin[leaf->number + 1]) throw Unconfirmed(name + "a cell that it touches has no boxes");
+      if(begin[leaf->number] == begin[leaf->number + 1])
+        throw Unconfirmed(name + "a cell that it touches has no boxes");
       for(std::size_t m = begin[leaf->number]; m < begin[leaf->number + 1]; ++m) {
         const Box& other = certificate.box[m];
         if(other.kind == 'x' || !extent.touches(other.extent(shell))) continue;
-        if(other.kind == 'o') throw Unconfirmed(name + "it touches box " + std::to_string(m) + ", about which nothing is claimed");
+        if(other.kind == 'o')
+          throw Unconfirmed(name + "it touches box " + std::to_string(m) + ", about which nothing is claimed");
         cover.join(n, m);
       }
     });
@@ -400,7 +433,8 @@ private:
       for(std::size_t n = begin[leaf->number]; n < begin[leaf->number + 1]; ++n)
         if(certificate.box[n].is_cover() && Shell::contains(certificate.box[n].extent(shell), place)) found = n;
     });
-    if(found == certificate.box.size()) throw Unconfirmed("P3, component " + std::to_string(component) + ": its seed is in no cover box");
+    if(found == certificate.box.size())
+      throw Unconfirmed("P3, component " + std::to_string(component) + ": its seed is in no cover box");
     return found;
   }
 
@@ -415,9 +449,12 @@ private:
     if(certificate.path.size() != mesh.components) throw Unconfirmed("P5: there is not one path for each component");
     for(const Path& path : certificate.path) {
       const std::string name = "P5, path " + std::to_string(path.component) + ": ";
-      if(mesh.component[mesh.facet[path.facet][0]] != path.component) throw Unconfirmed(name + "its facet is of another component");
-      if(!(shell.value(FIELD, path.p) < shell.value(INNER, path.p))) throw Unconfirmed(name + "it does not begin below the inner threshold");
-      if(!(shell.value(FIELD, path.q) > shell.value(OUTER, path.q))) throw Unconfirmed(name + "it does not end above the outer threshold");
+      if(mesh.component[mesh.facet[path.facet][0]] != path.component)
+        throw Unconfirmed(name + "its facet is of another component");
+      if(!(shell.value(FIELD, path.p) < shell.value(INNER, path.p)))
+        throw Unconfirmed(name + "it does not begin below the inner threshold");
+      if(!(shell.value(FIELD, path.q) > shell.value(OUTER, path.q)))
+        throw Unconfirmed(name + "it does not end above the outer threshold");
       std::array<Interval, 3> direction;
       for(int i = 0; i < 3; ++i) direction[i] = Interval(path.q[i]) - Interval(path.p[i]);
       for(int threshold : { FIELD, INNER, OUTER })
@@ -435,12 +472,14 @@ private:
     }
   }
 
-  // 1 if the path passes through the interior of the facet to its positive side, -1 if to the other, 0 if they are disjoint
+  // 1 if the path passes through the interior of the facet to its positive side, -1 if to the other, 0 if they are
+  // disjoint
   static int cross_facet(const Path& path, const std::array<Point, 3>& t, const std::string& name)
   {
     for(int axis = 0; axis < 3; ++axis) {
       const auto range = std::minmax({ t[0][axis], t[1][axis], t[2][axis] });
-      if((std::max)(path.p[axis], path.q[axis]) < range.first || (std::min)(path.p[axis], path.q[axis]) > range.second) return 0;
+      if((std::max)(path.p[axis], path.q[axis]) < range.first || (std::min)(path.p[axis], path.q[axis]) > range.second)
+        return 0;
     }
     const int at_p = orientation(t[0], t[1], t[2], path.p), at_q = orientation(t[0], t[1], t[2], path.q);
     if(at_p * at_q > 0) return 0;

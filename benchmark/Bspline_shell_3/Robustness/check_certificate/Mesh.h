@@ -49,7 +49,12 @@ struct Mesh
     in.end_file();
 
     std::string bytes;
-    const auto append = [&](std::uint64_t number, int size) { while(size-- > 0) { bytes += char(number & 255); number >>= 8; } };
+    const auto append = [&](std::uint64_t number, int size) {
+      while(size-- > 0) {
+        bytes += char(number & 255);
+        number >>= 8;
+      }
+    };
     for(const Point& p : point)
       for(double x : p) {
         std::uint64_t bits;
@@ -71,7 +76,10 @@ struct Mesh
       if(number[sets.find(f[0])] == none) number[sets.find(f[0])] = components++;
     for(std::size_t v = 0; v < point.size(); ++v) component.push_back(number[sets.find(v)]);
   }
-  std::array<Point, 3> triangle(std::size_t f) const { return { point[facet[f][0]], point[facet[f][1]], point[facet[f][2]] }; }
+  std::array<Point, 3> triangle(std::size_t f) const
+  {
+    return { point[facet[f][0]], point[facet[f][1]], point[facet[f][2]] };
+  }
 
   // whether every edge has two facets that pass it in opposite directions
   bool is_closed_and_oriented() const

@@ -21,10 +21,17 @@ typedef std::array<double, 3> Point;
 typedef long long Integer;
 
 // what is wrong with a file, and with a claim
-struct Malformed : std::runtime_error { using std::runtime_error::runtime_error; };
-struct Unconfirmed : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Malformed : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+struct Unconfirmed : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
-// Numbers in files are not larger than this, and edges of cells not smaller than its inverse, so that nothing can overflow.
+// Numbers in files are not larger than this, and edges of cells not smaller than its inverse, so that nothing can
+// overflow.
 const double largest = 1e60;
 
 inline std::uint64_t crc64(const char* data, std::size_t size)
@@ -68,7 +75,10 @@ public:
     if(text.compare(text.size() - 17, 16, checksum) != 0) fail("the checksum is wrong");
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw Malformed(name + ", line " + std::to_string(line) + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw Malformed(name + ", line " + std::to_string(line) + ": " + what);
+  }
 
   std::string word()
   {
@@ -139,7 +149,8 @@ private:
   {
     start_token();
     const std::from_chars_result result = std::from_chars(next, end, value);
-    if(result.ec != std::errc() || (result.ptr != end && static_cast<unsigned char>(*result.ptr) > ' ')) fail("a number is expected");
+    if(result.ec != std::errc() || (result.ptr != end && static_cast<unsigned char>(*result.ptr) > ' '))
+      fail("a number is expected");
     next = result.ptr;
   }
 

@@ -22,8 +22,8 @@
 
 typedef std::array<Integer, 3> Position;
 
-// Lattice positions, levels of leaves and depths of boxes are at most this large, so that corners of boxes are exact integers:
-// in units of a cell of level 0 halved largest_level + largest_depth times.
+// Lattice positions, levels of leaves and depths of boxes are at most this large, so that corners of boxes are exact
+// integers: in units of a cell of level 0 halved largest_level + largest_depth times.
 const Integer largest_index = 1 << 20;
 const int largest_level = 10, largest_depth = 20;
 const Integer root_edge = Integer(1) << (largest_level + largest_depth);
@@ -85,7 +85,12 @@ inline std::uint64_t key(const Position& p)
 }
 
 // f, EPS1 and EPS2
-enum Spline { FIELD, INNER, OUTER };
+enum Spline
+{
+  FIELD,
+  INNER,
+  OUTER
+};
 typedef std::array<Coefficients, 3> Splines; // on a leaf or a part of it
 
 struct Leaf : Cell
@@ -103,7 +108,7 @@ public:
     const std::string text = read_file(name);
     Reader in(name, text, true);
     in.expect("cubic_bspline_shell");
-    in.integer(5, 5);       // the version
+    in.integer(5, 5); // the version
     in.expect("ascii").end_line();
     in.expect("unit");
     if(!(in.number() > 0)) in.fail("the unit is not positive");
@@ -115,8 +120,7 @@ public:
       level[0] = in.number();
       level[1] = in.number();
       if(!(level[0] < level[1])) in.fail("the levels are not in order");
-    }
-    else in.number();
+    } else in.number();
     in.end_line();
     in.expect("triangles").integer(0, (std::numeric_limits<Integer>::max)());
     in.expect("components").integer(0, (std::numeric_limits<Integer>::max)());
@@ -131,8 +135,9 @@ public:
     const Integer functions = count(in, "functions");
     for(Integer n = 0; n < functions; ++n) {
       const Cell at = cell(in, last_level);
-      if(n > 0 && !(at.level < function_cell.back().level
-                    || (at.level == function_cell.back().level && key(at.position) > key(function_cell.back().position))))
+      if(n > 0
+         && !(at.level < function_cell.back().level
+              || (at.level == function_cell.back().level && key(at.position) > key(function_cell.back().position))))
         in.fail("the functions are not in order");
       function_of[at.level].emplace(key(at.position), function_cell.size());
       function_cell.push_back(at);
@@ -144,11 +149,14 @@ public:
       Leaf l;
       static_cast<Cell&>(l) = cell(in, last_level);
       in.integer(0, 1);
-      if(n > 0 && !(l.level > leaf.back().level || (l.level == leaf.back().level && key(l.position) > key(leaf.back().position))))
+      if(n > 0
+         && !(l.level > leaf.back().level
+              || (l.level == leaf.back().level && key(l.position) > key(leaf.back().position))))
         in.fail("the leaves are not in order");
       l.number = leaf.size();
       l.width = std::ldexp(spacing, -l.level);
-      for(int axis = 0; axis < 3; ++axis) l.corner[axis] = Interval(origin[axis]) + Interval(double(l.position[axis])) * l.width;
+      for(int axis = 0; axis < 3; ++axis)
+        l.corner[axis] = Interval(origin[axis]) + Interval(double(l.position[axis])) * l.width;
       leaf_of[l.level].emplace(key(l.position), leaf.size());
       leaf.push_back(l);
       in.end_line();
@@ -160,7 +168,7 @@ public:
       in.end_line();
     }
     read_closing(in);
-    const Integer paths = count(in, "paths");       // candidates, which no claim uses
+    const Integer paths = count(in, "paths"); // candidates, which no claim uses
     for(Integer n = 0; n < paths; ++n) {
       in.integer(0, (std::numeric_limits<Integer>::max)());
       in.point();
@@ -176,7 +184,8 @@ public:
     check_smoothness();
   }
 
-  // calls visit(cell, leaf) for the leaves that the box touches, and, with no leaf, for cells outside of the domain that it touches
+  // calls visit(cell, leaf) for the leaves that the box touches, and, with no leaf, for cells outside of the domain
+  // that it touches
   template <class Visit>
   void visit_leaves(const Extent& box, const Visit& visit) const
   {
@@ -219,11 +228,13 @@ public:
     std::array<std::array<Rational, 4>, 3> weight;
     for(int axis = 0; axis < 3; ++axis) {
       const Rational t = place[axis] / l->edge() - l->position[axis], s = 1 - t;
-      weight[axis] = { s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6, t * t * t / 6 };
+      weight[axis] = { s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6,
+                       t * t * t / 6 };
     }
     Rational sum = 0;
     for(int n = 0; n < 64; ++n)
-      sum += function_coefficient<Rational>(spline, acting(*l, n)) * weight[0][n % 4] * weight[1][n / 4 % 4] * weight[2][n / 16];
+      sum += function_coefficient<Rational>(spline, acting(*l, n)) * weight[0][n % 4] * weight[1][n / 4 % 4]
+             * weight[2][n / 16];
     return sum;
   }
 
@@ -234,7 +245,8 @@ public:
   std::array<Rational, 3> exact_place(const Point& p) const
   {
     std::array<Rational, 3> place;
-    for(int axis = 0; axis < 3; ++axis) place[axis] = (Rational(p[axis]) - Rational(origin[axis])) / Rational(spacing) * root_edge;
+    for(int axis = 0; axis < 3; ++axis)
+      place[axis] = (Rational(p[axis]) - Rational(origin[axis])) / Rational(spacing) * root_edge;
     return place;
   }
   static Extent extent(const std::array<Rational, 3>& place)
@@ -257,7 +269,8 @@ public:
   }
 
   std::vector<Leaf> leaf;
-  // Triangles that close an open mesh. The mesh of the certificate has them, too: none of its claims rests on them being here.
+  // Triangles that close an open mesh. The mesh of the certificate has them, too: none of its claims rests on them
+  // being here.
   std::vector<Located_facet> closing;
   std::optional<Truncation> truncation;
   std::string checksum;
@@ -333,7 +346,8 @@ private:
     const double weight[] = { 0.75, 0.5, 0.125 }; // of a function that is so many points away
     const Position nearest = function.parent().position;
     for(int n = 0; n < 27; ++n) {
-      const Cell parent = { function.level - 1, { nearest[0] - 1 + n % 3, nearest[1] - 1 + n / 3 % 3, nearest[2] - 1 + n / 9 } };
+      const Cell parent = { function.level - 1,
+                            { nearest[0] - 1 + n % 3, nearest[1] - 1 + n / 3 % 3, nearest[2] - 1 + n / 9 } };
       double product = 1;
       for(int axis = 0; axis < 3; ++axis) {
         const Integer away = std::abs(function.position[axis] - 2 * parent.position[axis]);
@@ -360,7 +374,7 @@ private:
   void check_leaves()
   {
     for(const Leaf& l : leaf)
-      for(Cell c = l; c.level > 0; ) {
+      for(Cell c = l; c.level > 0;) {
         c = c.parent();
         if(!split[c.level].insert(key(c.position)).second) break; // with all above it
       }
@@ -368,17 +382,20 @@ private:
       if(is_split(l)) throw Malformed("Leaf " + std::to_string(l.number) + " overlaps another");
   }
 
-  // Whether the leaves' polynomials agree up to second derivatives wherever leaves touch. Leaves of one level share their
-  // coefficients. Functions that act on a coarser leaf, too, are not listed: so all that leaves of two levels have in common
-  // follows from the coarser level by the two-scale relation, whose terms are listed.
+  // Whether the leaves' polynomials agree up to second derivatives wherever leaves touch. Leaves of one level share
+  // their coefficients. Functions that act on a coarser leaf, too, are not listed: so all that leaves of two levels
+  // have in common follows from the coarser level by the two-scale relation, whose terms are listed.
   void check_smoothness() const
   {
     for(const Cell& function : function_cell)
       for(int n = 0; n < 64; ++n) {
-        Cell c = { function.level, { function.position[0] - 2 + n % 4, function.position[1] - 2 + n / 4 % 4, function.position[2] - 2 + n / 16 } };
+        Cell c = { function.level,
+                   { function.position[0] - 2 + n % 4, function.position[1] - 2 + n / 4 % 4,
+                     function.position[2] - 2 + n / 16 } };
         while(c.level > 0) {
           c = c.parent();
-          if(find(c)) throw Malformed("A function of level " + std::to_string(function.level) + " acts on a coarser leaf");
+          if(find(c))
+            throw Malformed("A function of level " + std::to_string(function.level) + " acts on a coarser leaf");
         }
       }
     for(const Leaf& l : leaf)
@@ -389,14 +406,15 @@ private:
           known = true;
           visit_parents(function, [&](const Cell& parent, double) { known = known && is_listed(parent); });
         }
-        if(!known) throw Malformed("Leaf " + std::to_string(l.number) + ": a function that acts on it has no coefficient");
+        if(!known)
+          throw Malformed("Leaf " + std::to_string(l.number) + ": a function that acts on it has no coefficient");
       }
   }
 
   Point origin;
   double spacing = 0;
   bool constant = true;
-  std::array<double, 2> level; // of constant thresholds
+  std::array<double, 2> level;     // of constant thresholds
   std::vector<Cell> function_cell; // at the functions' points
   std::array<std::vector<double>, 3> coefficient;
   std::array<std::unordered_map<std::uint64_t, std::size_t>, largest_level + 1> function_of, leaf_of;

@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-// A facet by the coordinates of its corners, the cycle begun where it is least: so equal facets that face the same way are equal.
+// A facet by the coordinates of its corners, the cycle begun where it is least: so equal facets that face the same way
+// are equal.
 typedef std::array<Point, 3> Located_facet;
 
 inline Located_facet located(const Point& a, const Point& b, const Point& c)
@@ -36,17 +37,19 @@ inline std::vector<Located_facet> located_facets(const Mesh& mesh)
 }
 
 // sorted ranges, whose elements are counted as often as they occur
-inline std::vector<Located_facet> without(const std::vector<Located_facet>& facets, const std::vector<Located_facet>& removed)
+inline std::vector<Located_facet> without(const std::vector<Located_facet>& facets,
+                                          const std::vector<Located_facet>& removed)
 {
   std::vector<Located_facet> rest;
   std::set_difference(facets.begin(), facets.end(), removed.begin(), removed.end(), std::back_inserter(rest));
   return rest;
 }
 
-// Facets of U at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center, and it is made of
-// triangles between these and further points. What is left of the cut facets, beyond the rims, is the cores. On cores, h is affine
-// in barycentric coordinates. Tips, the triangles between centers and rims, and discs have the same image in the plane, where centers are at
-// the origin; h leads from one to the other by way of the plane. Elsewhere h is the identity.
+// Facets of U at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center,
+// and it is made of triangles between these and further points. What is left of the cut facets, beyond the rims, is the
+// cores. On cores, h is affine in barycentric coordinates. Tips, the triangles between centers and rims, and discs have
+// the same image in the plane, where centers are at the origin; h leads from one to the other by way of the plane.
+// Elsewhere h is the identity.
 class Truncation
 {
   typedef std::size_t Index;
@@ -78,8 +81,9 @@ public:
   explicit Truncation(Reader& in)
   {
     const Integer most = 1 << 30;
-    const Integer all_corners = in.integer(0, most), cuts = in.integer(0, most), inner = in.integer(0, most), facets = in.integer(0, most),
-                  cores = in.integer(0, most), discs = in.integer(0, most), points = all_corners + cuts + inner;
+    const Integer all_corners = in.integer(0, most), cuts = in.integer(0, most), inner = in.integer(0, most),
+                  facets = in.integer(0, most), cores = in.integer(0, most), discs = in.integer(0, most),
+                  points = all_corners + cuts + inner;
     in.end_line();
     corners = Index(all_corners);
     const auto index = [&](Integer size) { return Index(in.integer(0, size - 1)); };
@@ -141,7 +145,8 @@ public:
   // whether nothing is replaced
   bool is_empty() const { return point.empty() && cut_facet.empty() && core.empty() && disc.empty(); }
 
-  // whether h is a homeomorphism from the cut facets to the cores and discs that leaves the other facets at the cut ones where they are
+  // whether h is a homeomorphism from the cut facets to the cores and discs that leaves the other facets at the cut
+  // ones where they are
   void check() const
   {
     check_cuts();
@@ -164,7 +169,8 @@ public:
     }
   }
 
-  // Discs with cut facets in common, and these, are a patch, which a mesh has as a whole or not at all. Facets are sorted.
+  // Discs with cut facets in common, and these, are a patch, which a mesh has as a whole or not at all. Facets are
+  // sorted.
   struct Patch
   {
     std::vector<Located_facet> cut_facets, new_facets;
@@ -202,14 +208,15 @@ public:
     return all;
   }
 
-  // The patches that a mesh has, if it is what they make of some U, h being the identity elsewhere. Facets beyond them must not meet what h
-  // changes, which is known by its coordinates.
+  // The patches that a mesh has, if it is what they make of some U, h being the identity elsewhere. Facets beyond them
+  // must not meet what h changes, which is known by its coordinates.
   std::vector<Patch> patches_of(const Mesh& mesh) const
   {
     std::map<Point, Index> vertex;
     for(const auto& f : mesh.facet)
       for(Index v : f)
-        if(vertex.emplace(mesh.point[v], v).first->second != v) throw Unconfirmed("T: two vertices of the mesh are in the same place");
+        if(vertex.emplace(mesh.point[v], v).first->second != v)
+          throw Unconfirmed("T: two vertices of the mesh are in the same place");
     std::vector<Located_facet> facets = located_facets(mesh);
     std::vector<Patch> result;
     std::set<Point> changed;
@@ -221,21 +228,26 @@ public:
     }
     for(const Located_facet& f : facets)
       for(const Point& p : f)
-        if(changed.count(p) != 0) throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that it made");
+        if(changed.count(p) != 0)
+          throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that it made");
     return result;
   }
 
 private:
   bool is_cut(Index p) const { return p >= corners && p < corners + cut.size(); }
   bool is_center(Index p) const { return centers.count(p) != 0; }
-  static std::string name(const char* what, Index n) { return std::string("T, ") + what + " " + std::to_string(n) + ": "; }
+  static std::string name(const char* what, Index n)
+  {
+    return std::string("T, ") + what + " " + std::to_string(n) + ": ";
+  }
   static std::string text(const Edge& e) { return std::to_string(e.first) + " and " + std::to_string(e.second); }
 
   void check_cuts() const
   {
     for(Index n = 0; n < cut.size(); ++n) {
       const Cut& c = cut[n];
-      if(!(c.s > 0 && c.t >= 0 && Rational(c.s) + Rational(c.t) < 1)) throw Unconfirmed(name("cut", n) + "it is not between its corners");
+      if(!(c.s > 0 && c.t >= 0 && Rational(c.s) + Rational(c.t) < 1))
+        throw Unconfirmed(name("cut", n) + "it is not between its corners");
       if((c.second == none) != (c.t == 0)) throw Unconfirmed(name("cut", n) + "whether it is on an edge is not clear");
     }
   }
@@ -253,25 +265,29 @@ private:
       for(Index p : d.rim) {
         if(!is_cut(p) || cut[p - corners].center != d.center)
           throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is no cut around its center");
-        if(disc_of[p - corners] != none) throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is in a rim before");
+        if(disc_of[p - corners] != none)
+          throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is in a rim before");
         disc_of[p - corners] = n;
       }
       for(const Triple& t : d.triangle)
         for(Index p : t) {
           if(p >= corners && !is_cut(p) && disc_of[p - corners] == none) disc_of[p - corners] = n;
-          if(p < corners || disc_of[p - corners] != n) throw Unconfirmed(name + "point " + std::to_string(p) + " of a triangle is not one of its own");
+          if(p < corners || disc_of[p - corners] != n)
+            throw Unconfirmed(name + "point " + std::to_string(p) + " of a triangle is not one of its own");
         }
     }
     for(Index i = 0; i < planar.size(); ++i)
       if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is in no disc");
   }
 
-  // Points that facets have in common are known by their coordinates: so no two vertices of U may be in the same place, and no two of A.
+  // Points that facets have in common are known by their coordinates: so no two vertices of U may be in the same place,
+  // and no two of A.
   void check_points() const
   {
     std::map<Point, Index> before, after;
     for(Index p = 0; p < point.size(); ++p)
-      if((p < corners && !before.emplace(point[p], p).second) || (!(p < corners && is_center(p)) && !after.emplace(point[p], p).second))
+      if((p < corners && !before.emplace(point[p], p).second)
+         || (!(p < corners && is_center(p)) && !after.emplace(point[p], p).second))
         throw Unconfirmed("T: point " + std::to_string(p) + " is where another one is");
   }
 
@@ -312,8 +328,10 @@ private:
     }
     const Cut& c = cut[p - corners];
     const std::size_t center = corner(c.center), first = corner(c.first);
-    const bool in_order = c.second == none ? first != center : first == (center + 1) % 3 && corner(c.second) == (center + 2) % 3;
-    if(!in_order) throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " is between corners in another order");
+    const bool in_order = c.second == none ? first != center
+                                           : first == (center + 1) % 3 && corner(c.second) == (center + 2) % 3;
+    if(!in_order)
+      throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " is between corners in another order");
     b[center] = 1 - (Rational(c.s) + Rational(c.t));
     b[first] = c.s;
     if(c.second != none) b[corner(c.second)] = c.t;
@@ -334,14 +352,15 @@ private:
     std::set<Edge> edges, border;
     for(const Triple& t : triangles)
       for(int i = 0; i < 3; ++i)
-        if(!edges.emplace(t[i], t[(i + 1) % 3]).second) throw Unconfirmed(name + "two triangles are on the same side of an edge");
+        if(!edges.emplace(t[i], t[(i + 1) % 3]).second)
+          throw Unconfirmed(name + "two triangles are on the same side of an edge");
     for(const Edge& e : edges)
       if(edges.count(Edge(e.second, e.first)) == 0) border.insert(e);
     return border;
   }
 
-  // The parts of a facet are tips and cores. As these are turned the right way, and their border leads around the facet once, they cover it once:
-  // that is what the border's winding number says.
+  // The parts of a facet are tips and cores. As these are turned the right way, and their border leads around the facet
+  // once, they cover it once: that is what the border's winding number says.
   void check_parts(Index f, const std::vector<Triple>& parts, std::set<Edge>& sides) const
   {
     const std::string name = Truncation::name("facet", f);
@@ -350,7 +369,8 @@ private:
     for(const Triple& p : parts) {
       for(Index q : p)
         if(at.count(q) == 0) at.emplace(q, place(f, q));
-      if(!(orientation(at[p[0]], at[p[1]], at[p[2]], 1) > 0)) throw Unconfirmed(name + "a part of it is turned, or degenerate");
+      if(!(orientation(at[p[0]], at[p[1]], at[p[2]], 1) > 0))
+        throw Unconfirmed(name + "a part of it is turned, or degenerate");
     }
     const std::set<Edge> edges = border(parts, name);
     std::size_t steps = 0;
@@ -363,7 +383,8 @@ private:
         if(e == edges.end() || e->first != p || (std::next(e) != edges.end() && std::next(e)->first == p))
           throw Unconfirmed(name + "its parts do not end at its sides");
         const Index q = e->second;
-        if(at[p][off] != 0 || at[q][off] != 0 || !(at[p][last] < at[q][last])) throw Unconfirmed(name + "its parts do not end at its sides");
+        if(at[p][off] != 0 || at[q][off] != 0 || !(at[p][last] < at[q][last]))
+          throw Unconfirmed(name + "its parts do not end at its sides");
         p = q;
         ++steps;
       }
@@ -372,8 +393,8 @@ private:
     sides.insert(edges.begin(), edges.end());
   }
 
-  // The triangles between the origin and the rim fill a polygon once that can be seen from there: angles are less than half a turn each, and only one
-  // edge comes back to the positive x-axis.
+  // The triangles between the origin and the rim fill a polygon once that can be seen from there: angles are less than
+  // half a turn each, and only one edge comes back to the positive x-axis.
   void check_tip(Index n) const
   {
     const Disc& d = disc[n];
@@ -384,7 +405,9 @@ private:
         throw Unconfirmed(name("disc", n) + "in the plane, its rim does not turn around the center");
       turns += p[1] < 0 && q[1] >= 0 ? 1 : 0;
     }
-    if(turns != 1) throw Unconfirmed(name("disc", n) + "in the plane, its rim leads around the center " + std::to_string(turns) + " times");
+    if(turns != 1)
+      throw Unconfirmed(name("disc", n) + "in the plane, its rim leads around the center " + std::to_string(turns)
+                        + " times");
   }
 
   // The triangles of the disc fill the same polygon once, by the same argument as parts do facets.
@@ -396,11 +419,12 @@ private:
         throw Unconfirmed(name("disc", n) + "in the plane, a triangle is turned, or degenerate");
     std::set<Edge> rim;
     for(std::size_t i = 0; i < d.rim.size(); ++i) rim.emplace(d.rim[i], d.next(i));
-    if(border(d.triangle, name("disc", n)) != rim) throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
+    if(border(d.triangle, name("disc", n)) != rim)
+      throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
   }
 
-  Index corners = 0; // how many points are vertices of U
-  std::vector<Point> point; // corners of cut facets, cuts, points within discs
+  Index corners = 0;                // how many points are vertices of U
+  std::vector<Point> point;         // corners of cut facets, cuts, points within discs
   std::vector<Planar_point> planar; // of all but the first
   std::vector<Cut> cut;
   std::vector<Triple> cut_facet;

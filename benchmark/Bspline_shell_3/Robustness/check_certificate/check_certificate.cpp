@@ -5,40 +5,45 @@
 // Exit code 0 and the line "certified: P1 ..." on stdout if everything that the certificate claims as proved holds;
 // 1 and a sentence on stderr if a claim is wrong or cannot be confirmed; 2 if a file cannot be read or is malformed.
 //
-// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants), A the mesh MESH.off, n_T
-// the normal of a facet T, Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims are
+// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants), A the mesh
+// MESH.off, n_T the normal of a facet T, Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims are
 //   P1  EPS1 <= f <= EPS2 on A;
 //   P2  n_T . grad f > 0 on every closed facet T;
-//   P3  Omega* lies in the interior of the leaves, grad f is not zero on it, and grad f . grad(f - EPSi) > 0 where f = EPSi;
+//   P3  Omega* lies in the interior of the leaves, grad f is not zero on it, and grad f . grad(f - EPSi) > 0 where f =
+//       EPSi;
 //   P4  every component of Omega* contains exactly one component of A;
 //   P5  every component of Omega* contains a path from {f < EPS1} to {f > EPS2} that crosses A with count one.
 //
-// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says, before it was
-// examined. If the shell has a truncation, the line ends with " T"; if U is given, with " A":
-//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism. A mesh that was simplified in its shell
-//       may lack patches of the truncation, " T(1/3)" being said where it has one of three: h is the identity where they were;
+// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says,
+// before it was examined. If the shell has a truncation, the line ends with " T"; if U is given, with " A":
+//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism. A mesh that
+//       was simplified in its shell may lack patches of the truncation, " T(1/3)" being said where it has one of three:
+//       h is the identity where they were;
 //   A   that mesh is U, closed if it is open. Without a truncation, h is the identity, and A is that mesh itself.
-// If that is not so, the exit code is 1. Facets are compared by the coordinates of their corners, and by the side that they face, whatever their
-// order and that of vertices.
+// If that is not so, the exit code is 1. Facets are compared by the coordinates of their corners, and by the side that
+// they face, whatever their order and that of vertices.
 //
-// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads from A one-to-one
-// to any other mesh of which the same is certified. With T and A, the flow after h is one-to-one from U; h leaves what closes U as it is.
-// P1 to P5 are about A alone; h is proved apart from them, in exact arithmetic on the numbers of the truncation: see Truncation.h.
+// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads
+// from A one-to-one to any other mesh of which the same is certified. With T and A, the flow after h is one-to-one from
+// U; h leaves what closes U as it is. P1 to P5 are about A alone; h is proved apart from them, in exact arithmetic on
+// the numbers of the truncation: see Truncation.h.
 //
-// Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation; what has
-// to be exact is an integer or a rational. On a facet, f and its derivatives are bounded by the Bernstein coefficients (of
-// degree 9) of the leaf's polynomial over a triangle, on boxes by those of the polynomial over the box.
+// Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation; what
+// has to be exact is an integer or a rational. On a facet, f and its derivatives are bounded by the Bernstein
+// coefficients (of degree 9) of the leaf's polynomial over a triangle, on boxes by those of the polynomial over the
+// box.
 //
-// That the splines are twice continuously differentiable across leaves of different sizes is checked, too: by which functions are
-// listed, whatever their coefficients are.
+// That the splines are twice continuously differentiable across leaves of different sizes is checked, too: by which
+// functions are listed, whatever their coefficients are.
 //
-// This program shares no code with the package that writes the files. What has to be trusted: this folder; the compiler, the
-// standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in IEEE 754, rounded
-// to nearest, which is tested at the start; and the theorem that P1 to P5 imply what one wants to know. The user has to
-// see to it that the shell and U, or A where U is not given, are those that are meant. Not checked, as no claim depends on them: the
-// shell's unit, thickness, numbers of triangles and components, marks of leaves, facet ranges, and kinds of triangles that close a mesh. Nor
-// is it checked that the facets of U that are cut intersect no others (P1 to P5 say that for A): h is one-to-one from U as a surface, whose
-// facets have their common edges and corners in common, and nothing else.
+// This program shares no code with the package that writes the files. What has to be trusted: this folder; the
+// compiler, the standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in
+// IEEE 754, rounded to nearest, which is tested at the start; and the theorem that P1 to P5 imply what one wants to
+// know. The user has to see to it that the shell and U, or A where U is not given, are those that are meant. Not
+// checked, as no claim depends on them: the shell's unit, thickness, numbers of triangles and components, marks of
+// leaves, facet ranges, and kinds of triangles that close a mesh. Nor is it checked that the facets of U that are cut
+// intersect no others (P1 to P5 say that for A): h is one-to-one from U as a surface, whose facets have their common
+// edges and corners in common, and nothing else.
 #include "Certificate.h"
 #include "Checker.h"
 #include "Mesh.h"
@@ -53,8 +58,10 @@
 #include <string>
 #include <vector>
 
-// Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and truncated.
-void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& patches, const Mesh& mesh, const Mesh& user_mesh)
+// Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and
+// truncated.
+void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& patches, const Mesh& mesh,
+                     const Mesh& user_mesh)
 {
   std::vector<Located_facet> facets = located_facets(user_mesh), added;
   for(const Truncation::Patch& patch : patches) {
@@ -72,11 +79,14 @@ void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& p
 int main(int argc, char** argv)
 {
   if(argc != 4 && argc != 5) {
-    std::cerr << "Usage: check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt [USER_MESH.off]" << std::endl;
+    std::cerr << "Usage: check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt [USER_MESH.off]"
+              << std::endl;
     return 2;
   }
   if(!usable_arithmetic()) {
-    std::cerr << "Double arithmetic is not that of IEEE 754 rounded to nearest: compile without -ffast-math and the like" << std::endl;
+    std::cerr
+      << "Double arithmetic is not that of IEEE 754 rounded to nearest: compile without -ffast-math and the like"
+      << std::endl;
     return 2;
   }
   try {
@@ -90,7 +100,8 @@ int main(int argc, char** argv)
       shell.truncation->check();
       patches = shell.truncation->patches_of(mesh);
       const std::size_t all = shell.truncation->patches().size();
-      truncation = patches.size() == all ? " T" : " T(" + std::to_string(patches.size()) + "/" + std::to_string(all) + ")";
+      truncation = patches.size() == all ? " T"
+                                         : " T(" + std::to_string(patches.size()) + "/" + std::to_string(all) + ")";
     }
     if(argc == 5) check_user_mesh(shell, patches, mesh, Mesh(argv[4]));
     std::cout << "certified:";
@@ -98,12 +109,10 @@ int main(int argc, char** argv)
       if(certificate.claimed[i]) std::cout << " P" << i + 1;
     std::cout << truncation << (argc == 5 ? " A" : "") << std::endl;
     return 0;
-  }
-  catch(const Unconfirmed& error) {
+  } catch(const Unconfirmed& error) {
     std::cerr << error.what() << std::endl;
     return 1;
-  }
-  catch(const std::exception& error) {
+  } catch(const std::exception& error) {
     std::cerr << error.what() << std::endl;
     return 2;
   }

@@ -1,15 +1,16 @@
-// Real numbers, enclosed by intervals of doubles that are rounded outwards after every operation; rationals, which are exact.
+// Real numbers, enclosed by intervals of doubles that are rounded outwards after every operation; rationals, which are
+// exact.
 #ifndef CHECK_CERTIFICATE_INTERVAL_H
 #define CHECK_CERTIFICATE_INTERVAL_H
 
 // of what Boost does not initialize because it does not use it, GCC warns or not, as the whole program's size decides
 #if defined(__GNUC__) && !defined(__clang__)
-#  pragma GCC diagnostic push
-#  pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <boost/multiprecision/cpp_int.hpp>
 #if defined(__GNUC__) && !defined(__clang__)
-#  pragma GCC diagnostic pop
+#pragma GCC diagnostic pop
 #endif
 
 #include <algorithm>
@@ -31,7 +32,10 @@ inline double up(double x)
   std::memcpy(&x, &bits, sizeof x);
   return x;
 }
-inline double down(double x) { return -up(-x); }
+inline double down(double x)
+{
+  return -up(-x);
+}
 
 struct Interval
 {
@@ -40,15 +44,25 @@ struct Interval
   double lo, hi;
 };
 
-inline Interval operator+(const Interval& a, const Interval& b) { return Interval(down(a.lo + b.lo), up(a.hi + b.hi)); }
-inline Interval operator-(const Interval& a, const Interval& b) { return Interval(down(a.lo - b.hi), up(a.hi - b.lo)); }
+inline Interval operator+(const Interval& a, const Interval& b)
+{
+  return Interval(down(a.lo + b.lo), up(a.hi + b.hi));
+}
+inline Interval operator-(const Interval& a, const Interval& b)
+{
+  return Interval(down(a.lo - b.hi), up(a.hi - b.lo));
+}
 inline Interval operator*(const Interval& a, const Interval& b)
 {
   const double c = a.lo * b.lo, d = a.lo * b.hi, e = a.hi * b.lo, f = a.hi * b.hi;
-  return Interval(down((std::min)((std::min)(c, d), (std::min)(e, f))), up((std::max)((std::max)(c, d), (std::max)(e, f))));
+  return Interval(down((std::min)((std::min)(c, d), (std::min)(e, f))),
+                  up((std::max)((std::max)(c, d), (std::max)(e, f))));
 }
 // by a positive number
-inline Interval operator/(const Interval& a, double b) { return Interval(down(a.lo / b), up(a.hi / b)); }
+inline Interval operator/(const Interval& a, double b)
+{
+  return Interval(down(a.lo / b), up(a.hi / b));
+}
 
 template <class Range>
 Interval hull(const Range& range)
@@ -73,18 +87,21 @@ inline bool usable_arithmetic()
 #ifdef __FAST_MATH__
   return false;
 #endif
-  volatile double one = 1, least = (std::numeric_limits<double>::min)(), half = 0.5, nan = std::numeric_limits<double>::quiet_NaN();
+  volatile double one = 1, least = (std::numeric_limits<double>::min)(), half = 0.5,
+                  nan = std::numeric_limits<double>::quiet_NaN();
   volatile double u = std::ldexp(1., -53), more = std::ldexp(1., -53) + std::ldexp(1., -64), minus = -1;
-  volatile double denormal = least * half, back = denormal * 2, to_even = one + u, above = one + more, below = minus - u, toward = one - u * half;
+  volatile double denormal = least * half, back = denormal * 2, to_even = one + u, above = one + more,
+                  below = minus - u, toward = one - u * half;
   const volatile double copy = nan;
-  bool usable = FLT_EVAL_METHOD == 0 && std::numeric_limits<double>::is_iec559 && denormal != 0 && back == least && copy != nan
-             && to_even == 1 && above == 1 + DBL_EPSILON && below == -1 && toward == 1;
+  bool usable = FLT_EVAL_METHOD == 0 && std::numeric_limits<double>::is_iec559 && denormal != 0 && back == least
+                && copy != nan && to_even == 1 && above == 1 + DBL_EPSILON && below == -1 && toward == 1;
   volatile double third = one / 3, product = third * 3;
   usable = usable && product == 1 && std::fma(double(third), 3., -1.) == -u / 2;
-  for(double x : { 0., -0., 1., -1., 0.1, -0.1, 1e300, -1e-300, DBL_TRUE_MIN, -DBL_TRUE_MIN, DBL_MIN, -DBL_MIN, 2., -2. }) {
+  for(double x :
+      { 0., -0., 1., -1., 0.1, -0.1, 1e300, -1e-300, DBL_TRUE_MIN, -DBL_TRUE_MIN, DBL_MIN, -DBL_MIN, 2., -2. }) {
     volatile double v = x;
     usable = usable && up(v) == std::nextafter(x, HUGE_VAL) && down(v) == std::nextafter(x, -HUGE_VAL)
-          && Rational(x).convert_to<double>() == x && (x == 0 || Rational(x) != Rational(up(v)));
+             && Rational(x).convert_to<double>() == x && (x == 0 || Rational(x) != Rational(up(v)));
   }
   return usable && Rational(0.1) == Rational(3602879701896397LL) / (1LL << 55);
 }

@@ -11,8 +11,12 @@
 // Bernstein coefficients of a tricubic polynomial over a cube, [i + 4 j + 16 k]
 typedef std::array<Interval, 64> Coefficients;
 
-// Homogeneous polynomials in three variables by the coefficients of their monomials, those of x^a y^b z^c by rising (a, b).
-constexpr int number_of_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
+// Homogeneous polynomials in three variables by the coefficients of their monomials, those of x^a y^b z^c by rising (a,
+// b).
+constexpr int number_of_terms(int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
 
 template <int DEGREE>
 std::array<std::array<int, 3>, number_of_terms(DEGREE)> exponents()
@@ -25,7 +29,8 @@ std::array<std::array<int, 3>, number_of_terms(DEGREE)> exponents()
 }
 
 template <int DEGREE>
-struct Polynomial : std::array<Interval, number_of_terms(DEGREE)> {};
+struct Polynomial : std::array<Interval, number_of_terms(DEGREE)>
+{};
 
 template <int D, int E>
 void add_product(const Polynomial<D>& p, const Polynomial<E>& q, Polynomial<D + E>& sum)
@@ -37,7 +42,8 @@ void add_product(const Polynomial<D>& p, const Polynomial<E>& q, Polynomial<D + 
     const auto all = exponents<D + E>();
     for(std::size_t i = 0; i < first.size(); ++i)
       for(std::size_t j = 0; j < second.size(); ++j) {
-        const std::array<int, 3> e = { first[i][0] + second[j][0], first[i][1] + second[j][1], first[i][2] + second[j][2] };
+        const std::array<int, 3> e = { first[i][0] + second[j][0], first[i][1] + second[j][1],
+                                       first[i][2] + second[j][2] };
         table[i][j] = int(std::find(all.begin(), all.end(), e) - all.begin());
       }
     return table;
@@ -119,8 +125,7 @@ inline void halve(Coefficients& b, int axis, bool upper)
         *c[0] = m;
         *c[1] = m123;
         *c[2] = m23;
-      }
-      else {
+      } else {
         *c[1] = m01;
         *c[2] = m012;
         *c[3] = m;
@@ -159,7 +164,8 @@ inline Coefficients derivative(const Coefficients& f, const std::array<Interval,
   for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
     for(int n = 0; n < 64; ++n)
       if(n / stride % 4 == 0) {
-        const Interval d0 = f[n + stride] - f[n], d1 = f[n + 2 * stride] - f[n + stride], d2 = f[n + 3 * stride] - f[n + 2 * stride];
+        const Interval d0 = f[n + stride] - f[n], d1 = f[n + 2 * stride] - f[n + stride],
+                       d2 = f[n + 3 * stride] - f[n + 2 * stride];
         const Interval raised[] = { d0 * 3, d0 + d1 * 2, d1 * 2 + d2, d2 * 3 };
         for(int i = 0; i < 4; ++i) sum[n + i * stride] = sum[n + i * stride] + d[axis] * raised[i];
       }
@@ -174,8 +180,10 @@ inline Coefficients along_half_offset(const Coefficients& f, const std::array<In
     const Interval first = (Interval(0) - center[axis]) / 2, last = (Interval(1) - center[axis]) / 2;
     for(int n = 0; n < 64; ++n)
       if(n / stride % 4 == 0) {
-        const Interval d0 = f[n + stride] - f[n], d1 = f[n + 2 * stride] - f[n + stride], d2 = f[n + 3 * stride] - f[n + 2 * stride];
-        const Interval product[] = { first * d0 * 3, last * d0 + first * d1 * 2, last * d1 * 2 + first * d2, last * d2 * 3 };
+        const Interval d0 = f[n + stride] - f[n], d1 = f[n + 2 * stride] - f[n + stride],
+                       d2 = f[n + 3 * stride] - f[n + 2 * stride];
+        const Interval product[] = { first * d0 * 3, last * d0 + first * d1 * 2, last * d1 * 2 + first * d2,
+                                     last * d2 * 3 };
         for(int i = 0; i < 4; ++i) sum[n + i * stride] = sum[n + i * stride] + product[i];
       }
   }

@@ -24,17 +24,33 @@ typedef CGAL::Mpzf Dyadic;
 typedef std::array<Dyadic, 3> Dyadic_vector;
 
 template <typename Point>
-Dyadic_vector dyadic(const Point& p) { return { Dyadic(double(p[0])), Dyadic(double(p[1])), Dyadic(double(p[2])) }; }
-inline Dyadic dot(const Dyadic_vector& u, const Dyadic_vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-inline Dyadic_vector minus(const Dyadic_vector& u, const Dyadic_vector& v) { return { u[0] - v[0], u[1] - v[1], u[2] - v[2] }; }
+Dyadic_vector dyadic(const Point& p)
+{
+  return { Dyadic(double(p[0])), Dyadic(double(p[1])), Dyadic(double(p[2])) };
+}
+inline Dyadic dot(const Dyadic_vector& u, const Dyadic_vector& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+inline Dyadic_vector minus(const Dyadic_vector& u, const Dyadic_vector& v)
+{
+  return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+}
 inline Dyadic_vector cross(const Dyadic_vector& u, const Dyadic_vector& v)
 {
   return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
-inline int sign(const Dyadic& x) { return x > Dyadic(0) ? 1 : x < Dyadic(0) ? -1 : 0; }
+inline int sign(const Dyadic& x)
+{
+  return x > Dyadic(0) ? 1 : x < Dyadic(0) ? -1 : 0;
+}
 
 // Value and gradient, both times the same positive number, that of the cell: nothing is divided.
-struct Exact_jet { Dyadic value; Dyadic_vector gradient; };
+struct Exact_jet
+{
+  Dyadic value;
+  Dyadic_vector gradient;
+};
 
 namespace internal {
 
@@ -45,7 +61,8 @@ void visit_coefficients(const BS::Uniform_bspline_field_3<GeomTraits>& field, st
   for(int n = 0; n < 64; ++n) visit(n, rows[n / 4] + n % 4, 1.);
 }
 template <typename GeomTraits, typename Visitor>
-void visit_coefficients(const BS::Hierarchical_bspline_field_3<GeomTraits>& field, std::uint32_t cell, const Visitor& visit)
+void visit_coefficients(const BS::Hierarchical_bspline_field_3<GeomTraits>& field, std::uint32_t cell,
+                        const Visitor& visit)
 {
   field.visit_coefficients(cell, visit);
 }
@@ -58,7 +75,12 @@ class Exact_field
 public:
   typedef Field_ Field;
   typedef typename Field::Cell_index Cell_index;
-  enum Where { INSIDE, OUTSIDE, UNDEFINED };      // undefined: in cells only on which coefficients are no finite numbers
+  enum Where
+  {
+    INSIDE,
+    OUTSIDE,
+    UNDEFINED
+  }; // undefined: in cells only on which coefficients are no finite numbers
 
   // `field` outlives this object, and stays as it is
   explicit Exact_field(const Field& field) : m_field(&field), m_cells(field.number_of_cells()) {}
@@ -82,11 +104,11 @@ public:
         for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
           for(int n = 0; n < 64; ++n) {
             if((n / stride) % 4 != 0) continue;
-            const Dyadic x = b[n], y = b[n + stride], z = b[n + 2*stride], u = b[n + 3*stride], two(2), four(4);
+            const Dyadic x = b[n], y = b[n + stride], z = b[n + 2 * stride], u = b[n + 3 * stride], two(2), four(4);
             b[n] = x + four * y + z;
             b[n + stride] = four * y + two * z;
-            b[n + 2*stride] = two * y + four * z;
-            b[n + 3*stride] = y + four * z + u;
+            b[n + 2 * stride] = two * y + four * z;
+            b[n + 3 * stride] = y + four * z + u;
           }
     }
     return form->is_finite ? &form->coefficients : nullptr;
@@ -113,8 +135,9 @@ public:
       most[a] = std::nextafter(std::nextafter(x[a], infinity), infinity);
     }
     std::vector<Cell_index> cells;
-    m_field->visit_cells(CGAL::Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
-                         [&](Cell_index c) { if(contains(c, p)) cells.push_back(c); });
+    m_field->visit_cells(CGAL::Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]), [&](Cell_index c) {
+      if(contains(c, p)) cells.push_back(c);
+    });
     return cells;
   }
 
@@ -122,7 +145,10 @@ public:
   {
     const std::vector<Cell_index> cells = cells_at(p);
     for(Cell_index c : cells)
-      if(bernstein(c)) { cell = c; return INSIDE; }
+      if(bernstein(c)) {
+        cell = c;
+        return INSIDE;
+      }
     return cells.empty() ? OUTSIDE : UNDEFINED;
   }
 
@@ -141,32 +167,44 @@ public:
     const Dyadic two(2), three(3);
     std::array<Dyadic, 4> weight[3], slope[3];
     for(int a = 0; a < 3; ++a) {
-      const Dyadic t = p[a] - Dyadic(cell.corner()[a]), s = Dyadic(cell.width()) - t, tt = t * t, ts = t * s, ss = s * s;
+      const Dyadic t = p[a] - Dyadic(cell.corner()[a]), s = Dyadic(cell.width()) - t, tt = t * t, ts = t * s,
+                   ss = s * s;
       weight[a] = { s * ss, three * t * ss, three * tt * s, t * tt };
       slope[a] = { Dyadic(0) - three * ss, three * (ss - two * ts), three * (two * ts - tt), three * tt };
     }
     std::array<Dyadic, 16> x, dx;
-    for(int n = 0; n < 16; ++n) { x[n] = dot4(&b[4*n], weight[0]); dx[n] = dot4(&b[4*n], slope[0]); }
+    for(int n = 0; n < 16; ++n) {
+      x[n] = dot4(&b[4 * n], weight[0]);
+      dx[n] = dot4(&b[4 * n], slope[0]);
+    }
     std::array<Dyadic, 4> xy, dxy, xdy;
     for(int n = 0; n < 4; ++n) {
-      xy[n] = dot4(&x[4*n], weight[1]);
-      dxy[n] = dot4(&dx[4*n], weight[1]);
-      xdy[n] = dot4(&x[4*n], slope[1]);
+      xy[n] = dot4(&x[4 * n], weight[1]);
+      dxy[n] = dot4(&dx[4 * n], weight[1]);
+      xdy[n] = dot4(&x[4 * n], slope[1]);
     }
     return { dot4(&xy[0], weight[2]), { dot4(&dxy[0], weight[2]), dot4(&xdy[0], weight[2]), dot4(&xy[0], slope[2]) } };
   }
 
 private:
-  struct Cell_form { std::array<Dyadic, 64> coefficients; bool is_finite = true; };
+  struct Cell_form
+  {
+    std::array<Dyadic, 64> coefficients;
+    bool is_finite = true;
+  };
 
-  static Dyadic dot4(const Dyadic* b, const std::array<Dyadic, 4>& w) { return b[0] * w[0] + b[1] * w[1] + b[2] * w[2] + b[3] * w[3]; }
+  static Dyadic dot4(const Dyadic* b, const std::array<Dyadic, 4>& w)
+  {
+    return b[0] * w[0] + b[1] * w[1] + b[2] * w[2] + b[3] * w[3];
+  }
 
   const Field* m_field;
   mutable std::vector<std::unique_ptr<Cell_form> > m_cells;
 };
 
 // jets of thresholds, with the factors of the field's cells
-template <typename Threshold> class Exact_threshold;
+template <typename Threshold>
+class Exact_threshold;
 
 template <>
 class Exact_threshold<BS::Constant_threshold>
@@ -187,7 +225,9 @@ template <typename Field>
 class Exact_threshold<BS::Spline_threshold<Field> >
 {
 public:
-  explicit Exact_threshold(const BS::Spline_threshold<Field>& threshold) : m_threshold(threshold), m_field(m_threshold.field()) {}
+  explicit Exact_threshold(const BS::Spline_threshold<Field>& threshold)
+    : m_threshold(threshold), m_field(m_threshold.field())
+  {}
   bool is_defined(std::uint32_t c) const { return m_field.bernstein(c) != nullptr; }
   Exact_jet jet(const Exact_field<Field>&, std::uint32_t c, const Dyadic_vector& p) const { return m_field.jet(c, p); }
 private:

@@ -25,9 +25,23 @@ public:
   typedef Threshold_ Threshold;
   typedef typename Field::Cell_index Cell_index;
   // at a point, all times a positive number that depends on its cell
-  struct Jets { Exact_jet f, inner, outer; Dyadic scale; };
-  enum Answer { HOLDS, FAILS, UNDEFINED };
-  enum Needed { FIELD = 0, INNER = 1, OUTER = 2 };      // to know that something holds
+  struct Jets
+  {
+    Exact_jet f, inner, outer;
+    Dyadic scale;
+  };
+  enum Answer
+  {
+    HOLDS,
+    FAILS,
+    UNDEFINED
+  };
+  enum Needed
+  {
+    FIELD = 0,
+    INNER = 1,
+    OUTER = 2
+  }; // to know that something holds
 
   // the field and the thresholds outlive this object
   Exact_shell(const Field& field, const Threshold& inner, const Threshold& outer)
@@ -43,8 +57,8 @@ public:
   Jets jets(Cell_index c, const Dyadic_vector& p) const
   {
     const Exact_jet f = m_field.jet(c, p), unknown = { f.value, { Dyadic(0), Dyadic(0), Dyadic(0) } };
-    return { f, m_inner.is_defined(c) ? m_inner.jet(m_field, c, p) : unknown, m_outer.is_defined(c) ? m_outer.jet(m_field, c, p) : unknown,
-             m_field.scale(c) };
+    return { f, m_inner.is_defined(c) ? m_inner.jet(m_field, c, p) : unknown,
+             m_outer.is_defined(c) ? m_outer.jet(m_field, c, p) : unknown, m_field.scale(c) };
   }
   bool is_defined(Cell_index c) const { return m_field.bernstein(c) && m_inner.is_defined(c) && m_outer.is_defined(c); }
 
@@ -88,11 +102,12 @@ std::string describe(const std::array<Point, size>& simplex)
   return text.str();
 }
 
-// Checks one verdict on a simplex: what is proved holds at the points where `margin`, rounded, is least; what is refuted fails
-// at the witness.
+// Checks one verdict on a simplex: what is proved holds at the points where `margin`, rounded, is least; what is
+// refuted fails at the witness.
 template <typename Shell, std::size_t size, typename Margin, typename Holds>
-void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const BS::Witness& witness, const Shell& shell,
-                   const std::array<Point_3, size>& simplex, const Margin& margin, const Holds& holds, int needed)
+void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const BS::Witness& witness,
+                   const Shell& shell, const std::array<Point_3, size>& simplex, const Margin& margin,
+                   const Holds& holds, int needed)
 {
   tally.count(kind, verdict);
   if(verdict == Verdict::PROVED) {
@@ -107,13 +122,15 @@ void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const
     for(std::size_t v = 0; v < size; ++v) sum += b[v] = witness.barycentric[v];
     const Dyadic_vector p = exact_point(simplex, b);
     if(sum != 1 || shell.ask(p, holds, needed) != Shell::FAILS) tally.wrong(kind, "refuted on" + describe(simplex));
-    if(witness.outside && !shell.exact_field().cells_at(p).empty()) tally.wrong(kind, "a witness outside of the domain is inside, of" + describe(simplex));
+    if(witness.outside && !shell.exact_field().cells_at(p).empty())
+      tally.wrong(kind, "a witness outside of the domain is inside, of" + describe(simplex));
   }
 }
 
 // For claims without a witness: whether a point where it fails can be found.
 template <typename Shell, std::size_t size, typename Margin, typename Holds>
-bool fails_somewhere(const Shell& shell, const std::array<Point_3, size>& simplex, const Margin& margin, const Holds& holds)
+bool fails_somewhere(const Shell& shell, const std::array<Point_3, size>& simplex, const Margin& margin,
+                     const Holds& holds)
 {
   for(int grid : { 12, 48 })
     for(const Barycentric<size>& b : worst_points(simplex, margin, grid, 4))
@@ -125,7 +142,9 @@ bool fails_somewhere(const Shell& shell, const std::array<Point_3, size>& simple
 class Exact_slope
 {
 public:
-  explicit Exact_slope(const Triangle& t) : m_normal(cross(minus(dyadic(t[1]), dyadic(t[0])), minus(dyadic(t[2]), dyadic(t[0])))) {}
+  explicit Exact_slope(const Triangle& t)
+    : m_normal(cross(minus(dyadic(t[1]), dyadic(t[0])), minus(dyadic(t[2]), dyadic(t[0]))))
+  {}
 
   // n . grad f > 0, and at least `least` for the unit normal
   bool operator()(const Exact_jet& f, const Dyadic& scale, double least) const

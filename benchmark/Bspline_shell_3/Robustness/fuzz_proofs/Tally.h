@@ -18,7 +18,10 @@ class Tally
 public:
   void begin(std::uint64_t number) { m_case = number; }
 
-  void count(const std::string& kind, CGAL::Bspline_shells::Verdict verdict) { ++m_counts[kind].by_verdict[std::size_t(verdict)]; }
+  void count(const std::string& kind, CGAL::Bspline_shells::Verdict verdict)
+  {
+    ++m_counts[kind].by_verdict[std::size_t(verdict)];
+  }
   void wrong(const std::string& kind, const std::string& what)
   {
     ++m_counts[kind].wrong;
@@ -64,15 +67,20 @@ public:
     const char* separator = "";
     out << '{';
     for(const auto& kind : m_counts) {
-      out << separator << '"' << kind.first << "\": {\"proved\": " << kind.second.by_verdict[0] << ", \"refuted\": " << kind.second.by_verdict[1]
-          << ", \"undecided\": " << kind.second.by_verdict[2] << ", \"wrong\": " << kind.second.wrong << '}';
+      out << separator << '"' << kind.first << "\": {\"proved\": " << kind.second.by_verdict[0]
+          << ", \"refuted\": " << kind.second.by_verdict[1] << ", \"undecided\": " << kind.second.by_verdict[2]
+          << ", \"wrong\": " << kind.second.wrong << '}';
       separator = ", ";
     }
     out << '}';
   }
 
 private:
-  struct Count { std::array<std::size_t, 3> by_verdict = {}; std::size_t wrong = 0; };
+  struct Count
+  {
+    std::array<std::size_t, 3> by_verdict = {};
+    std::size_t wrong = 0;
+  };
 
   static constexpr std::size_t most_descriptions = 20;
 

@@ -1,5 +1,5 @@
-// Shell_certificate_3 as a whole, on small meshes around a field like the distance from a point: spheres, double pyramids, stars that
-// cover each direction more than once, pairs of surfaces.
+// Shell_certificate_3 as a whole, on small meshes around a field like the distance from a point: spheres, double
+// pyramids, stars that cover each direction more than once, pairs of surfaces.
 #ifndef CHECK_CERTIFICATE_H
 #define CHECK_CERTIFICATE_H
 
@@ -26,11 +26,15 @@ inline Mesh subdivided(const Mesh& mesh)
   Mesh fine;
   std::vector<CGAL::SM_Vertex_index> at_vertex, at_edge;
   for(auto v : mesh.vertices()) at_vertex.push_back(fine.add_vertex(mesh.point(v)));
-  for(auto e : mesh.edges()) at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  for(auto e : mesh.edges())
+    at_edge.push_back(fine.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
   for(auto f : mesh.faces()) {
     CGAL::SM_Vertex_index v[3], m[3];
     auto h = mesh.halfedge(f);
-    for(int i = 0; i < 3; ++i, h = mesh.next(h)) { v[i] = at_vertex[mesh.source(h)]; m[i] = at_edge[mesh.edge(h)]; }
+    for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      v[i] = at_vertex[mesh.source(h)];
+      m[i] = at_edge[mesh.edge(h)];
+    }
     fine.add_face(v[0], m[0], m[2]);
     fine.add_face(m[0], v[1], m[1]);
     fine.add_face(m[2], m[1], v[2]);
@@ -65,22 +69,27 @@ public:
   {
     // cells of the cube of side three about a center, in units of which all else is thrown
     const int half_cells = random.get_int(4, 7);
-    m_unit = std::ldexp(random.get_double(0.5, 1), chance(random, 0.95) ? random.get_int(-180, 181) : random.get_int(-300, 301));
+    m_unit = std::ldexp(random.get_double(0.5, 1),
+                        chance(random, 0.95) ? random.get_int(-180, 181) : random.get_int(-300, 301));
     const double spacing = 1.5 * m_unit / half_cells;
-    const Vector far = chance(random, 0.3) ? Vector(random_vector(random) * m_unit * std::ldexp(1., random.get_int(0, 25))) : Vector(Vector::Zero());
+    const Vector far = chance(random, 0.3)
+                         ? Vector(random_vector(random) * m_unit * std::ldexp(1., random.get_int(0, 25)))
+                         : Vector(Vector::Zero());
     const BS::Lattice_3 lattice(CGAL::Bbox_3(far[0], far[1], far[2], far[0], far[1], far[2]), spacing);
     if(!lattice.is_exact()) return;
     m_center = Vector(lattice.origin()[0], lattice.origin()[1], lattice.origin()[2]);
-    const Root_cells roots = some_cells(random, lattice, { -half_cells, -half_cells, -half_cells }, { half_cells - 1, half_cells - 1, half_cells - 1 });
+    const Root_cells roots = some_cells(random, lattice, { -half_cells, -half_cells, -half_cells },
+                                        { half_cells - 1, half_cells - 1, half_cells - 1 });
     Field field = zero_field(random, roots, static_cast<const Field*>(nullptr));
 
-    const Vector axes = Vector::Ones() + random.get_double(0, 0.2) * random_vector(random), offset = 0.1 * random_vector(random);
+    const Vector axes = Vector::Ones() + random.get_double(0, 0.2) * random_vector(random),
+                 offset = 0.1 * random_vector(random);
     const double noise = chance(random, 0.5) ? 0 : power_of_ten(random, -16, -1);
     const double root_width = lattice.spacing() / m_unit;
     field.set_coefficients(m_unit * coefficients(field, [&](const Vector& u) {
-      const double x = (root_width * u - offset).cwiseProduct(axes).norm();
-      return std::isnan(x) ? 0 : x + noise * random.get_double(-1, 1);
-    }));
+                             const double x = (root_width * u - offset).cwiseProduct(axes).norm();
+                             return std::isnan(x) ? 0 : x + noise * random.get_double(-1, 1);
+                           }));
     make_mesh(axes, offset);
     for(auto f : m_mesh.faces())
       if(is_degenerate(triangle_of(m_mesh, f))) return;
@@ -91,12 +100,15 @@ public:
       const Triangle t = triangle_of(m_mesh, f);
       for(int i = 0; i <= 6; ++i)
         for(int j = 0; i + j <= 6; ++j) {
-          const auto value = field.value(Point_3((i * t[0][0] + j * t[1][0] + (6 - i - j) * t[2][0]) / 6, (i * t[0][1] + j * t[1][1] + (6 - i - j) * t[2][1]) / 6,
+          const auto value = field.value(Point_3((i * t[0][0] + j * t[1][0] + (6 - i - j) * t[2][0]) / 6,
+                                                 (i * t[0][1] + j * t[1][1] + (6 - i - j) * t[2][1]) / 6,
                                                  (i * t[0][2] + j * t[1][2] + (6 - i - j) * t[2][2]) / 6));
           if(value) levels.include(*value);
         }
     }
-    const auto slack = [&]() { return m_unit * (chance(random, 0.7) ? power_of_ten(random, -2, -0.6) : random_distance(random)); };
+    const auto slack = [&]() {
+      return m_unit * (chance(random, 0.7) ? power_of_ten(random, -2, -0.6) : random_distance(random));
+    };
     const double inner = levels.min - slack(), outer = levels.max + slack();
     if(!std::isfinite(inner) || !std::isfinite(outer)) return;
     if constexpr(Threshold::is_constant) {
@@ -125,11 +137,12 @@ private:
     if(shape < 5) m_mesh = random_sphere(m_random, noise);
     else if(shape < 7) m_mesh = random_bipyramid(m_random, m_random.get_int(3, 10), 1, noise, 1);
     else {
-      const int sides[] = { 5, 7, 7, 8, 9 }, turns[] = { 2, 2, 3, 3, 2 }, n = chance(m_random, 0.5) ? 0 : m_random.get_int(0, 5);
+      const int sides[] = { 5, 7, 7, 8, 9 }, turns[] = { 2, 2, 3, 3, 2 },
+                n = chance(m_random, 0.5) ? 0 : m_random.get_int(0, 5);
       m_is_star = true;
       m_mesh = random_bipyramid(m_random, sides[n], turns[n], (std::min)(noise, 0.03), 1);
     }
-    if(chance(m_random, 0.1)) {      // another one inside
+    if(chance(m_random, 0.1)) { // another one inside
       m_is_pair = true;
       Mesh inner = random_sphere(m_random, 0);
       const double factor = m_random.get_double(0.7, 0.99);
@@ -148,7 +161,10 @@ private:
     const Shell shell(field, inner, outer);
     Certificate certificate(field, inner, outer);
     certificate.template verify<CGAL::Sequential_tag>(m_mesh);
-    if(certificate.status() != BS::Shell_status::SUCCESS) { m_tally.count("certificate", Verdict::UNDECIDED); return; }
+    if(certificate.status() != BS::Shell_status::SUCCESS) {
+      m_tally.count("certificate", Verdict::UNDECIDED);
+      return;
+    }
     Verdict worst = Verdict::PROVED;
     for(int c = 0; c < 5; ++c) {
       const Verdict v = certificate.verdict(BS::Claim(c));
@@ -157,7 +173,8 @@ private:
       else if(v == Verdict::UNDECIDED && worst == Verdict::PROVED) worst = v;
     }
     m_tally.count(m_is_star ? "certificate_of_star" : "certificate", worst);
-    if((worst == Verdict::PROVED) != certificate.is_certified()) m_tally.wrong("certificate", "is at odds with its claims");
+    if((worst == Verdict::PROVED) != certificate.is_certified())
+      m_tally.wrong("certificate", "is at odds with its claims");
     if(certificate.is_certified()) check_certified(shell, certificate);
     check_facets(shell, certificate);
     if(chance(m_random, 0.3)) check_scaled(field, inner, outer, certificate);
@@ -181,8 +198,8 @@ private:
     return BS::Spline_threshold<Field>(scaled(threshold.field(), exponent));
   }
 
-  // Scales the field and the thresholds by a power of two: claims must be the same, and bounds scaled. Near the ends of the range of numbers,
-  // less may be proved.
+  // Scales the field and the thresholds by a power of two: claims must be the same, and bounds scaled. Near the ends of
+  // the range of numbers, less may be proved.
   void check_scaled(const Field& field, const Threshold& inner, const Threshold& outer, const Certificate& certificate)
   {
     const int exponent = m_random.get_int(-1050, 1000), size = std::ilogb(m_unit);
@@ -192,36 +209,46 @@ private:
     other.template verify<CGAL::Sequential_tag>(m_mesh);
     // values, slopes and second derivatives
     constexpr int room = 800;
-    const bool has_room = std::abs(exponent + size) < room && std::abs(exponent) < room && std::abs(exponent - size) < room;
+    const bool has_room = std::abs(exponent + size) < room && std::abs(exponent) < room
+                          && std::abs(exponent - size) < room;
     constexpr double same = 1 + 1e-12;
     bool is_right = other.least_angle() <= certificate.least_angle() * same
-                 && other.displacement_bound() * same >= certificate.displacement_bound();
+                    && other.displacement_bound() * same >= certificate.displacement_bound();
     for(int c = 0; c < 5; ++c)
-      is_right = is_right && (other.verdict(BS::Claim(c)) == certificate.verdict(BS::Claim(c))
-                              || (!has_room && other.verdict(BS::Claim(c)) == Verdict::UNDECIDED));
-    if(has_room) is_right = is_right && other.least_gradient() == std::ldexp(certificate.least_gradient(), exponent)
-                                     && other.least_angle() == certificate.least_angle();
-    m_tally.count(has_room ? "scaled_certificate" : "scaled_certificate_without_room", is_right, "by 2^" + std::to_string(exponent));
+      is_right = is_right
+                 && (other.verdict(BS::Claim(c)) == certificate.verdict(BS::Claim(c))
+                     || (!has_room && other.verdict(BS::Claim(c)) == Verdict::UNDECIDED));
+    if(has_room)
+      is_right = is_right && other.least_gradient() == std::ldexp(certificate.least_gradient(), exponent)
+                 && other.least_angle() == certificate.least_angle();
+    m_tally.count(has_room ? "scaled_certificate" : "scaled_certificate_without_room", is_right,
+                  "by 2^" + std::to_string(exponent));
   }
 
   void check_certified(const Shell& shell, const Certificate& certificate)
   {
     if(m_is_star) m_tally.wrong("certificate_of_star", "certified");
-    if(CGAL::Polygon_mesh_processing::does_self_intersect(m_mesh)) m_tally.wrong("certificate", "the mesh intersects itself");
-    if(m_is_pair) m_tally.wrong("certificate", "two surfaces in one component");      // rays from one to the other are in the shell
+    if(CGAL::Polygon_mesh_processing::does_self_intersect(m_mesh))
+      m_tally.wrong("certificate", "the mesh intersects itself");
+    // rays from one to the other are in the shell
+    if(m_is_pair) m_tally.wrong("certificate", "two surfaces in one component");
     const std::vector<CGAL::SM_Face_index> faces(m_mesh.faces().begin(), m_mesh.faces().end());
     for(int n = 0; n < 8; ++n) {
-      const auto count = crossings_of_path(shell, triangle_of(m_mesh, faces[std::size_t(m_random.get_int(0, int(faces.size())))]), true);
+      const auto count = crossings_of_path(
+        shell, triangle_of(m_mesh, faces[std::size_t(m_random.get_int(0, int(faces.size())))]), true);
       if(count) m_tally.count("path", *count == 1, "crosses the mesh " + std::to_string(*count) + " times");
     }
     // displacements and the least gradient speak of all of the shell; here of the mesh
     const Dyadic bound(certificate.least_gradient());
     for(auto f : faces) {
       const Triangle t = triangle_of(m_mesh, f);
-      const auto steep_enough = [&](const Jets& j) { return dot(j.f.gradient, j.f.gradient) >= bound * bound * j.scale * j.scale; };
+      const auto steep_enough = [&](const Jets& j) {
+        return dot(j.f.gradient, j.f.gradient) >= bound * bound * j.scale * j.scale;
+      };
       const auto size = [&](const std::array<double, 3>& p) { return rounded_gradient(shell.field(), p).norm(); };
       bool is_right = true;
-      for(const Barycentric<3>& b : worst_points(t, size, 6, 1)) is_right = is_right && shell.ask(exact_point(t, b), steep_enough) == Shell::HOLDS;
+      for(const Barycentric<3>& b : worst_points(t, size, 6, 1))
+        is_right = is_right && shell.ask(exact_point(t, b), steep_enough) == Shell::HOLDS;
       m_tally.count("least_gradient_of_certificate", is_right, "on" + describe(t));
     }
   }
@@ -234,17 +261,22 @@ private:
       const Triangle t = triangle_of(m_mesh, f);
       const Vector n = rounded_normal(t);
       const Exact_slope exact(t);
-      const auto margin = [&](const std::array<double, 3>& p) { return (std::min)(shell.above_inner(p), shell.below_outer(p)); };
+      const auto margin = [&](const std::array<double, 3>& p) {
+        return (std::min)(shell.above_inner(p), shell.below_outer(p));
+      };
       const auto slope = [&](const std::array<double, 3>& p) { return n.dot(rounded_gradient(shell.field(), p)); };
       const auto is_in = [](const Jets& j) { return j.f.value >= j.inner.value && j.f.value <= j.outer.value; };
-      const auto faces_along = [&](const Jets& j) { return exact(j.f, j.scale, verdict.transversality == Verdict::PROVED ? verdict.slope : 0); };
+      const auto faces_along = [&](const Jets& j) {
+        return exact(j.f, j.scale, verdict.transversality == Verdict::PROVED ? verdict.slope : 0);
+      };
       check_facet("facet_containment", verdict.containment, shell, t, margin, is_in);
       check_facet("facet_transversality", verdict.transversality, shell, t, slope, faces_along);
     }
   }
 
   template <typename Margin, typename Holds>
-  void check_facet(const std::string& kind, Verdict verdict, const Shell& shell, const Triangle& t, const Margin& margin, const Holds& holds)
+  void check_facet(const std::string& kind, Verdict verdict, const Shell& shell, const Triangle& t,
+                   const Margin& margin, const Holds& holds)
   {
     m_tally.count(kind, verdict);
     if(verdict == Verdict::UNDECIDED) return;
@@ -253,26 +285,33 @@ private:
       return;
     }
     for(const Barycentric<3>& b : worst_points(t, margin))
-      if(shell.ask(exact_point(t, b), holds) != Shell::HOLDS) { m_tally.wrong(kind, "proved on" + describe(t)); return; }
+      if(shell.ask(exact_point(t, b), holds) != Shell::HOLDS) {
+        m_tally.wrong(kind, "proved on" + describe(t));
+        return;
+      }
   }
 
-  // The algebraic count along a segment through a facet, on which the field increases from below the shell to above it; nothing if no such
-  // segment is found.
+  // The algebraic count along a segment through a facet, on which the field increases from below the shell to above it;
+  // nothing if no such segment is found.
   std::optional<int> crossings_of_path(const Shell& shell, const Triangle& t, bool anywhere)
   {
     double b[3] = { 1, 1, 1 };
-    if(anywhere) for(double& x : b) x = m_random.get_double(0.05, 1);
+    if(anywhere)
+      for(double& x : b) x = m_random.get_double(0.05, 1);
     const double sum = b[0] + b[1] + b[2];
     std::array<double, 3> middle;
     for(int a = 0; a < 3; ++a) middle[a] = (b[0] * t[0][a] + b[1] * t[1][a] + b[2] * t[2][a]) / sum;
-    const Vector g = rounded_gradient(shell.field(), middle), direction = g / g.norm() + (anywhere ? 0.2 : 0) * random_vector(m_random);
+    const Vector g = rounded_gradient(shell.field(), middle),
+                 direction = g / g.norm() + (anywhere ? 0.2 : 0) * random_vector(m_random);
     const auto along = [&](double s) {
       return Point_3(middle[0] + s * direction[0], middle[1] + s * direction[1], middle[2] + s * direction[2]);
     };
     for(double length = m_unit / 32; length < m_unit; length *= 1.2) {
       const Point_3 p = along(-length), q = along(length);
-      const bool is_through = shell.ask(dyadic(p), [](const Jets& j) { return j.f.value < j.inner.value; }) == Shell::HOLDS
-                           && shell.ask(dyadic(q), [](const Jets& j) { return j.f.value > j.outer.value; }) == Shell::HOLDS;
+      const bool is_through = shell.ask(dyadic(p), [](const Jets& j) { return j.f.value < j.inner.value; })
+                                == Shell::HOLDS
+                              && shell.ask(dyadic(q), [](const Jets& j) { return j.f.value > j.outer.value; })
+                                   == Shell::HOLDS;
       if(!is_through) continue;
       for(int n = 0; n <= 64; ++n) {
         const Point_3 x = along(length * (n / 32. - 1));
@@ -294,7 +333,8 @@ private:
     typedef BS::Certificate_witness Witness;
     if(w.reason == Witness::CROSSINGS) {
       const auto& mesh = certificate.examined_mesh();
-      const auto count = crossings_of_path(shell, triangle_of(mesh, CGAL::SM_Face_index(std::uint32_t(w.triangle))), false);
+      const auto count = crossings_of_path(shell, triangle_of(mesh, CGAL::SM_Face_index(std::uint32_t(w.triangle))),
+                                           false);
       if(w.count == 1) m_tally.wrong("claim_degree_one", "refuted by one crossing");
       if(count && *count != w.count) m_tally.wrong("claim_degree_one", "refuted by a wrong count");
     }
@@ -306,7 +346,8 @@ private:
       for(int step = 0; step < 20; ++step) {
         const auto jet = cell.second_order_jet(x);
         Eigen::Matrix3d h;
-        h << jet.hessian[0], jet.hessian[3], jet.hessian[4], jet.hessian[3], jet.hessian[1], jet.hessian[5], jet.hessian[4], jet.hessian[5], jet.hessian[2];
+        h << jet.hessian[0], jet.hessian[3], jet.hessian[4], jet.hessian[3], jet.hessian[1], jet.hessian[5],
+          jet.hessian[4], jet.hessian[5], jet.hessian[2];
         const Vector moved = h.fullPivLu().solve(Vector(jet.gradient[0], jet.gradient[1], jet.gradient[2]));
         for(int a = 0; a < 3; ++a) x[a] -= moved[a];
       }
@@ -316,7 +357,9 @@ private:
         const Jets j = shell.jets(c, dyadic(x));
         is_right = j.f.value >= j.inner.value && j.f.value <= j.outer.value;
       }
-      if(!is_right) m_tally.wrong("claim_gradient", "no critical point near" + describe(std::array<std::array<double, 3>, 1>{ w.point }));
+      if(!is_right)
+        m_tally.wrong("claim_gradient",
+                      "no critical point near" + describe(std::array<std::array<double, 3>, 1>{ w.point }));
     }
     if(w.reason == Witness::TWO_SHEETS) {
       if(!m_is_pair) m_tally.wrong("claim_one_sheet", "refuted for one surface");

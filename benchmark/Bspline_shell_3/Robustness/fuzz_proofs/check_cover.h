@@ -24,24 +24,33 @@ Place worst_place(const CGAL::Bbox_3& box, const Function& f)
     const double x = f(p);
     return std::isnan(x) ? -std::numeric_limits<double>::infinity() : x;
   };
-  const auto at = [&](int a, double t) { return (std::min)((box.max)(a), (std::max)((box.min)(a), (box.min)(a) + t * ((box.max)(a) - (box.min)(a)))); };
+  const auto at = [&](int a, double t) {
+    return (std::min)((box.max)(a), (std::max)((box.min)(a), (box.min)(a) + t * ((box.max)(a) - (box.min)(a))));
+  };
   Place best = { box.xmin(), box.ymin(), box.zmin() };
   double least = value(best);
   for(int k = 0; k <= 2; ++k)
     for(int j = 0; j <= 2; ++j)
       for(int i = 0; i <= 2; ++i) {
-        const Place p = { i == 2 ? box.xmax() : at(0, i / 2.), j == 2 ? box.ymax() : at(1, j / 2.), k == 2 ? box.zmax() : at(2, k / 2.) };
+        const Place p = { i == 2 ? box.xmax() : at(0, i / 2.), j == 2 ? box.ymax() : at(1, j / 2.),
+                          k == 2 ? box.zmax() : at(2, k / 2.) };
         const double x = value(p);
-        if(x < least) { least = x; best = p; }
+        if(x < least) {
+          least = x;
+          best = p;
+        }
       }
-  for(double step = 0.25; step > 1e-7; ) {
+  for(double step = 0.25; step > 1e-7;) {
     const Place center = best;
     for(int a = 0; a < 3; ++a)
       for(double s : { -step, step }) {
         Place p = center;
         p[a] = (std::min)((box.max)(a), (std::max)((box.min)(a), p[a] + s * ((box.max)(a) - (box.min)(a))));
         const double x = value(p);
-        if(x < least) { least = x; best = p; }
+        if(x < least) {
+          least = x;
+          best = p;
+        }
       }
     if(best == center) step /= 4;
   }
@@ -73,7 +82,8 @@ private:
   std::vector<std::uint32_t> flood(const std::vector<Point_3>& seeds)
   {
     std::vector<std::uint32_t> components;
-    for(std::size_t n = 0; n < seeds.size(); ++n) components.push_back(m_cover.template flood<CGAL::Sequential_tag>(seeds[n], std::uint32_t(n)));
+    for(std::size_t n = 0; n < seeds.size(); ++n)
+      components.push_back(m_cover.template flood<CGAL::Sequential_tag>(seeds[n], std::uint32_t(n)));
     return components;
   }
 
@@ -89,7 +99,7 @@ private:
   {
     const CGAL::Bbox_3& b = m_bbox[n];
     return "box " + std::to_string(n) + " of cell " + std::to_string(m_cover.boxes()[n].cell)
-         + describe(Segment{ Point_3(b.xmin(), b.ymin(), b.zmin()), Point_3(b.xmax(), b.ymax(), b.zmax()) });
+           + describe(Segment{ Point_3(b.xmin(), b.ymin(), b.zmin()), Point_3(b.xmax(), b.ymax(), b.zmax()) });
   }
 
   void check_boxes()
@@ -99,11 +109,19 @@ private:
       const BS::Cover_box& box = m_cover.boxes()[n];
       const auto c = box.cell;
       const auto cell = m_shell.field().cell(c);
-      if(box.kind == BS::Box_kind::UNDECIDED) { m_tally.count("box_monotone", Verdict::UNDECIDED); continue; }
-      const std::string kind = box.kind == BS::Box_kind::EXCLUDED ? "box_excluded" : box.kind == BS::Box_kind::MONOTONE ? "box_monotone" : "box_critical";
+      if(box.kind == BS::Box_kind::UNDECIDED) {
+        m_tally.count("box_monotone", Verdict::UNDECIDED);
+        continue;
+      }
+      const std::string kind = box.kind == BS::Box_kind::EXCLUDED   ? "box_excluded"
+                               : box.kind == BS::Box_kind::MONOTONE ? "box_monotone"
+                                                                    : "box_critical";
       m_tally.count(kind, Verdict::PROVED);
       // one threshold is enough to exclude a box
-      if(!m_shell.exact_field().bernstein(c)) { m_tally.wrong(kind, "nothing is known on " + describe_box(n)); continue; }
+      if(!m_shell.exact_field().bernstein(c)) {
+        m_tally.wrong(kind, "nothing is known on " + describe_box(n));
+        continue;
+      }
       // each with the polynomials of its own cell, in the closed box
       if(box.kind == BS::Box_kind::EXCLUDED) {
         const Place p = worst_place(m_bbox[n], [&](const Place& p) {
@@ -119,9 +137,9 @@ private:
           const auto g = cell.first_order_jet(p).gradient;
           return box.proof[0] * g[0] + box.proof[1] * g[1] + box.proof[2] * g[2];
         });
-        if(sign(dot(dyadic(box.proof), m_shell.jets(c, dyadic(p)).f.gradient)) <= 0) m_tally.wrong(kind, describe_box(n));
-      } else
-        check_critical_points(n);
+        if(sign(dot(dyadic(box.proof), m_shell.jets(c, dyadic(p)).f.gradient)) <= 0)
+          m_tally.wrong(kind, describe_box(n));
+      } else check_critical_points(n);
       if constexpr(!Threshold::is_constant)
         for(const Threshold* threshold : { &m_shell.inner(), &m_shell.outer() }) check_crossing(n, *threshold);
     }
@@ -146,7 +164,9 @@ private:
     const Jets j = m_shell.jets(c, dyadic(p));
     Dyadic above = j.f.value - (below ? j.inner : j.outer).value;
     for(int a = 0; a < 3; ++a)
-      above = above - (Dyadic(p[a]) - Dyadic(corner[a]) - Dyadic(width) * Dyadic(box.proof[a])) * j.f.gradient[a] * Dyadic(0.5);
+      above = above
+              - (Dyadic(p[a]) - Dyadic(corner[a]) - Dyadic(width) * Dyadic(box.proof[a])) * j.f.gradient[a]
+                  * Dyadic(0.5);
     if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", describe_box(n));
   }
 
@@ -161,12 +181,14 @@ private:
       const auto g = cell.first_order_jet(p).gradient, t = other.first_order_jet(p).gradient;
       return g[0] * (g[0] - t[0]) + g[1] * (g[1] - t[1]) + g[2] * (g[2] - t[2]);
     };
-    std::vector<std::pair<double, Place> > below, above;      // the least slopes first
+    std::vector<std::pair<double, Place> > below, above; // the least slopes first
     for(int i = 0; i < 27; ++i) {
       Place p;
       const int position[3] = { i % 3, i / 3 % 3, i / 9 };
-      for(int a = 0; a < 3; ++a) p[a] = position[a] == 0 ? (m_bbox[n].min)(a) : position[a] == 2 ? (m_bbox[n].max)(a)
-                                      : (m_bbox[n].min)(a) + ((m_bbox[n].max)(a) - (m_bbox[n].min)(a)) / 2;
+      for(int a = 0; a < 3; ++a)
+        p[a] = position[a] == 0   ? (m_bbox[n].min)(a)
+               : position[a] == 2 ? (m_bbox[n].max)(a)
+                                  : (m_bbox[n].min)(a) + ((m_bbox[n].max)(a) - (m_bbox[n].min)(a)) / 2;
       (margin(p) < 0 ? below : above).emplace_back(slope(p), p);
     }
     std::sort(below.begin(), below.end());
@@ -204,8 +226,10 @@ private:
       for(int a = 0; a < 3; ++a) {
         const double unit = std::ldexp(1., -int(box.depth));
         is_exact = is_exact && box.position[a] < 1 << box.depth
-                && Dyadic((m_bbox[n].min)(a)) == Dyadic(cell.corner()[a]) + Dyadic(box.position[a] * unit) * Dyadic(cell.width())
-                && Dyadic((m_bbox[n].max)(a)) == Dyadic(cell.corner()[a]) + Dyadic((box.position[a] + 1) * unit) * Dyadic(cell.width());
+                   && Dyadic((m_bbox[n].min)(a))
+                        == Dyadic(cell.corner()[a]) + Dyadic(box.position[a] * unit) * Dyadic(cell.width())
+                   && Dyadic((m_bbox[n].max)(a))
+                        == Dyadic(cell.corner()[a]) + Dyadic((box.position[a] + 1) * unit) * Dyadic(cell.width());
       }
       if(!is_exact) m_tally.wrong("box_tiling", "corner of " + describe_box(n));
     }
@@ -227,14 +251,20 @@ private:
       for(std::size_t n : order)
         if(contains(m_bbox[n], seeds[s])) {
           if(truth[n] != BS::Cover_box::no_component) known = truth[n];
-          else { truth[n] = std::uint32_t(s); stack.push_back(n); }
+          else {
+            truth[n] = std::uint32_t(s);
+            stack.push_back(n);
+          }
         }
       m_tally.count("flood", known == components[s], "from seed " + std::to_string(s));
       while(!stack.empty()) {
         const std::size_t b = stack.back();
         stack.pop_back();
         for(std::size_t n : order)
-          if(truth[n] == BS::Cover_box::no_component && touch(m_bbox[b], m_bbox[n])) { truth[n] = std::uint32_t(s); stack.push_back(n); }
+          if(truth[n] == BS::Cover_box::no_component && touch(m_bbox[b], m_bbox[n])) {
+            truth[n] = std::uint32_t(s);
+            stack.push_back(n);
+          }
       }
     }
     std::set<std::uint32_t> seen;
@@ -243,12 +273,13 @@ private:
       if(boxes[n].component != truth[n]) m_tally.wrong("flood", "component of " + describe_box(n));
       if(truth[n] == BS::Cover_box::no_component) continue;
       for(std::uint32_t c = 0; c < m_shell.field().number_of_cells(); ++c)
-        if(!seen.count(c) && touch(m_shell.field().cell(c).bbox(), m_bbox[n])) m_tally.wrong("flood", "has not looked beyond " + describe_box(n));
+        if(!seen.count(c) && touch(m_shell.field().cell(c).bbox(), m_bbox[n]))
+          m_tally.wrong("flood", "has not looked beyond " + describe_box(n));
     }
   }
 
-  // Boxes at the end of the domain, by whole numbers: a box that touches sides of its root cell needs the root cells behind them, or must not be in the
-  // shell where it touches one that there is not.
+  // Boxes at the end of the domain, by whole numbers: a box that touches sides of its root cell needs the root cells
+  // behind them, or must not be in the shell where it touches one that there is not.
   void check_ends()
   {
     const auto& boxes = m_cover.boxes();
@@ -274,13 +305,15 @@ private:
           for(int i = first[0]; i <= last[0]; ++i) {
             if(roots.cell(Lattice_point{ root[0] + i, root[1] + j, root[2] + k }) != Root_cells::npos) continue;
             ends = true;
-            if(!is_at_end[n] && is_in_shell_towards({ i, j, k }, n)) m_tally.wrong("end", "passed over, of " + describe_box(n));
+            if(!is_at_end[n] && is_in_shell_towards({ i, j, k }, n))
+              m_tally.wrong("end", "passed over, of " + describe_box(n));
           }
       if(is_at_end[n] && !ends) m_tally.wrong("end", describe_box(n));
     }
   }
 
-  // whether a face, an edge or a vertex of a box has a point in the shell, nearly: the one where the field is farthest from both ends of the shell
+  // whether a face, an edge or a vertex of a box has a point in the shell, nearly: the one where the field is farthest
+  // from both ends of the shell
   bool is_in_shell_towards(const std::array<int, 3>& direction, std::size_t n) const
   {
     const auto c = m_cover.boxes()[n].cell;
@@ -315,7 +348,8 @@ private:
       const auto cell = m_shell.field().cell(box.cell);
       const Place p = worst_place(m_bbox[n], [&](const Place& p) {
         const double f = cell.value(p);
-        if(f < m_shell.inner().value(p, box.cell) || f > m_shell.outer().value(p, box.cell)) return std::numeric_limits<double>::infinity();
+        if(f < m_shell.inner().value(p, box.cell) || f > m_shell.outer().value(p, box.cell))
+          return std::numeric_limits<double>::infinity();
         const auto g = cell.first_order_jet(p).gradient;
         return Vector(g[0], g[1], g[2]).stableNorm();
       });

@@ -14,9 +14,10 @@
 #include <optional>
 #include <vector>
 
-// How often the link turns around the axis through `p`: the edges that pass a half-plane that ends in the axis. Zero if one of them does
-// not turn forwards.
-inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadic_vector& axis, const std::vector<Point_3>& link)
+// How often the link turns around the axis through `p`: the edges that pass a half-plane that ends in the axis. Zero if
+// one of them does not turn forwards.
+inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadic_vector& axis,
+                       const std::vector<Point_3>& link)
 {
   std::vector<Dyadic_vector> spokes;
   for(const Point_3& q : link) spokes.push_back(minus(dyadic(q), p));
@@ -27,9 +28,11 @@ inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadi
     int turns = 0;
     bool is_generic = true;
     for(std::size_t n = 0; n < spokes.size() && is_generic; ++n) {
-      const int begin = sign(dot(axis, cross(half_plane, spokes[n]))), end = sign(dot(axis, cross(half_plane, spokes[(n + 1) % spokes.size()])));
+      const int begin = sign(dot(axis, cross(half_plane, spokes[n]))),
+                end = sign(dot(axis, cross(half_plane, spokes[(n + 1) % spokes.size()])));
       is_generic = begin != 0 && end != 0;
-      // less than half a turn forwards, from one side of the line to the other: past the half-plane, or past the opposite one
+      // less than half a turn forwards, from one side of the line to the other: past the half-plane, or past the
+      // opposite one
       turns += begin < 0 && end > 0;
     }
     if(is_generic) return turns;
@@ -38,28 +41,34 @@ inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadi
 
 inline void check_winding(Tally& tally, CGAL::Random& random)
 {
-  const double scale = std::ldexp(1., random.get_int(-150, 151)), far = chance(random, 0.3) ? std::ldexp(1., random.get_int(0, 40)) : 1;
-  const Vector p = far * random_vector(random), axis = random_direction(random), x = axis.cross(random_direction(random)).normalized(), y = axis.cross(x);
+  const double scale = std::ldexp(1., random.get_int(-150, 151)),
+               far = chance(random, 0.3) ? std::ldexp(1., random.get_int(0, 40)) : 1;
+  const Vector p = far * random_vector(random), axis = random_direction(random),
+               x = axis.cross(random_direction(random)).normalized(), y = axis.cross(x);
   const int number = random.get_int(3, 12), turns = random.get_int(1, 4);
   const double noise = power_of_ten(random, -17, 0);
   std::vector<Point_3> link;
   const auto point = [&](const Vector& v) { return Point_3(scale * v[0], scale * v[1], scale * v[2]); };
   for(int n = 0; n < number; ++n) {
     const double angle = 2 * CGAL_PI * n * turns / number + noise * random.get_double(-1, 1);
-    link.push_back(point(p + power_of_ten(random, -2, 1) * (std::cos(angle) * x + std::sin(angle) * y) + random.get_double(-1, 1) * axis));
+    link.push_back(point(p + power_of_ten(random, -2, 1) * (std::cos(angle) * x + std::sin(angle) * y)
+                         + random.get_double(-1, 1) * axis));
   }
   const Point_3 at = point(p), on_axis = point(p + axis);
   const int truth = exact_turns(random, dyadic(at), minus(dyadic(on_axis), dyadic(at)), link);
-  tally.count("winding", int(BS::link_winding_number(at, on_axis, link)) == truth, "around" + describe(Segment{ at, on_axis }));
+  tally.count("winding", int(BS::link_winding_number(at, on_axis, link)) == truth,
+              "around" + describe(Segment{ at, on_axis }));
 }
 
 inline void check_normal(Tally& tally, CGAL::Random& random)
 {
-  const double scale = std::ldexp(1., random.get_int(-300, 301)), far = chance(random, 0.5) ? std::ldexp(1., random.get_int(0, 50)) : 1;
+  const double scale = std::ldexp(1., random.get_int(-300, 301)),
+               far = chance(random, 0.5) ? std::ldexp(1., random.get_int(0, 50)) : 1;
   Vector u[3];
   u[0] = far * random_vector(random);
   for(int v = 1; v < 3; ++v) u[v] = u[0] + power_of_ten(random, -8, 0) * random_vector(random);
-  if(chance(random, 0.5)) u[2] = u[0] + random.get_double(-1, 2) * (u[1] - u[0]) + power_of_ten(random, -17, -5) * random_vector(random);
+  if(chance(random, 0.5))
+    u[2] = u[0] + random.get_double(-1, 2) * (u[1] - u[0]) + power_of_ten(random, -17, -5) * random_vector(random);
   for(int a = 0; a < 3; ++a)
     if(chance(random, 0.2)) u[2][a] = u[1][a] = u[0][a];
   Triangle t;
@@ -67,13 +76,18 @@ inline void check_normal(Tally& tally, CGAL::Random& random)
   if(is_degenerate(t)) return;
   const BS::Facet_normal found = BS::facet_normal(t[0], t[1], t[2]);
   const Dyadic_vector n = cross(minus(dyadic(t[1]), dyadic(t[0])), minus(dyadic(t[2]), dyadic(t[0])));
-  // Factors l with |l n_a - d_a| <= r lie between quotients: all lower ones are at most all upper ones, and some upper one is positive.
+  // Factors l with |l n_a - d_a| <= r lie between quotients: all lower ones are at most all upper ones, and some upper
+  // one is positive.
   bool is_right = true;
-  std::vector<std::pair<Dyadic, Dyadic> > lower, upper;      // numerators and positive denominators
+  std::vector<std::pair<Dyadic, Dyadic> > lower, upper; // numerators and positive denominators
   for(int a = 0; a < 3; ++a) {
     const int s = sign(n[a]);
-    const Dyadic d = Dyadic(s < 0 ? -found.direction[a] : found.direction[a]), size = s < 0 ? Dyadic(0) - n[a] : n[a], r(found.radius);
-    if(s == 0) { is_right = is_right && d <= r && Dyadic(0) - d <= r; continue; }
+    const Dyadic d = Dyadic(s < 0 ? -found.direction[a] : found.direction[a]), size = s < 0 ? Dyadic(0) - n[a] : n[a],
+                 r(found.radius);
+    if(s == 0) {
+      is_right = is_right && d <= r && Dyadic(0) - d <= r;
+      continue;
+    }
     lower.emplace_back(d - r, size);
     upper.emplace_back(d + r, size);
   }
@@ -85,7 +99,8 @@ inline void check_normal(Tally& tally, CGAL::Random& random)
 }
 
 // a closed surface: a double pyramid over a star or a polygon, its vertices moved
-inline CGAL::Surface_mesh<Point_3> random_bipyramid(CGAL::Random& random, int sides, int turns, double noise, double scale)
+inline CGAL::Surface_mesh<Point_3> random_bipyramid(CGAL::Random& random, int sides, int turns, double noise,
+                                                    double scale)
 {
   CGAL::Surface_mesh<Point_3> mesh;
   const auto add = [&](const Vector& v) {
@@ -122,8 +137,10 @@ inline bool meet_in_plane(const Triangle& t, const Point_3& p, const Point_3& q)
     const Dyadic_vector n = cross(minus(dyadic(b), dyadic(a)), minus(dyadic(c), dyadic(a)));
     return sign(n[axis]);
   };
-  // closed convex sets in a plane are disjoint if and only if the line of an edge of one of them separates them; for a point, one of the triangle's
-  const auto separates = [&](const Point_3& a, const Point_3& b, const std::vector<Point_3>& first, const std::vector<Point_3>& second) {
+  // closed convex sets in a plane are disjoint if and only if the line of an edge of one of them separates them; for a
+  // point, one of the triangle's
+  const auto separates = [&](const Point_3& a, const Point_3& b, const std::vector<Point_3>& first,
+                             const std::vector<Point_3>& second) {
     for(int s : { 1, -1 }) {
       bool is_separated = true;
       for(const Point_3& x : first) is_separated = is_separated && s * side(a, b, x) >= 0;
@@ -138,7 +155,13 @@ inline bool meet_in_plane(const Triangle& t, const Point_3& p, const Point_3& q)
   return !separates(p, q, segment, triangle);
 }
 
-enum class Crossing { NONE, UPWARDS, DOWNWARDS, TOUCHES };
+enum class Crossing
+{
+  NONE,
+  UPWARDS,
+  DOWNWARDS,
+  TOUCHES
+};
 inline Crossing exact_crossing(const Triangle& t, const Point_3& p, const Point_3& q)
 {
   const auto volume = [](const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d) {
@@ -148,7 +171,8 @@ inline Crossing exact_crossing(const Triangle& t, const Point_3& p, const Point_
   if(at_p == 0 && at_q == 0) return meet_in_plane(t, p, q) ? Crossing::TOUCHES : Crossing::NONE;
   if(at_p * at_q > 0) return Crossing::NONE;
   const int s[3] = { volume(p, q, t[0], t[1]), volume(p, q, t[1], t[2]), volume(p, q, t[2], t[0]) };
-  const bool negative = s[0] < 0 || s[1] < 0 || s[2] < 0, positive = s[0] > 0 || s[1] > 0 || s[2] > 0, zero = s[0] == 0 || s[1] == 0 || s[2] == 0;
+  const bool negative = s[0] < 0 || s[1] < 0 || s[2]< 0, positive = s[0] > 0 || s[1] > 0 || s[2] > 0,
+             zero = s[0] == 0 || s[1] == 0 || s[2] == 0;
   if(negative && positive) return Crossing::NONE;
   if(zero || at_p == 0 || at_q == 0) return Crossing::TOUCHES;
   return at_q > 0 ? Crossing::UPWARDS : Crossing::DOWNWARDS;
@@ -159,7 +183,8 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
   const int sides = random.get_int(3, 9);
   const double scale = std::ldexp(1., random.get_int(-150, 151));
   const bool on_lattice = chance(random, 0.3);
-  auto mesh = random_bipyramid(random, sides, random.get_int(1, 3), chance(random, 0.5) ? 0 : power_of_ten(random, -16, 0), 1);
+  auto mesh = random_bipyramid(random, sides, random.get_int(1, 3),
+                               chance(random, 0.5) ? 0 : power_of_ten(random, -16, 0), 1);
   for(auto v : mesh.vertices()) {
     auto& p = mesh.point(v);
     if(on_lattice) p = Point_3(std::nearbyint(4 * p.x()), std::nearbyint(4 * p.y()), std::nearbyint(4 * p.z()));
@@ -172,13 +197,15 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
   for(int n = 0; n < 16; ++n) {
     const auto end = [&]() {
       Vector v = 1.5 * random_vector(random);
-      if(on_lattice) for(int a = 0; a < 3; ++a) v[a] = std::nearbyint(4 * v[a]);
+      if(on_lattice)
+        for(int a = 0; a < 3; ++a) v[a] = std::nearbyint(4 * v[a]);
       if(chance(random, 0.1)) return mesh.point(vertices[std::size_t(random.get_int(0, int(vertices.size())))]);
       return Point_3(scale * v[0], scale * v[1], scale * v[2]);
     };
     Point_3 p = end(), q = end();
-    if(chance(random, 0.3)) {      // through an edge or a vertex, nearly
-      const Point_3 a = mesh.point(vertices[std::size_t(random.get_int(0, int(vertices.size())))]), b = mesh.point(vertices[0]);
+    if(chance(random, 0.3)) { // through an edge or a vertex, nearly
+      const Point_3 a = mesh.point(vertices[std::size_t(random.get_int(0, int(vertices.size())))]),
+                    b = mesh.point(vertices[0]);
       const Point_3 m = CGAL::midpoint(a, b);
       q = m + (m - p);
     }
@@ -191,8 +218,10 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
       if(c == Crossing::UPWARDS || c == Crossing::DOWNWARDS) crossed[f] = c == Crossing::UPWARDS ? 1 : -1;
     }
     const auto found = counter.crossings(p, q);
-    const bool is_right = found ? !touches && std::map<CGAL::SM_Face_index, int>(found->begin(), found->end()) == crossed && found->size() == crossed.size()
-                                : touches;
+    const bool is_right = found
+                            ? !touches && std::map<CGAL::SM_Face_index, int>(found->begin(), found->end()) == crossed
+                                && found->size() == crossed.size()
+                            : touches;
     tally.count("crossings", is_right, "of" + describe(Segment{ p, q }));
   }
 }
@@ -204,11 +233,14 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
   const int magnitude = random.get_int(-300, 301), spread = chance(random, 0.5) ? 0 : random.get_int(0, 60);
   const auto random_tricubic = [&](Exact_form& exact) {
     BS::Enclosed_tricubic f;
-    const double mean = chance(random, 0.3) ? random.get_double(-1, 1) : 0, variation = mean == 0 ? 1 : power_of_ten(random, -16, 0);
+    const double mean = chance(random, 0.3) ? random.get_double(-1, 1) : 0,
+                 variation = mean == 0 ? 1 : power_of_ten(random, -16, 0);
     f.radius = chance(random, 0.3) ? 0 : std::ldexp(power_of_ten(random, -18, -1), magnitude);
     for(int n = 0; n < 64; ++n) {
-      f.coefficients[n] = std::ldexp(mean + variation * random.get_double(-1, 1), magnitude - (spread ? random.get_int(0, spread) : 0));
-      exact[n] = Dyadic(f.coefficients[n]) + Dyadic(chance(random, 0.5) ? sign(random) : random.get_double(-1, 1)) * Dyadic(f.radius);
+      f.coefficients[n] = std::ldexp(mean + variation * random.get_double(-1, 1),
+                                     magnitude - (spread ? random.get_int(0, spread) : 0));
+      exact[n] = Dyadic(f.coefficients[n])
+                 + Dyadic(chance(random, 0.5) ? sign(random) : random.get_double(-1, 1)) * Dyadic(f.radius);
     }
     return f;
   };
@@ -226,7 +258,8 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
 
   std::array<double, 3> direction;
   Dyadic_vector exact_direction;
-  const double radius = chance(random, 0.5) ? 0 : power_of_ten(random, -18, -1), size = std::ldexp(1., random.get_int(-200, 201));
+  const double radius = chance(random, 0.5) ? 0 : power_of_ten(random, -18, -1),
+               size = std::ldexp(1., random.get_int(-200, 201));
   for(int a = 0; a < 3; ++a) {
     direction[a] = size * (chance(random, 0.2) ? 0 : random.get_double(-1, 1));
     exact_direction[a] = Dyadic(direction[a]) + Dyadic(size * radius) * Dyadic(sign(random));
@@ -235,9 +268,10 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
   for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
     for(int n = 0; n < 64; ++n) {
       if((n / stride) % 4 != 0) continue;
-      const Dyadic s0 = f_exact[n + stride] - f_exact[n], s1 = f_exact[n + 2*stride] - f_exact[n + stride], s2 = f_exact[n + 3*stride] - f_exact[n + 2*stride];
+      const Dyadic s0 = f_exact[n + stride] - f_exact[n], s1 = f_exact[n + 2 * stride] - f_exact[n + stride],
+                   s2 = f_exact[n + 3 * stride] - f_exact[n + 2 * stride];
       const Dyadic raised[4] = { Dyadic(3) * s0, s0 + Dyadic(2) * s1, Dyadic(2) * s1 + s2, Dyadic(3) * s2 };
-      for(int m = 0; m < 4; ++m) result[n + m*stride] += exact_direction[axis] * raised[m];
+      for(int m = 0; m < 4; ++m) result[n + m * stride] += exact_direction[axis] * raised[m];
     }
   tally.count("tricubic_derivative", is_within(BS::enclosed_derivative(f, direction, size * radius), result, 1), "");
 
@@ -248,12 +282,15 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
       if((n / stride) % 4 != 0) continue;
       // times eight: 8 0 0 0, 4 4 0 0, 2 4 2 0, 1 3 3 1, and mirrored
       Dyadic b[4];
-      for(int m = 0; m < 4; ++m) b[m] = result[n + m*stride];
+      for(int m = 0; m < 4; ++m) b[m] = result[n + m * stride];
       const bool upper = (octant >> axis) & 1;
-      if(upper) { std::swap(b[0], b[3]); std::swap(b[1], b[2]); }
-      const Dyadic half[4] = { Dyadic(8) * b[0], Dyadic(4) * (b[0] + b[1]), Dyadic(2) * (b[0] + b[2]) + Dyadic(4) * b[1],
-                               b[0] + b[3] + Dyadic(3) * (b[1] + b[2]) };
-      for(int m = 0; m < 4; ++m) result[n + m*stride] = half[upper ? 3 - m : m];
+      if(upper) {
+        std::swap(b[0], b[3]);
+        std::swap(b[1], b[2]);
+      }
+      const Dyadic half[4] = { Dyadic(8) * b[0], Dyadic(4) * (b[0] + b[1]),
+                               Dyadic(2) * (b[0] + b[2]) + Dyadic(4) * b[1], b[0] + b[3] + Dyadic(3) * (b[1] + b[2]) };
+      for(int m = 0; m < 4; ++m) result[n + m * stride] = half[upper ? 3 - m : m];
     }
   tally.count("tricubic_octant", is_within(BS::restrict_to_octant(f, octant), result, 512), "");
 
@@ -271,7 +308,11 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
   for(int n = 0; n < 4; ++n) {
     int b[3] = {};
     if(n < 3) b[n] = 64;
-    else { b[0] = random.get_int(0, 65); b[1] = random.get_int(0, 65 - b[0]); b[2] = 64 - b[0] - b[1]; }
+    else {
+      b[0] = random.get_int(0, 65);
+      b[1] = random.get_int(0, 65 - b[0]);
+      b[2] = 64 - b[0] - b[1];
+    }
     std::array<Dyadic, 4> weight[3];
     for(int a = 0; a < 3; ++a) {
       Dyadic t(0);
@@ -303,7 +344,10 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
     }
     bool is_right = true;
     for(int n = 0; n < 64; ++n) {
-      if(!std::isfinite(cell.coefficients()[n])) { is_right = false; continue; }
+      if(!std::isfinite(cell.coefficients()[n])) {
+        is_right = false;
+        continue;
+      }
       const Dyadic d = (*b)[n] - Dyadic(216) * Dyadic(cell.coefficients()[n]), r = Dyadic(216) * Dyadic(radius);
       is_right = is_right && d <= r && Dyadic(0) - d <= r;
     }
@@ -311,7 +355,8 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
     // a point of a side, seen from all cells around it
     std::array<double, 3> p;
     const int side = random.get_int(0, 3);
-    for(int a = 0; a < 3; ++a) p[a] = cell.corner()[a] + cell.width() * (a == side ? random.get_int(0, 2) : random.get_int(0, 9) / 8.);
+    for(int a = 0; a < 3; ++a)
+      p[a] = cell.corner()[a] + cell.width() * (a == side ? random.get_int(0, 2) : random.get_int(0, 9) / 8.);
     const Exact_jet here = exact.jet(typename Field::Cell_index(c), dyadic(p));
     const Dyadic scale = exact.scale(typename Field::Cell_index(c));
     bool agree = true;

@@ -1,5 +1,5 @@
-// Checks shells of small meshes with tips and holes. The claims must hold on the closed and truncated mesh, and a copy of the mesh with lazy
-// exact coordinates must get the same verdicts and images.
+// Checks shells of small meshes with tips and holes. The claims must hold on the closed and truncated mesh, and a copy
+// of the mesh with lazy exact coordinates must get the same verdicts and images.
 #ifndef CHECK_SHELLS_H
 #define CHECK_SHELLS_H
 
@@ -22,8 +22,8 @@
 #include <utility>
 #include <vector>
 
-// Returns the boundary of a union of unit cubes, each beside the one before. Where they turn, facets may face no common direction. If the
-// boundary is not a surface, the mesh is empty.
+// Returns the boundary of a union of unit cubes, each beside the one before. Where they turn, facets may face no common
+// direction. If the boundary is not a surface, the mesh is empty.
 inline Mesh random_cubes(CGAL::Random& random)
 {
   std::vector<std::array<int, 3> > cubes(1, std::array<int, 3>{ 0, 0, 0 });
@@ -43,7 +43,7 @@ inline Mesh random_cubes(CGAL::Random& random)
         std::array<int, 3> beyond = cube;
         beyond[a] += 2 * side - 1;
         if(all.count(beyond) > 0) continue;
-        std::array<CGAL::SM_Vertex_index, 4> corner;      // counterclockwise as seen from outside
+        std::array<CGAL::SM_Vertex_index, 4> corner; // counterclockwise as seen from outside
         for(int n = 0; n < 4; ++n) {
           std::array<int, 3> p = cube;
           const int m = side == 1 ? n : 3 - n;
@@ -55,7 +55,8 @@ inline Mesh random_cubes(CGAL::Random& random)
           corner[std::size_t(n)] = place->second;
         }
         for(int half = 0; half < 2; ++half)
-          if(mesh.add_face(corner[0], corner[std::size_t(1 + half)], corner[std::size_t(2 + half)]) == Mesh::null_face())
+          if(mesh.add_face(corner[0], corner[std::size_t(1 + half)], corner[std::size_t(2 + half)])
+             == Mesh::null_face())
             return Mesh();
       }
   return mesh;
@@ -79,7 +80,8 @@ public:
     if(m_mesh.is_empty()) return;
     const Certified_shell shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
       m_mesh, BS::parameters::relative_thickness(power_of_ten(random, -2, -1.2)));
-    const std::string kind = std::string("shell") + (shell.closing() ? "_closed" : "") + (shell.truncation() ? "_truncated" : "");
+    const std::string kind = std::string("shell") + (shell.closing() ? "_closed" : "")
+                             + (shell.truncation() ? "_truncated" : "");
     m_tally.count(kind, shell.is_certified() ? Verdict::PROVED : Verdict::UNDECIDED);
     if(!shell.is_certified()) return;
     const Shell exact(shell.field(), shell.inner_threshold(), shell.outer_threshold());
@@ -163,7 +165,7 @@ private:
     Certificate of_lazy(shell);
     of_lazy.verify<CGAL::Sequential_tag>(lazy(m_mesh));
     const bool is_same = of_lazy.is_certified() && of_lazy.least_angle() == certificate.least_angle()
-                      && of_lazy.examined_mesh().number_of_faces() == certificate.examined_mesh().number_of_faces();
+                         && of_lazy.examined_mesh().number_of_faces() == certificate.examined_mesh().number_of_faces();
     m_tally.count("lazy_certificate", is_same, "differs");
   }
 
@@ -199,13 +201,14 @@ private:
     m_tally.count("lazy_map", map.status() == lazy_map.status(), "has another status");
     for(int n = 0; n < 60; ++n) {
       std::array<double, 3> b = { m_random.get_double(0, 1), m_random.get_double(0, 1), m_random.get_double(0, 1) };
-      if(chance(m_random, 0.3)) b[std::size_t(m_random.get_int(0, 3))] *= 100;         // near a vertex
+      if(chance(m_random, 0.3)) b[std::size_t(m_random.get_int(0, 3))] *= 100; // near a vertex
       const double sum = b[0] + b[1] + b[2];
       for(double& x : b) x /= sum;
       const CGAL::SM_Face_index f(std::uint32_t(m_random.get_int(0, int(m_mesh.number_of_faces()))));
       const auto image = map({ f, b });
       const auto of_lazy = lazy_map({ f, b });
-      const bool is_same = image.status == of_lazy.status && image.location == of_lazy.location && image.point == of_lazy.point;
+      const bool is_same = image.status == of_lazy.status && image.location == of_lazy.location
+                           && image.point == of_lazy.point;
       m_tally.count("lazy_image", is_same, "differs");
       const auto back = image ? inverse(image.location) : image;
       m_tally.count("image", back ? Verdict::PROVED : Verdict::UNDECIDED);

@@ -1,10 +1,10 @@
-// Checks what the library proves and refutes, on random input close to where answers change: every answer against exact arithmetic and brute
-// force. One JSON line with the numbers of answers by kind and verdict, and of wrong ones.
+// Checks what the library proves and refutes, on random input close to where answers change: every answer against exact
+// arithmetic and brute force. One JSON line with the numbers of answers by kind and verdict, and of wrong ones.
 //
 //   fuzz_proofs --seconds S --seed N [--threads T] [--case C]
 //
-// A case depends on the seed and its number only; how many there are depends on the time. --case: only this one. Wrong answers are described
-// on stderr, by seed and case; then the exit code is 1.
+// A case depends on the seed and its number only; how many there are depends on the time. --case: only this one. Wrong
+// answers are described on stderr, by seed and case; then the exit code is 1.
 #include "check_certificate.h"
 #include "check_cover.h"
 #include "check_geometry.h"
@@ -27,32 +27,39 @@
 
 // thresholds at the extrema of the field on a triangle, or next to them
 template <typename Field>
-std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL::Random& random, const Random_cells&, const Field& field, const Triangle& t,
+std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL::Random& random, const Random_cells&,
+                                                                            const Field& field, const Triangle& t,
                                                                             const BS::Constant_threshold*)
 {
   const auto value = [&](const std::array<double, 3>& p) { return rounded_value(field, p); };
   const auto negative = [&](const std::array<double, 3>& p) { return -value(p); };
-  const double size = magnitude(field, t[0]), least = random_bound(random, t, value, size), most = -random_bound(random, t, negative, size);
+  const double size = magnitude(field, t[0]), least = random_bound(random, t, value, size),
+               most = -random_bound(random, t, negative, size);
   const bool is_close = random.get_bool();
   const double inner = is_close ? least : least - size * power_of_ten(random, -4, 0);
   const double outer = !is_close || random.get_bool() ? most : most + size * power_of_ten(random, -4, 0);
-  return { BS::Constant_threshold(std::isfinite(inner) ? inner : 0), BS::Constant_threshold(std::isfinite(outer) ? outer : 0) };
+  return { BS::Constant_threshold(std::isfinite(inner) ? inner : 0),
+           BS::Constant_threshold(std::isfinite(outer) ? outer : 0) };
 }
 
 template <typename Field>
-std::pair<BS::Spline_threshold<Field>, BS::Spline_threshold<Field> >
-random_thresholds(CGAL::Random& random, const Random_cells& cells, const Field& field, const Triangle& t, const BS::Spline_threshold<Field>*)
+std::pair<BS::Spline_threshold<Field>, BS::Spline_threshold<Field> > random_thresholds(
+  CGAL::Random& random, const Random_cells& cells, const Field& field, const Triangle& t,
+  const BS::Spline_threshold<Field>*)
 {
   typedef BS::Spline_threshold<Field> Threshold;
   const double size = magnitude(field, t[0]);
   const auto threshold = [&](double sign, bool is_close) {
     const double steepness = chance(random, 0.5) ? power_of_ten(random, -4, -1) : power_of_ten(random, -1, 0.5);
-    Eigen::VectorXd x = chance(random, 0.3) ? Eigen::VectorXd(random.get_double(0.5, 1) * field.coefficients())
-                                            : Eigen::VectorXd(steepness * size * random_coefficients(random, field, cells));
+    Eigen::VectorXd x = chance(random, 0.3)
+                          ? Eigen::VectorXd(random.get_double(0.5, 1) * field.coefficients())
+                          : Eigen::VectorXd(steepness * size * random_coefficients(random, field, cells));
     if(chance(random, 0.2)) x += power_of_ten(random, -12, -1) * size * random_coefficients(random, field, cells);
     Field spline = field;
     spline.set_coefficients(x);
-    const auto margin = [&](const std::array<double, 3>& p) { return sign * (rounded_value(field, p) - rounded_value(spline, p)); };
+    const auto margin = [&](const std::array<double, 3>& p) {
+      return sign * (rounded_value(field, p) - rounded_value(spline, p));
+    };
     const double least = random_bound(random, t, margin, size);
     if(!std::isfinite(least)) return Threshold(std::move(spline));
     const double shift = sign * (is_close ? least : least - size * power_of_ten(random, -4, 0));
@@ -70,7 +77,8 @@ template <typename Field, typename Threshold>
 void check_field(Tally& tally, CGAL::Random& random)
 {
   typedef Exact_shell<Field, Threshold> Shell;
-  const Random_cells cells(random, std::is_same<Field, Uniform_field>::value ? random.get_int(1, 5) : random.get_int(1, 4));
+  const Random_cells cells(random,
+                           std::is_same<Field, Uniform_field>::value ? random.get_int(1, 5) : random.get_int(1, 4));
   if(!cells.roots.is_exact()) return;
   const Field field = random_field<Field>(random, cells);
   const BS::Field_predicates_3<Field> predicates(field);
@@ -81,7 +89,8 @@ void check_field(Tally& tally, CGAL::Random& random)
     Triangle t = random_triangle(random, cells);
     if(chance(random, 0.3)) t = level_triangle(field, t);
     if(chance(random, 0.4)) t = grazing_triangle(random, field, t);
-    else if(rounded_normal(t).dot(rounded_gradient(field, { t[0][0], t[0][1], t[0][2] })) < 0 && chance(random, 0.9)) std::swap(t[1], t[2]);
+    else if(rounded_normal(t).dot(rounded_gradient(field, { t[0][0], t[0][1], t[0][2] })) < 0 && chance(random, 0.9))
+      std::swap(t[1], t[2]);
     const auto thresholds = random_thresholds(random, cells, field, t, static_cast<const Threshold*>(nullptr));
     const Shell shell(field, thresholds.first, thresholds.second);
     const BS::Second_order_bounds_3<Field, Threshold> bounds(field, thresholds.first, thresholds.second);
@@ -96,8 +105,8 @@ void check_field(Tally& tally, CGAL::Random& random)
     for(const Point_3& p : t) check_is_beyond(tally, shell, predicates, p);
     check_examination(tally, random, shell, bounds, t);
     const Point_3 middles[] = { CGAL::midpoint(t[1], t[2]), CGAL::midpoint(t[2], t[0]), CGAL::midpoint(t[0], t[1]) };
-    for(const Triangle& part : { Triangle{ t[0], middles[2], t[2] }, Triangle{ t[0], middles[2], middles[1] }, Triangle{ t[1], middles[0], middles[2] },
-                                 Triangle{ t[2], middles[1], middles[0] } })
+    for(const Triangle& part : { Triangle{ t[0], middles[2], t[2] }, Triangle{ t[0], middles[2], middles[1] },
+                                 Triangle{ t[1], middles[0], middles[2] }, Triangle{ t[2], middles[1], middles[0] } })
       if(!is_degenerate(part)) check_examination(tally, random, shell, bounds, part);
     if(chance(random, 0.3)) check_oracle(tally, random, shell, t);
     if(field.number_of_cells() <= 130 && chance(random, 0.15)) {
@@ -120,7 +129,8 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
   switch(number % 17) {
     case 0: Certificate_check<Uniform_field, Constant>(tally, random); break;
     case 1: Certificate_check<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
-    case 2: case 3:
+    case 2:
+    case 3:
       for(int n = 0; n < 20; ++n) {
         check_normal(tally, random);
         check_winding(tally, random);
@@ -128,9 +138,15 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
       }
       check_crossings(tally, random);
       break;
-    case 4: case 5: case 6: check_field<Uniform_field, Constant>(tally, random); break;
-    case 7: case 8: case 9: check_field<Uniform_field, BS::Spline_threshold<Uniform_field> >(tally, random); break;
-    case 10: case 11: case 12: check_field<Hierarchical_field, Constant>(tally, random); break;
+    case 4:
+    case 5:
+    case 6: check_field<Uniform_field, Constant>(tally, random); break;
+    case 7:
+    case 8:
+    case 9: check_field<Uniform_field, BS::Spline_threshold<Uniform_field> >(tally, random); break;
+    case 10:
+    case 11:
+    case 12: check_field<Hierarchical_field, Constant>(tally, random); break;
     case 13: Shell_check(tally, random); break;
     default: check_field<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
   }
@@ -151,7 +167,10 @@ int main(int argc, char** argv)
     if(option == "--seconds") seconds = std::atof(argv[n + 1]);
     if(option == "--seed") seed = std::strtoull(argv[n + 1], nullptr, 10);
     if(option == "--threads") threads = (std::max)(1u, unsigned(std::atoi(argv[n + 1])));
-    if(option == "--case") { only = std::strtoull(argv[n + 1], nullptr, 10); is_single = true; }
+    if(option == "--case") {
+      only = std::strtoull(argv[n + 1], nullptr, 10);
+      is_single = true;
+    }
   }
 
   CGAL::Real_timer timer;
@@ -159,8 +178,11 @@ int main(int argc, char** argv)
   std::atomic<std::uint64_t> next(0);
   std::vector<Tally> tallies(is_single ? 1 : threads);
   const auto check_one = [seed](Tally& tally, std::uint64_t number) {
-    try { check_case(tally, seed, number); }
-    catch(const std::exception& e) { tally.wrong("exception", e.what()); }
+    try {
+      check_case(tally, seed, number);
+    } catch(const std::exception& e) {
+      tally.wrong("exception", e.what());
+    }
   };
   if(is_single) {
     check_one(tallies[0], only);
@@ -168,7 +190,9 @@ int main(int argc, char** argv)
     std::vector<std::thread> workers;
     const CGAL::Real_timer* clock = &timer;
     for(Tally& tally : tallies)
-      workers.emplace_back([&next, &tally, &check_one, clock, seconds]() { while(clock->time() < seconds) check_one(tally, next++); });
+      workers.emplace_back([&next, &tally, &check_one, clock, seconds]() {
+        while(clock->time() < seconds) check_one(tally, next++);
+      });
     for(std::thread& worker : workers) worker.join();
   }
   Tally all;
@@ -176,9 +200,11 @@ int main(int argc, char** argv)
 
   constexpr std::size_t most_described = 10;
   for(std::size_t n = 0; n < (std::min)(most_described, all.descriptions().size()); ++n)
-    std::cerr << "--seed " << seed << " --case " << all.descriptions()[n].first << ": " << all.descriptions()[n].second << '\n';
-  std::cout << "{\"seed\": " << seed << ", \"seconds\": " << timer.time() << ", \"threads\": " << tallies.size() << ", \"cases\": "
-            << (is_single ? 1 : next.load()) << ", \"answers\": " << all.answers() << ", \"wrong\": " << all.wrong_answers() << ", \"kinds\": ";
+    std::cerr << "--seed " << seed << " --case " << all.descriptions()[n].first << ": " << all.descriptions()[n].second
+              << '\n';
+  std::cout << "{\"seed\": " << seed << ", \"seconds\": " << timer.time() << ", \"threads\": " << tallies.size()
+            << ", \"cases\": " << (is_single ? 1 : next.load()) << ", \"answers\": " << all.answers()
+            << ", \"wrong\": " << all.wrong_answers() << ", \"kinds\": ";
   all.write_json(std::cout);
   std::cout << "}\n";
   return all.wrong_answers() > 0;

@@ -27,9 +27,18 @@ typedef Eigen::Vector3d Vector;
 typedef BS::Uniform_bspline_field_3<Kernel> Uniform_field;
 typedef BS::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
 
-inline bool chance(CGAL::Random& random, double share) { return random.get_double() < share; }
-inline double sign(CGAL::Random& random) { return random.get_bool() ? 1 : -1; }
-inline double power_of_ten(CGAL::Random& random, double least, double most) { return std::pow(10., random.get_double(least, most)); }
+inline bool chance(CGAL::Random& random, double share)
+{
+  return random.get_double() < share;
+}
+inline double sign(CGAL::Random& random)
+{
+  return random.get_bool() ? 1 : -1;
+}
+inline double power_of_ten(CGAL::Random& random, double least, double most)
+{
+  return std::pow(10., random.get_double(least, most));
+}
 inline Vector random_vector(CGAL::Random& random)
 {
   const double x = random.get_double(-1, 1), y = random.get_double(-1, 1), z = random.get_double(-1, 1);
@@ -43,7 +52,8 @@ inline Vector random_direction(CGAL::Random& random)
   }
 }
 
-// Root cells, in units of which all else is thrown: their corners have integer coordinates, and the domain is [first, last + 1].
+// Root cells, in units of which all else is thrown: their corners have integer coordinates, and the domain is [first,
+// last + 1].
 struct Random_cells
 {
   Root_cells roots;
@@ -59,7 +69,8 @@ struct Random_cells
       first[a] = -random.get_int(0, most_cells + 1);
       last[a] = first[a] + random.get_int(1, most_cells + 1) - 1;
     }
-    const BS::Lattice_3 lattice(CGAL::Bbox_3(center[0], center[1], center[2], center[0], center[1], center[2]), spacing);
+    const BS::Lattice_3 lattice(CGAL::Bbox_3(center[0], center[1], center[2], center[0], center[1], center[2]),
+                                spacing);
     roots = some_cells(random, lattice, first, last, chance(random, 0.8) ? 1 : 0.85);
     if(roots.number_of_cells() == 0) roots = some_cells(random, lattice, first, last);
   }
@@ -78,7 +89,10 @@ struct Random_cells
   }
 };
 
-inline Uniform_field zero_field(CGAL::Random&, const Root_cells& roots, const Uniform_field*) { return Uniform_field(roots); }
+inline Uniform_field zero_field(CGAL::Random&, const Root_cells& roots, const Uniform_field*)
+{
+  return Uniform_field(roots);
+}
 inline Hierarchical_field zero_field(CGAL::Random& random, const Root_cells& roots, const Hierarchical_field*)
 {
   return Hierarchical_field(random_hierarchy(random, roots, chance(random, 0.1) ? 3 : 2));
@@ -92,7 +106,7 @@ Eigen::VectorXd coefficients(const Field& field, const Function& f)
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
     const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
     int level = 0;
-    while(point < field.first_point(level)) ++level;      // the finest level comes first
+    while(point < field.first_point(level)) ++level; // the finest level comes first
     const auto& p = field.points(level).point(point - field.first_point(level));
     x[Eigen::Index(n)] = f(Vector(std::ldexp(p[0], -level), std::ldexp(p[1], -level), std::ldexp(p[2], -level)));
   }
@@ -111,12 +125,12 @@ Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, co
   return coefficients(field, [&](const Vector& u) {
     double x = 0;
     switch(shape) {
-      case 0: x = (u - center).norm() + offset; break;                                          // distance-like
-      case 1: x = direction.dot(u - center); break;                                             // linear
+      case 0: x = (u - center).norm() + offset; break; // distance-like
+      case 1: x = direction.dot(u - center); break;    // linear
       case 2: x = direction.dot(u - center) + curvature * (u - center).squaredNorm() / 4; break;
       case 3: x = random.get_double(-1, 1); break;
       case 4: x = sign(random) * std::ldexp(random.get_double(0.5, 1), random.get_int(-magnitudes, 1)); break;
-      default: x = 1 + 1e-3 * noise * direction.dot(u); break;                                  // all but constant
+      default: x = 1 + 1e-3 * noise * direction.dot(u); break; // all but constant
     }
     return x + noise * random.get_double(-1, 1);
   });
@@ -130,8 +144,9 @@ Field random_field(CGAL::Random& random, const Random_cells& cells)
   x *= chance(random, 0.6) ? cells.spacing() : chance(random, 0.9) ? std::ldexp(1., random.get_int(-300, 301)) : 1e300;
   if(chance(random, 0.06))
     for(int n = random.get_int(1, 4); n > 0; --n)
-      x[random.get_int(0, int(x.size()))] = random.get_bool() ? std::numeric_limits<double>::infinity()
-                                          : random.get_bool() ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+      x[random.get_int(0, int(x.size()))] = random.get_bool()   ? std::numeric_limits<double>::infinity()
+                                            : random.get_bool() ? -std::numeric_limits<double>::infinity()
+                                                                : std::numeric_limits<double>::quiet_NaN();
   field.set_coefficients(std::move(x));
   return field;
 }
@@ -160,17 +175,21 @@ inline bool is_degenerate(const Triangle& t)
 
 inline Vector rounded_normal(const Triangle& t)
 {
-  const Vector u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]), v(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
+  const Vector u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]),
+    v(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
   const double size = (std::max)(u.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()),
                other = (std::max)(v.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   const Vector n = (u / size).cross(v / other);
   return n / (std::max)(n.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
 }
 
-// As a distance from the decision, relative to what is decided about. Mostly not as near as to keep predicates busy up to their limits.
+// As a distance from the decision, relative to what is decided about. Mostly not as near as to keep predicates busy up
+// to their limits.
 inline double random_distance(CGAL::Random& random)
 {
-  return chance(random, 0.02) ? 0 : sign(random) * (chance(random, 0.3) ? power_of_ten(random, -17.5, -6) : power_of_ten(random, -6, -1));
+  return chance(random, 0.02)
+           ? 0
+           : sign(random) * (chance(random, 0.3) ? power_of_ten(random, -17.5, -6) : power_of_ten(random, -6, -1));
 }
 
 // Triangles on a lattice, in cell faces, needles, large and tiny ones, partly outside.
@@ -187,7 +206,9 @@ inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
     u[1] = u[0] + size * random_vector(random);
     u[2] = u[0] + size * random_vector(random);
     if(chance(random, 0.1)) u[2] = u[1] + power_of_ten(random, -9, -2) * size * random_vector(random);
-    if(chance(random, 0.1)) u[2] = u[0] + random.get_double(-1, 2) * (u[1] - u[0]) + power_of_ten(random, -9, -2) * size * random_vector(random);
+    if(chance(random, 0.1))
+      u[2] = u[0] + random.get_double(-1, 2) * (u[1] - u[0])
+             + power_of_ten(random, -9, -2) * size * random_vector(random);
     if(snap > 0)
       for(int v = 1; v < 3; ++v)
         for(int a = 0; a < 3; ++a)
@@ -239,7 +260,8 @@ Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triang
     for(int i = 0; i <= parts; ++i)
       for(int j = 0; i + j <= parts; ++j) {
         std::array<double, 3> p;
-        for(int a = 0; a < 3; ++a) p[a] = (i * triangle[0][a] + j * triangle[1][a] + (parts - i - j) * triangle[2][a]) / parts;
+        for(int a = 0; a < 3; ++a)
+          p[a] = (i * triangle[0][a] + j * triangle[1][a] + (parts - i - j) * triangle[2][a]) / parts;
         const Vector g = rounded_gradient(field, p);
         const double slope = n.dot(g) / g.norm();
         if(!(slope >= least)) least = slope;

@@ -14,7 +14,8 @@
 #include <vector>
 
 // barycentric coordinates, in units of 2^-barycentric_bits
-template <std::size_t size> using Barycentric = std::array<std::int64_t, size>;
+template <std::size_t size>
+using Barycentric = std::array<std::int64_t, size>;
 constexpr int barycentric_bits = 26;
 
 template <typename Point, std::size_t size>
@@ -44,8 +45,8 @@ Dyadic_vector exact_point(const std::array<Point, size>& simplex, const Barycent
 
 // `f`, of a rounded point, on a grid; from its least places downhill. What is no number is the least. Best first.
 template <typename Point, std::size_t size, typename Function>
-std::vector<Barycentric<size> > worst_points(const std::array<Point, size>& simplex, const Function& f, int grid = size == 3 ? 12 : 32,
-                                             std::size_t starts = 2)
+std::vector<Barycentric<size> > worst_points(const std::array<Point, size>& simplex, const Function& f,
+                                             int grid = size == 3 ? 12 : 32, std::size_t starts = 2)
 {
   typedef std::pair<double, Barycentric<size> > Place;
   const auto value = [&](const Barycentric<size>& b) {
@@ -66,7 +67,7 @@ std::vector<Barycentric<size> > worst_points(const std::array<Point, size>& simp
   std::partial_sort(places.begin(), places.begin() + starts, places.end());
   places.resize(starts);
   for(Place& place : places)
-    for(std::int64_t step = one / (2 * grid); step > 0; ) {
+    for(std::int64_t step = one / (2 * grid); step > 0;) {
       Place best = place;
       for(std::size_t u = 0; u < size; ++u)
         for(std::size_t v = 0; v < size; ++v) {

@@ -28,15 +28,15 @@ namespace Bspline_shells {
  * \brief the lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
  *
  * The spacing is rounded to at most 20 significant bits and the origin to a multiple of half the spacing's last bit, so
- * that every corner of a cell, also of a cell halved up to `finest_level` times, is a `double`: what is proved on a cell's box is
- * proved for the cell. The lattice is symmetric about the box's center: a mesh that is mirrored, turned by a right angle or
- * scaled by a power of two gets the mirrored, turned or scaled lattice.
+ * that every corner of a cell, also of a cell halved up to `finest_level` times, is a `double`: what is proved on a
+ * cell's box is proved for the cell. The lattice is symmetric about the box's center: a mesh that is mirrored, turned
+ * by a right angle or scaled by a power of two gets the mirrored, turned or scaled lattice.
  */
 class Lattice_3
 {
 public:
-  typedef Lattice_point Point;   ///< three `int`
-  static constexpr int finest_level = 12;  ///< how often cells may be halved, at least
+  typedef Lattice_point Point;            ///< three `int`
+  static constexpr int finest_level = 12; ///< how often cells may be halved, at least
 
   Lattice_3() = default;
 
@@ -45,10 +45,9 @@ public:
   Lattice_3(const Bbox_3& box, double spacing)
   {
     double largest = 0;
-    for(int a = 0; a < 3; ++a)
-      largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
+    for(int a = 0; a < 3; ++a) largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
     int exponent, magnitude;
-    const double mantissa = std::frexp(spacing, &exponent);            // in [1/2, 1)
+    const double mantissa = std::frexp(spacing, &exponent); // in [1/2, 1)
     const double cells = (largest + 4 * spacing) / spacing;
     std::frexp(cells, &magnitude);
     const int bits = (std::min)(max_bits, 51 - finest_level - magnitude);
@@ -57,14 +56,14 @@ public:
     const double last_bit = std::ldexp(1., exponent - bits);
     m_spacing = std::nearbyint(std::ldexp(mantissa, bits)) * last_bit;
     for(int a = 0; a < 3; ++a) {
-      const double center = (box.min)(a) / 2 + (box.max)(a) / 2;       // rounds alike when mirrored
+      const double center = (box.min)(a) / 2 + (box.max)(a) / 2; // rounds alike when mirrored
       m_origin[a] = std::nearbyint(center / last_bit) * last_bit;
     }
   }
 
-  /// The same, but shifted by half a spacing along the axes across which the ends of the box would lie in lattice planes
-  /// or near them. Sides of a mesh in such planes are, after rounding, on either side of them, and the cells of a scaled
-  /// mesh would not be the scaled cells.
+  /// The same, but shifted by half a spacing along the axes across which the ends of the box would lie in lattice
+  /// planes or near them. Sides of a mesh in such planes are, after rounding, on either side of them, and the cells of
+  /// a scaled mesh would not be the scaled cells.
   static Lattice_3 off_the_ends(const Bbox_3& box, double spacing)
   {
     Lattice_3 lattice(box, spacing);
@@ -80,7 +79,8 @@ public:
   /// the lattice of this very origin and spacing, as that of a file. `is_exact()` is for the corners of the cells with
   /// lattice points from `first` to `last`, also halved up to `finest_level` times.
   /// \pre coordinates of `first` and `last` are at most `Lattice_key::max_coordinate` in size
-  static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first, const Point& last)
+  static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first,
+                               const Point& last)
   {
     Lattice_3 lattice;
     lattice.m_origin = origin;
@@ -94,17 +94,18 @@ public:
       if(x != 0) unit = (std::min)(unit, last_bit(x));
     }
     lattice.m_exact = std::ilogb(spacing) - last_bit(spacing) < max_bits
-                   && unit >= std::numeric_limits<double>::min_exponent - digits;
+                      && unit >= std::numeric_limits<double>::min_exponent - digits;
     const double bound = std::ldexp(1., unit + digits);
     for(int a = 0; a < 3; ++a) {
-      const double furthest = (std::max)({ std::abs(double(first[a])), std::abs(double(last[a])), std::abs(last[a] + 1.) });
+      const double furthest = (std::max)(
+        { std::abs(double(first[a])), std::abs(double(last[a])), std::abs(last[a] + 1.) });
       lattice.m_exact = lattice.m_exact && std::abs(origin[a]) + furthest * spacing < bound;
     }
     return lattice;
   }
 
-  /// how often cells with lattice points from `first` to `last` may be halved so that their corners are exact: more than
-  /// `finest_level` times where coordinates are not large
+  /// how often cells with lattice points from `first` to `last` may be halved so that their corners are exact: more
+  /// than `finest_level` times where coordinates are not large
   int number_of_halvings(const Point& first, const Point& last) const
   {
     if(!m_exact) return 0;
@@ -116,12 +117,13 @@ public:
     }
     constexpr int digits = std::numeric_limits<double>::digits;
     // corners are multiples of 2^(unit - halvings), and doubles if they are less than 2^(unit - halvings + digits)
-    return (std::min)(unit + digits - 1 - std::ilogb(furthest), unit - std::numeric_limits<double>::min_exponent + digits);
+    return (std::min)(unit + digits - 1 - std::ilogb(furthest),
+                      unit - std::numeric_limits<double>::min_exponent + digits);
   }
 
   /// whether the corners are exact; if not, the cells are too small for coordinates of that size
   bool is_exact() const { return m_exact; }
-  double spacing() const { return m_spacing; }                     ///< edge length of a cell, user units
+  double spacing() const { return m_spacing; } ///< edge length of a cell, user units
   const std::array<double, 3>& origin() const { return m_origin; }
 
   /// a coordinate of the lattice plane number `i` across axis `a`, exact
@@ -143,7 +145,7 @@ public:
   }
 
 private:
-  static constexpr int max_bits = 20;       // significant ones of a spacing
+  static constexpr int max_bits = 20; // significant ones of a spacing
 
   // the exponent of the last bit that is set in `x`, which is neither zero nor infinite
   static int last_bit(double x)
@@ -174,14 +176,13 @@ class Cell_complex_3
 {
   typedef Lattice_set_3 Lattice_set;
 public:
-  typedef Lattice_set::Index Index;                        ///< number of a cell
-  static constexpr Index npos = Lattice_set::npos;         ///< no cell
+  typedef Lattice_set::Index Index;                ///< number of a cell
+  static constexpr Index npos = Lattice_set::npos; ///< no cell
 
   Cell_complex_3() = default;
 
   /// the cells of `lattice` with the given lattice points; `keys` are sorted and unique
-  Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys)
-    : m_lattice(lattice), m_cells(keys)
+  Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys) : m_lattice(lattice), m_cells(keys)
   {
     for(Index c = 0; c < m_cells.size(); ++c)
       for(int a = 0; a < 3; ++a) {
@@ -195,8 +196,8 @@ public:
   /// whether the corners of all cells are exact
   bool is_exact() const
   {
-    return number_of_cells() == 0 ||
-           Lattice_3::from_origin(m_lattice.origin(), m_lattice.spacing(), m_first, m_last).is_exact();
+    return number_of_cells() == 0
+           || Lattice_3::from_origin(m_lattice.origin(), m_lattice.spacing(), m_first, m_last).is_exact();
   }
   /// how often the cells may be halved so that all corners are exact
   int number_of_halvings() const { return number_of_cells() == 0 ? 0 : m_lattice.number_of_halvings(m_first, m_last); }
@@ -234,7 +235,7 @@ public:
     bool on_plane[3];
     for(int a = 0; a < 3; ++a) {
       if(!(std::abs(p[a] - m_lattice.origin()[a]) < m_lattice.spacing() * Lattice_key::max_coordinate))
-        return npos;    // also for a coordinate that is not a number
+        return npos; // also for a coordinate that is not a number
       l[a] = m_lattice.interval(a, p[a]);
       on_plane[a] = m_lattice.coordinate(a, l[a]) == p[a];
     }
@@ -249,7 +250,7 @@ public:
   {
     if(m_cells.size() == 0) return false;
     bool covered = true;
-    double lower[3], upper[3];      // the box, up to where the cells end
+    double lower[3], upper[3]; // the box, up to where the cells end
     Lattice_3::Point first, last;
     bool flat_on_plane[3];
     for(int a = 0; a < 3; ++a) {
@@ -265,7 +266,7 @@ public:
     }
     // a missing cell leaves a gap only if the box reaches into it, not if it touches its boundary
     const auto reaches_into = [&](int a, int i) {
-      if(flat_on_plane[a]) return i == last[a];     // the cell below does as well: see closed_cell()
+      if(flat_on_plane[a]) return i == last[a]; // the cell below does as well: see closed_cell()
       return lower[a] < m_lattice.coordinate(a, i + 1) && upper[a] > m_lattice.coordinate(a, i);
     };
     for(int k = first[2]; k <= last[2]; ++k)
@@ -292,7 +293,10 @@ private:
       Lattice_3::Point below = l;
       bool possible = true;
       for(int a = 0; a < 3; ++a)
-        if(m & (1 << a)) { possible = possible && on_plane[a]; --below[a]; }
+        if(m & (1 << a)) {
+          possible = possible && on_plane[a];
+          --below[a];
+        }
       if(possible) cell = m_cells.index(below);
     }
     return cell;
@@ -300,7 +304,7 @@ private:
 
   Lattice_3 m_lattice;
   Lattice_set m_cells;
-  Lattice_3::Point m_first = {}, m_last = {};     // least and largest coordinates of the cells
+  Lattice_3::Point m_first = {}, m_last = {}; // least and largest coordinates of the cells
 };
 
 } // namespace Bspline_shells

@@ -38,10 +38,10 @@ namespace Bspline_shells {
  */
 class Cell_hierarchy_3
 {
-  typedef std::vector<std::uint64_t> Keys;      // lattice keys, sorted, unique
+  typedef std::vector<std::uint64_t> Keys; // lattice keys, sorted, unique
 public:
-  typedef Cell_complex_3::Index Index;                     ///< number of a leaf
-  static constexpr Index npos = Cell_complex_3::npos;      ///< no leaf
+  typedef Cell_complex_3::Index Index;                ///< number of a leaf
+  static constexpr Index npos = Cell_complex_3::npos; ///< no leaf
   Cell_hierarchy_3() : Cell_hierarchy_3(Cell_complex_3()) {}
 
   /// root cells only
@@ -56,9 +56,9 @@ public:
     number_cells();
   }
 
-  /// The hierarchy with the given leaves split, and with each of them rings of cells around it. Without any, what is split would be
-  /// narrower than a function of the next level; with two, all functions that act on the leaf are of the next level. More cells are
-  /// split where the grading asks for it. Leaves of level `max_level()` stay as they are.
+  /// The hierarchy with the given leaves split, and with each of them rings of cells around it. Without any, what is
+  /// split would be narrower than a function of the next level; with two, all functions that act on the leaf are of the
+  /// next level. More cells are split where the grading asks for it. Leaves of level `max_level()` stay as they are.
   Cell_hierarchy_3 refined(const std::vector<Index>& leaves, int rings = 2) const
   {
     Cell_hierarchy_3 finer;
@@ -72,23 +72,24 @@ public:
     for(int l = m_max_level - 1; l >= 0; --l) {
       sort_unique(marked[l]);
       merge(in_domain(dilate(std::move(marked[l]), -rings, rings), l), finer.m_split[l]);
-      if(l > 0) merge(finer.needed_by_grading(l), finer.m_split[l-1]);
+      if(l > 0) merge(finer.needed_by_grading(l), finer.m_split[l - 1]);
     }
     while(!finer.m_split.empty() && finer.m_split.back().empty()) finer.m_split.pop_back();
     finer.number_cells();
     return finer;
   }
 
-  /// The hierarchy with these leaves: keys of lattice points of each level, sorted and unique. Empty if there is none: leaves
-  /// overlap or do not fill a cell that is split, are too small, or the grading asks for more.
-  static std::optional<Cell_hierarchy_3> from_leaves(const Lattice_3& lattice, const std::vector<std::vector<std::uint64_t> >& leaves)
+  /// The hierarchy with these leaves: keys of lattice points of each level, sorted and unique. Empty if there is none:
+  /// leaves overlap or do not fill a cell that is split, are too small, or the grading asks for more.
+  static std::optional<Cell_hierarchy_3> from_leaves(const Lattice_3& lattice,
+                                                     const std::vector<std::vector<std::uint64_t> >& leaves)
   {
     std::vector<Keys> split(leaves.size());
     Keys cells;
-    for(std::size_t l = leaves.size(); l-- > 0; ) {
+    for(std::size_t l = leaves.size(); l-- > 0;) {
       cells = split[l];
       merge(leaves[l], cells);
-      if(l > 0) split[l-1] = parents(cells);
+      if(l > 0) split[l - 1] = parents(cells);
     }
     Cell_hierarchy_3 hierarchy(Cell_complex_3(lattice, cells));
     while(!split.empty() && split.back().empty()) split.pop_back();
@@ -96,13 +97,16 @@ public:
     hierarchy.m_split = std::move(split);
     for(std::size_t l = 1; l < hierarchy.m_split.size(); ++l) {
       const Keys coarser = hierarchy.needed_by_grading(int(l));
-      if(!std::includes(hierarchy.m_split[l-1].begin(), hierarchy.m_split[l-1].end(), coarser.begin(), coarser.end())) return std::nullopt;
+      if(!std::includes(hierarchy.m_split[l - 1].begin(), hierarchy.m_split[l - 1].end(), coarser.begin(),
+                        coarser.end()))
+        return std::nullopt;
     }
     hierarchy.number_cells();
     Index c = 0;
     for(std::size_t l = 0; l < leaves.size(); ++l)
       for(std::uint64_t k : leaves[l]) {
-        if(c == hierarchy.number_of_cells() || hierarchy.level(c) != int(l) || key(hierarchy.lattice_point(c)) != k) return std::nullopt;
+        if(c == hierarchy.number_of_cells() || hierarchy.level(c) != int(l) || key(hierarchy.lattice_point(c)) != k)
+          return std::nullopt;
         ++c;
       }
     if(c != hierarchy.number_of_cells()) return std::nullopt;
@@ -110,18 +114,21 @@ public:
   }
 
   const Cell_complex_3& roots() const { return m_roots; }
-  const Lattice_3& lattice() const { return m_roots.lattice(); }      ///< of the root cells
-  bool is_exact() const { return m_roots.is_exact(); }         ///< whether the corners of all cells are
+  const Lattice_3& lattice() const { return m_roots.lattice(); } ///< of the root cells
+  bool is_exact() const { return m_roots.is_exact(); }           ///< whether the corners of all cells are
   int number_of_levels() const { return int(m_levels.size()); }
-  int max_level() const { return m_max_level; }      ///< cells of this level are not split
-  std::size_t number_of_cells() const { return m_leaves.size(); }      ///< leaves
+  int max_level() const { return m_max_level; }                   ///< cells of this level are not split
+  std::size_t number_of_cells() const { return m_leaves.size(); } ///< leaves
   int level(Index c) const { return m_leaves[c].level; }
   /// the leaf's least corner, on the lattice of its level
   const Lattice_3::Point& lattice_point(Index c) const { return m_leaves[c].point; }
   double width(Index c) const { return level_width(level(c)); }
   double level_width(int level) const { return m_level_width[std::size_t(level)]; }
   /// a coordinate of the plane number `i` across an axis between cells of a level, exact
-  double coordinate(int level, int axis, int i) const { return m_roots.lattice().origin()[axis] + i * level_width(level); }
+  double coordinate(int level, int axis, int i) const
+  {
+    return m_roots.lattice().origin()[axis] + i * level_width(level);
+  }
   std::array<double, 3> corner(Index c) const { return corner(level(c), lattice_point(c)); }
   /// leaves of a level are numbered consecutively: the first of them
   Index first_leaf(int level) const { return m_levels[std::size_t(level)].first_leaf; }
@@ -166,7 +173,7 @@ public:
     Index n = m_roots.locate(p);
     if(n == npos) return npos;
     Lattice_3::Point cell = m_roots.lattice_point(n);
-    for(int l = 0; ; ++l) {
+    for(int l = 0;; ++l) {
       const Node& node = m_levels[std::size_t(l)].nodes[n];
       if(node.leaf != npos) return node.leaf;
       int octant = 0;
@@ -180,7 +187,8 @@ public:
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
-    return m_roots.visit_cells(box, [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
+    return m_roots.visit_cells(box,
+                               [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
   }
 
   /// calls `visit(n)` for every leaf that has a part of a face of `c` in common; returns whether there is any
@@ -190,25 +198,33 @@ public:
     Lattice_3::Point p = lattice_point(c);
     p[axis] += positive ? 1 : -1;
     if(!is_in_domain(level(c), p)) return false;
-    for(int l = level(c); ; --l) {
+    for(int l = level(c);; --l) {
       const Index n = m_levels[std::size_t(l)].cells.index(p);
-      if(n != npos) { visit_leaves_at_face(l, p, axis, !positive, visit); return true; }
+      if(n != npos) {
+        visit_leaves_at_face(l, p, axis, !positive, visit);
+        return true;
+      }
       for(int& i : p) i = floor_shift(i, 1);
     }
   }
 
 private:
-  struct Leaf { Lattice_3::Point point; int level; };
+  struct Leaf
+  {
+    Lattice_3::Point point;
+    int level;
+  };
   struct Node
   {
-    Index leaf;           // npos if the cell is split
-    Index rows;           // of children, if it is
+    Index leaf; // npos if the cell is split
+    Index rows; // of children, if it is
   };
   struct Level
   {
     Lattice_set_3 cells;
-    std::vector<Node> nodes;                        // by number of the cell
-    std::vector<std::array<Index, 4> > rows;        // the first children in the four rows of a split cell, along x; numbers in the next level
+    std::vector<Node> nodes; // by number of the cell
+    // the first children in the four rows of a split cell, along x; numbers in the next level
+    std::vector<std::array<Index, 4> > rows;
     Index first_leaf = 0;
   };
 
@@ -219,7 +235,7 @@ private:
   }
   static Lattice_3::Point child(const Lattice_3::Point& p, int octant)
   {
-    return { 2*p[0] + (octant & 1), 2*p[1] + (octant >> 1 & 1), 2*p[2] + (octant >> 2) };
+    return { 2 * p[0] + (octant & 1), 2 * p[1] + (octant >> 1 & 1), 2 * p[2] + (octant >> 2) };
   }
 
   static std::uint64_t key(const Lattice_3::Point& p) { return Lattice_key::encode(p[0], p[1], p[2]); }
@@ -248,7 +264,8 @@ private:
 
   Keys in_domain(Keys keys, int level) const
   {
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [&](std::uint64_t k) { return !is_in_domain(level, Lattice_key::decode(k)); }),
+    keys.erase(std::remove_if(keys.begin(), keys.end(),
+                              [&](std::uint64_t k) { return !is_in_domain(level, Lattice_key::decode(k)); }),
                keys.end());
     return keys;
   }
@@ -287,7 +304,9 @@ private:
     for(std::size_t l = 0; l < m_split.size(); ++l)
       for(std::uint64_t k : m_split[l]) {
         m_levels[l].rows.emplace_back();
-        for(int row = 0; row < 4; ++row) m_levels[l].rows.back()[std::size_t(row)] = m_levels[l+1].cells.index(child(Lattice_key::decode(k), 2 * row));
+        for(int row = 0; row < 4; ++row)
+          m_levels[l].rows.back()[std::size_t(row)] = m_levels[l + 1].cells.index(
+            child(Lattice_key::decode(k), 2 * row));
       }
   }
 
@@ -301,7 +320,10 @@ private:
   void visit_leaves(int level, Index n, const Lattice_3::Point& p, const Bbox_3& box, const Visitor& visit) const
   {
     const Node& node = m_levels[std::size_t(level)].nodes[n];
-    if(node.leaf != npos) { visit(node.leaf); return; }
+    if(node.leaf != npos) {
+      visit(node.leaf);
+      return;
+    }
     bool meets[3][2];
     for(int a = 0; a < 3; ++a) {
       const double middle = coordinate(level + 1, a, 2 * p[a] + 1);
@@ -317,19 +339,21 @@ private:
   void visit_leaves_at_face(int level, const Lattice_3::Point& p, int axis, bool positive, const Visitor& visit) const
   {
     const Index c = leaf(level, p);
-    if(c != npos) { visit(c); return; }
+    if(c != npos) {
+      visit(c);
+      return;
+    }
     for(int o = 0; o < 8; ++o)
-      if((o >> axis & 1) == int(positive))
-        visit_leaves_at_face(level + 1, child(p, o), axis, positive, visit);
+      if((o >> axis & 1) == int(positive)) visit_leaves_at_face(level + 1, child(p, o), axis, positive, visit);
   }
 
   static constexpr int most_levels = 10;
-  static constexpr int subdivisions_of_a_leaf = 8;      // that keep corners exact
+  static constexpr int subdivisions_of_a_leaf = 8; // that keep corners exact
 
   Cell_complex_3 m_roots;
   int m_max_level = 0;
   std::array<double, most_levels + 2> m_level_width;
-  std::vector<Keys> m_split;          // the cells of each level that are split
+  std::vector<Keys> m_split; // the cells of each level that are split
   std::vector<Level> m_levels;
   std::vector<Leaf> m_leaves;
 };

@@ -27,28 +27,31 @@ typedef std::array<int, 3> Lattice_point;
 
 /// \ingroup PkgBsplineShell3Cells
 /// the lattice points from `first` to `last`, both included; empty if a coordinate of `first` is larger
-struct Lattice_box { Lattice_point first, last; };
+struct Lattice_box
+{
+  Lattice_point first, last;
+};
 
 /// \ingroup PkgBsplineShell3Cells
 /// a lattice point as a 64-bit key with 21 bits for each axis. Keys sort like \f$(k, j, i)\f$.
 class Lattice_key
 {
 public:
-  static constexpr int bits = 21;       ///< of a coordinate; keys have three times as many
+  static constexpr int bits = 21; ///< of a coordinate; keys have three times as many
 private:
   static constexpr std::int64_t offset = std::int64_t(1) << (bits - 1);
   static constexpr std::uint64_t mask = (std::uint64_t(1) << bits) - 1;
 public:
-  static constexpr int max_coordinate = (1 << (bits - 1)) - 16;   // room for dilation
+  static constexpr int max_coordinate = (1 << (bits - 1)) - 16; // room for dilation
 
   static std::uint64_t encode(int i, int j, int k)
   {
-    return (std::uint64_t(k + offset) << (2*bits)) | (std::uint64_t(j + offset) << bits) | std::uint64_t(i + offset);
+    return (std::uint64_t(k + offset) << (2 * bits)) | (std::uint64_t(j + offset) << bits) | std::uint64_t(i + offset);
   }
   static Lattice_point decode(std::uint64_t key)
   {
     return { int(std::int64_t(key & mask) - offset), int(std::int64_t((key >> bits) & mask) - offset),
-             int(std::int64_t(key >> (2*bits)) - offset) };
+             int(std::int64_t(key >> (2 * bits)) - offset) };
   }
   static std::uint64_t step(int axis) { return std::uint64_t(1) << (bits * axis); }
 };
@@ -60,8 +63,8 @@ public:
  *
  * The points of a row along \f$x\f$ have consecutive numbers, so that neighbors on the lattice are neighbors in memory.
  *
- * \cgalHeading{Cost} memory is linear in the number of points. A look-up searches the runs of consecutive rows in a slice and the
- * runs of consecutive points in a row, mostly one to four.
+ * \cgalHeading{Cost} memory is linear in the number of points. A look-up searches the runs of consecutive rows in a
+ *   slice and the runs of consecutive points in a row, mostly one to four.
  */
 class Lattice_set_3
 {
@@ -87,8 +90,8 @@ public:
     m_slices.assign(std::size_t(m_points.back()[2] - m_k_min) + 2, 0);
     for(Index n = 0; n < m_points.size(); ++n) {
       const Lattice_point& p = m_points[n];
-      const bool same_slice = n > 0 && m_points[n-1][2] == p[2], same_row = same_slice && m_points[n-1][1] == p[1];
-      if(!same_slice || (!same_row && m_points[n-1][1] + 1 != p[1])) {
+      const bool same_slice = n > 0 && m_points[n - 1][2] == p[2], same_row = same_slice && m_points[n - 1][1] == p[1];
+      if(!same_slice || (!same_row && m_points[n - 1][1] + 1 != p[1])) {
         m_row_runs.push_back({ p[1], p[1], Index(m_rows.size()) });
         ++m_slices[std::size_t(p[2] - m_k_min) + 1];
       }
@@ -96,11 +99,11 @@ public:
         ++m_row_runs.back().end;
         m_rows.push_back(Index(m_runs.size()));
       }
-      if(!same_row || m_points[n-1][0] + 1 != p[0]) m_runs.push_back({ p[0], p[0], n });
+      if(!same_row || m_points[n - 1][0] + 1 != p[0]) m_runs.push_back({ p[0], p[0], n });
       ++m_runs.back().end;
     }
     m_rows.push_back(Index(m_runs.size()));
-    for(std::size_t s = 1; s < m_slices.size(); ++s) m_slices[s] += m_slices[s-1];
+    for(std::size_t s = 1; s < m_slices.size(); ++s) m_slices[s] += m_slices[s - 1];
   }
 
   std::size_t size() const { return m_points.size(); }
@@ -109,7 +112,7 @@ public:
   Index index(int i, int j, int k) const
   {
     const Index r = row(j, k);
-    return r == npos ? npos : find(m_runs, m_rows[r], m_rows[r+1], i);
+    return r == npos ? npos : find(m_runs, m_rows[r], m_rows[r + 1], i);
   }
   Index index(const Lattice_point& p) const { return index(p[0], p[1], p[2]); }
 
@@ -119,7 +122,7 @@ public:
     std::pair<Index, Index> range(npos, npos);
     const Index r = row(j, k);
     if(r == npos) return range;
-    for(Index n = m_rows[r]; n < m_rows[r+1]; ++n) {
+    for(Index n = m_rows[r]; n < m_rows[r + 1]; ++n) {
       const Run& run = m_runs[n];
       const int b = (std::max)(i_begin, run.begin), e = (std::min)(i_end, run.end);
       if(b >= e) continue;
@@ -129,12 +132,14 @@ public:
     return range;
   }
 
-  /// the lattice points, of a lattice with that origin and spacing, in a box grown by `margin` spacings; none beyond the set
+  /// the lattice points, of a lattice with that origin and spacing, in a box grown by `margin` spacings; none beyond
+  /// the set
   Lattice_box clip(const Bbox_3& box, const std::array<double, 3>& origin, double spacing, int margin) const
   {
     Lattice_box range;
     for(int a = 0; a < 3; ++a) {
-      const double first = std::floor(((box.min)(a) - origin[a]) / spacing) - margin, last = std::ceil(((box.max)(a) - origin[a]) / spacing) + margin;
+      const double first = std::floor(((box.min)(a)-origin[a]) / spacing) - margin,
+                   last = std::ceil(((box.max)(a)-origin[a]) / spacing) + margin;
       range.first[a] = first > m_least[a] ? int(first) : m_least[a];
       range.last[a] = last < m_most[a] ? int(last) : m_most[a];
     }
@@ -142,7 +147,11 @@ public:
   }
 
 private:
-  struct Run { int begin, end; Index first; };      // consecutive coordinates, and the number of the first
+  struct Run
+  {
+    int begin, end;
+    Index first;
+  }; // consecutive coordinates, and the number of the first
 
   static Index find(const std::vector<Run>& runs, Index begin, Index end, int coordinate)
   {
@@ -155,16 +164,17 @@ private:
   Index row(int j, int k) const
   {
     const std::size_t slice = std::size_t(std::int64_t(k) - m_k_min);
-    return k < m_k_min || slice + 1 >= m_slices.size() ? npos : find(m_row_runs, m_slices[slice], m_slices[slice+1], j);
+    return k < m_k_min || slice + 1 >= m_slices.size() ? npos
+                                                       : find(m_row_runs, m_slices[slice], m_slices[slice + 1], j);
   }
 
   std::vector<Lattice_point> m_points;
-  std::vector<Run> m_runs;          // along x
-  std::vector<Index> m_rows;        // where the runs of each row begin, and the end
-  std::vector<Run> m_row_runs;      // of rows, along y
-  std::vector<Index> m_slices;      // where the row runs of each k begin, and the end
+  std::vector<Run> m_runs;     // along x
+  std::vector<Index> m_rows;   // where the runs of each row begin, and the end
+  std::vector<Run> m_row_runs; // of rows, along y
+  std::vector<Index> m_slices; // where the row runs of each k begin, and the end
   int m_k_min = 0;
-  Lattice_point m_least = {}, m_most = {{ -1, -1, -1 }};
+  Lattice_point m_least = {}, m_most = { { -1, -1, -1 } };
 };
 
 /// \ingroup PkgBsplineShell3Cells

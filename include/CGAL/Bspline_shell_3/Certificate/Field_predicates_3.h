@@ -71,10 +71,11 @@ public:
   /// \pre `field` outlives this object
   explicit Field_predicates_3(const Field& field) : m_field(&field)
   {
-    for(Cell_index c = 0; c < field.number_of_cells(); ++c) m_largest_width = (std::max)(m_largest_width, field.cell(c).width());
+    for(Cell_index c = 0; c < field.number_of_cells(); ++c)
+      m_largest_width = (std::max)(m_largest_width, field.cell(c).width());
   }
 
-  explicit Field_predicates_3(const Field&&) = delete;       // it would dangle
+  explicit Field_predicates_3(const Field&&) = delete; // it would dangle
 
   const Field& field() const { return *m_field; }
 
@@ -98,10 +99,11 @@ public:
     return CGAL::compare(internal::contract(b.data(), weights[0], weights[1], weights[2]), ET(level));
   }
 
-  /// whether `levels.min < f < levels.max` on a segment (two points) or a triangle (three); refuted where `f` is beyond a level
+  /// whether `levels.min < f < levels.max` on a segment (two points) or a triangle (three); refuted where `f` is beyond
+  /// a level
   template <std::size_t size>
-  Verdict values_within(const std::array<Point_3, size>& simplex, const Level_range& levels,
-                        Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  Verdict values_within(const std::array<Point_3, size>& simplex, const Level_range& levels, Witness* witness = nullptr,
+                        Predicate_statistics* statistics = nullptr) const
   {
     return decide(simplex, Values_within{ levels }, witness, statistics, nullptr);
   }
@@ -130,12 +132,15 @@ public:
                         const std::vector<char>& flagged_cells) const
   {
     const Verdict verdict = values_within(simplex, inner, outer);
-    return verdict == Verdict::PROVED ? decide(simplex, Is_in_cells{ flagged_cells }, nullptr, nullptr, nullptr) : verdict;
+    return verdict == Verdict::PROVED ? decide(simplex, Is_in_cells{ flagged_cells }, nullptr, nullptr, nullptr)
+                                      : verdict;
   }
 
-  /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f > 0\f$.
-  /// \param[in,out] slope gets a lower bound of the derivative, per user unit along the unit normal; 0 if the answer is not yes.
-  /// The bound is the coarse one of whole cells where that is not below the value that `slope` has at the call.
+  /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f >
+  /// 0\f$.
+  /// \param[in,out] slope gets a lower bound of the derivative, per user unit along the unit normal; 0 if the answer is
+  ///   not yes. The bound is the coarse one of whole cells where that is not below the value that `slope` has at the
+  ///   call.
   /// \pre the triangle is not degenerate
   Verdict crosses_upwards(const std::array<Point_3, 3>& triangle, Witness* witness = nullptr,
                           Predicate_statistics* statistics = nullptr, double* slope = nullptr) const
@@ -147,8 +152,8 @@ public:
     const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
     Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
     const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
-    // A slope that is too large for a number is at least the largest one. If the quotient is nearly subnormal, it may be rounded up by more
-    // than the factor takes back: then no slope is known.
+    // A slope that is too large for a number is at least the largest one. If the quotient is nearly subnormal, it may
+    // be rounded up by more than the factor takes back: then no slope is known.
     constexpr double largest = (std::numeric_limits<double>::max)();
     const bool is_known = verdict == Verdict::PROVED && least.value >= internal::underflow;
     *slope = is_known ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
@@ -156,23 +161,23 @@ public:
   }
 
   /// whether the field strictly increases along the segment, from its first point to its second
-  Verdict increases(const std::array<Point_3, 2>& segment,
-                    Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  Verdict increases(const std::array<Point_3, 2>& segment, Witness* witness = nullptr,
+                    Predicate_statistics* statistics = nullptr) const
   {
     return decide(segment, along(segment), witness, statistics, nullptr);
   }
 
   /// whether the field minus a threshold strictly increases along the segment
   template <typename Threshold>
-  Verdict increases_above(const std::array<Point_3, 2>& segment, const Threshold& threshold,
-                          Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
+  Verdict increases_above(const std::array<Point_3, 2>& segment, const Threshold& threshold, Witness* witness = nullptr,
+                          Predicate_statistics* statistics = nullptr) const
   {
     if constexpr(Threshold::is_constant) return increases(segment, witness, statistics);
     else return decide(segment, Increases_above<Threshold>{ along(segment), threshold }, witness, statistics, nullptr);
   }
 
-  /// whether the field is certainly on the positive or negative side of a threshold at a point, strictly. Exact for constant
-  /// thresholds; not outside the domain.
+  /// whether the field is certainly on the positive or negative side of a threshold at a point, strictly. Exact for
+  /// constant thresholds; not outside the domain.
   template <typename Threshold>
   bool is_beyond(const Point_3& p, const Threshold& threshold, Sign side) const
   {
@@ -180,10 +185,12 @@ public:
       const std::optional<Comparison_result> result = compare(p, threshold.level());
       return result && *result == (side == POSITIVE ? LARGER : SMALLER);
     } else {
-      if(m_field->locate(p) == Field::npos) return false;      // by less than rounding, too
+      if(m_field->locate(p) == Field::npos) return false; // by less than rounding, too
       Witness w;
-      return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w, nullptr,
-                    nullptr) == Verdict::REFUTED && !w.outside;
+      return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w,
+                    nullptr, nullptr)
+               == Verdict::REFUTED
+             && !w.outside;
     }
   }
 
@@ -201,7 +208,7 @@ private:
   struct Is_beyond
   {
     const Threshold& threshold;
-    int sign;         // 1: above it, -1: below it
+    int sign; // 1: above it, -1: below it
     Enclosed_tricubic function(const typename Field::Cell& cell, Cell_index c) const
     {
       Enclosed_tricubic d = threshold.difference(enclosed_value(cell), c);
@@ -215,7 +222,8 @@ private:
   struct Is_in_cells
   {
     const std::vector<char>& flagged;
-    // constant: positive on flagged cells, and something that proves and refutes nothing on others, as these may be touched only
+    // constant: positive on flagged cells, and something that proves and refutes nothing on others, as these may be
+    // touched only
     Enclosed_tricubic function(const typename Field::Cell&, Cell_index c) const
     {
       Enclosed_tricubic constant;
@@ -264,8 +272,12 @@ private:
     return question;
   }
 
-  // a lower bound of the quantity in question, per user unit; any bound that is proved will do if it is at least `wanted`
-  struct Least_value { double wanted, value; };
+  // a lower bound of the quantity in question, per user unit; any bound that is proved will do if it is at least
+  // `wanted`
+  struct Least_value
+  {
+    double wanted, value;
+  };
 
   // a part of a segment (size two) or a triangle (size three): its corners in units of 2^-depth
   template <std::size_t size>
@@ -273,7 +285,7 @@ private:
   {
     std::array<std::array<std::int64_t, size>, size> corner;
     int depth;
-    int refinements;      // subdivisions below the size of a cell
+    int refinements; // subdivisions below the size of a cell
   };
 
   // A function on a cell, worked out when it is first asked for; questions about neighboring parts ask again.
@@ -282,12 +294,12 @@ private:
     Cell_index cell;
     Enclosed_tricubic function;
     Level_range range;
-    bool proved;               // on the whole cell
+    bool proved; // on the whole cell
   };
 
-  static constexpr int max_bisections = 40;           // 2^20 cells along an edge; 62 bits hold all depths
-  static constexpr int max_refinements = 14;          // below the size of a cell
-  static constexpr double large_extent = 64;          // cells
+  static constexpr int max_bisections = 40;  // 2^20 cells along an edge; 62 bits hold all depths
+  static constexpr int max_refinements = 14; // below the size of a cell
+  static constexpr double large_extent = 64; // cells
   // subdivisions of a part of the size of a cell, and of all of them together, beyond a few for each: bounded time
   static constexpr std::size_t most_parts_of_a_cell = 2000, most_parts = 20000, parts_for_each = 8;
 
@@ -297,17 +309,20 @@ private:
   {
     double largest = 0;
     for(int a = 0; a < 3; ++a) largest = (std::max)(largest, std::abs(p[a] - cell.corner()[a]) / cell.width());
-    return 4 * internal::rounding * largest;    // a difference, relative to its own size, and a quotient
+    return 4 * internal::rounding * largest; // a difference, relative to its own size, and a quotient
   }
 
   template <std::size_t size, typename Question>
-  Verdict decide(const std::array<Point_3, size>& simplex, const Question& question,
-                 Witness* witness, Predicate_statistics* statistics, Least_value* bound_below) const
+  Verdict decide(const std::array<Point_3, size>& simplex, const Question& question, Witness* witness,
+                 Predicate_statistics* statistics, Least_value* bound_below) const
   {
     double extent = 0, reach = 0;
     for(int a = 0; a < 3; ++a) {
       double lowest = simplex[0][a], highest = lowest;
-      for(const Point_3& p : simplex) { lowest = (std::min)(lowest, p[a]); highest = (std::max)(highest, p[a]); }
+      for(const Point_3& p : simplex) {
+        lowest = (std::min)(lowest, p[a]);
+        highest = (std::max)(highest, p[a]);
+      }
       extent = (std::max)(extent, highest - lowest);
       reach = (std::max)({ reach, std::abs(lowest), std::abs(highest) });
     }
@@ -329,7 +344,8 @@ private:
     // What is large may be larger than the domain by any factor, but then its corners are outside.
     if(!(extent <= large_extent * m_largest_width))
       for(std::size_t v = 0; v < size; ++v)
-        if(fails_at(simplex, stack[0].corner[v], 0, position_error, question, functions, witness)) return Verdict::REFUTED;
+        if(fails_at(simplex, stack[0].corner[v], 0, position_error, question, functions, witness))
+          return Verdict::REFUTED;
     std::size_t parts = 0, parts_here = 0, parts_of_cell_size = 0;
     while(!stack.empty()) {
       const Part<size> part = stack.back();
@@ -348,13 +364,18 @@ private:
       }
       for(int a = 0; a < 3; ++a) {
         least[a] = most[a] = corner[0][a];
-        for(const auto& p : corner) { least[a] = (std::min)(least[a], p[a]); most[a] = (std::max)(most[a], p[a]); }
+        for(const auto& p : corner) {
+          least[a] = (std::min)(least[a], p[a]);
+          most[a] = (std::max)(most[a], p[a]);
+        }
         least[a] -= 2 * position_error;
         most[a] += 2 * position_error;
       }
       cells.clear();
       const bool covered = m_field->visit_cells(Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]),
-                                                [&](Cell_index c) { if(plane.meets(m_field->cell(c))) cells.push_back(c); });
+                                                [&](Cell_index c) {
+                                                  if(plane.meets(m_field->cell(c))) cells.push_back(c);
+                                                });
       bool proved = covered && !cells.empty(), spans_cells = false;
       double least_on_part = std::numeric_limits<double>::infinity();
       for(Cell_index c : cells) {
@@ -385,7 +406,8 @@ private:
       }
       // a corner where it certainly fails?
       for(std::size_t v = 0; v < size; ++v)
-        if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness)) return Verdict::REFUTED;
+        if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness))
+          return Verdict::REFUTED;
       if(part.refinements == 0) {
         parts_here = 0;
         ++parts_of_cell_size;
@@ -397,7 +419,7 @@ private:
         continue;
       }
       if(verdict == Verdict::PROVED && witness) describe(simplex, part.corner[0], part.depth, *witness);
-      verdict = Verdict::UNDECIDED;      // another part may still refute the claim
+      verdict = Verdict::UNDECIDED; // another part may still refute the claim
     }
     return verdict;
   }
@@ -426,8 +448,9 @@ private:
           point[a] = simplex[0][a];
           sum += std::abs(normal[a]);
         }
-        // What rounding of the normal (see facet_normal()) makes of points of the triangle, and the roundings of meets(),
-        // where cells are at most two extents and a cell away and coordinates are differences of such within the reach.
+        // What rounding of the normal (see facet_normal()) makes of points of the triangle, and the roundings of
+        // meets(), where cells are at most two extents and a cell away and coordinates are differences of such within
+        // the reach.
         error = 32 * internal::rounding * (extent + sum * (reach + extent));
       }
     }
@@ -447,9 +470,10 @@ private:
   };
 
   template <typename Question>
-  const Cell_function& cell_function(std::vector<Cell_function>& functions, Cell_index c, const Question& question) const
+  const Cell_function& cell_function(std::vector<Cell_function>& functions, Cell_index c,
+                                     const Question& question) const
   {
-    for(std::size_t n = functions.size(); n-- > 0; )      // the last ones are the most likely
+    for(std::size_t n = functions.size(); n-- > 0;) // the last ones are the most likely
       if(functions[n].cell == c) return functions[n];
     if(functions.size() >= 64) functions.erase(functions.begin(), functions.begin() + 32);
     const Enclosed_tricubic f = question.function(m_field->cell(c), c);
@@ -547,7 +571,8 @@ private:
     std::array<std::size_t, 2> longest = { 0, 1 };
     for(std::size_t v = 1; v + 1 < size; ++v)
       for(std::size_t u = 0; u <= v; ++u)
-        if(edge_length(corner[u], corner[v + 1]) > edge_length(corner[longest[0]], corner[longest[1]])) longest = { u, v + 1 };
+        if(edge_length(corner[u], corner[v + 1]) > edge_length(corner[longest[0]], corner[longest[1]]))
+          longest = { u, v + 1 };
     return longest;
   }
 
@@ -576,11 +601,11 @@ private:
 
   static void subdivide(const Part<3>& part, std::vector<Part<3> >& stack)
   {
-    std::array<std::array<std::int64_t, 3>, 3> c, m;   // corners, and midpoints of the sides opposite to them
+    std::array<std::array<std::int64_t, 3>, 3> c, m; // corners, and midpoints of the sides opposite to them
     for(int v = 0; v < 3; ++v)
       for(int u = 0; u < 3; ++u) {
         c[v][u] = 2 * part.corner[v][u];
-        m[v][u] = part.corner[(v+1) % 3][u] + part.corner[(v+2) % 3][u];
+        m[v][u] = part.corner[(v + 1) % 3][u] + part.corner[(v + 2) % 3][u];
       }
     const int depth = part.depth + 1, refinements = part.refinements + 1;
     stack.push_back({ { m[0], m[1], m[2] }, depth, refinements });
@@ -590,7 +615,7 @@ private:
   }
 
   const Field* m_field;
-  double m_largest_width = 0;       // of a cell
+  double m_largest_width = 0; // of a cell
 };
 
 } // namespace Bspline_shells

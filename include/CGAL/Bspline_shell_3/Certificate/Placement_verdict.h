@@ -17,21 +17,21 @@ namespace Bspline_shells {
 enum class Placement_verdict
 {
   ACCEPTED,
-  BASE_FILTER,       ///< another filter rejects it
-  LEAVES_SHELL,      ///< a facet is not proved to lie in the shell
-  FACES_AWAY,        ///< a facet is not proved to face along the gradient
-  WINDS_TWICE        ///< all facets at the vertex face along the gradient, but their fan does not wind around it once
+  BASE_FILTER,  ///< another filter rejects it
+  LEAVES_SHELL, ///< a facet is not proved to lie in the shell
+  FACES_AWAY,   ///< a facet is not proved to face along the gradient
+  WINDS_TWICE   ///< all facets at the vertex face along the gradient, but their fan does not wind around it once
 };
 
 /// \ingroup PkgBsplineShell3Certificate
 inline const char* name(Placement_verdict verdict)
 {
   switch(verdict) {
-    case Placement_verdict::ACCEPTED:     return "accepted";
-    case Placement_verdict::BASE_FILTER:  return "base_filter";
+    case Placement_verdict::ACCEPTED: return "accepted";
+    case Placement_verdict::BASE_FILTER: return "base_filter";
     case Placement_verdict::LEAVES_SHELL: return "leaves_shell";
-    case Placement_verdict::FACES_AWAY:   return "faces_away";
-    case Placement_verdict::WINDS_TWICE:  return "winds_twice";
+    case Placement_verdict::FACES_AWAY: return "faces_away";
+    case Placement_verdict::WINDS_TWICE: return "winds_twice";
   }
   return "";
 }
@@ -43,7 +43,7 @@ inline const char* name(Placement_verdict verdict)
  */
 struct Placement_statistics
 {
-  std::array<std::size_t, 5> by_verdict = {};       ///< in the order of `Placement_verdict`
+  std::array<std::size_t, 5> by_verdict = {}; ///< in the order of `Placement_verdict`
 
   std::size_t number(Placement_verdict verdict) const { return by_verdict[std::size_t(verdict)]; }
   std::size_t rejected() const

@@ -34,19 +34,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief whether triangles are in a shell and face along the gradient, by what is known at their corners and of the second derivatives on
- * the cells that they meet: rigorous, and fast for most triangles. `Field_predicates_3` has the last word on what is left open.
+ * \brief whether triangles are in a shell and face along the gradient, by what is known at their corners and of the
+ * second derivatives on the cells that they meet: rigorous, and fast for most triangles. `Field_predicates_3` has the
+ * last word on what is left open.
  *
- * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle, and let the second derivatives of a function \f$g\f$ on the cells that the
- * triangle meets differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's formula at \f$x\f$ for each
- * corner, weighted by \f$\lambda_i\f$, has no terms of first order. With \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$ it gives
+ * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle, and let the second derivatives of a function \f$g\f$ on
+ * the cells that the triangle meets differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's
+ * formula at \f$x\f$ for each corner, weighted by \f$\lambda_i\f$, has no terms of first order. With \f$2 |d_a d_b| \le
+ * d_a^2 + d_b^2\f$ it gives
  * \f[ g(x) \ge \sum_i \lambda_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j), \f]
- * where \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal: what does not curve upwards in the
- * triangle's plane costs next to nothing. `is_positive_on_triangle()` tells whether that is positive. In the slope along the normal \f$n\f$,
+ * where \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal: what does not
+ * curve upwards in the triangle's plane costs next to nothing. `is_positive_on_triangle()` tells whether that is
+ * positive. In the slope along the normal \f$n\f$,
  * \f$C\f$ drops out in the same way:
  * \f[ n \cdot \nabla g(x) \ge \min_i n \cdot \nabla g(v_i) - \frac{1}{2} \sum_{a, b} |n_a| R_{ab} w_b \f]
- * with the widths \f$w\f$ of the triangle's box, as numbers differ from their mean by at most half the length of the interval that they lie
- * in, in the mean. The field has two continuous derivatives, so that this holds across cells. Triangles are bisected until it is enough.
+ * with the widths \f$w\f$ of the triangle's box, as numbers differ from their mean by at most half the length of the
+ * interval that they lie in, in the mean. The field has two continuous derivatives, so that this holds across cells.
+ * Triangles are bisected until it is enough.
  *
  * Const member functions may be called from several threads at once.
  *
@@ -66,27 +70,30 @@ public:
   struct Sample
   {
     std::array<double, 3> point;
-    Cell_index cell;                      ///< one that contains the point; `no_cell` outside the domain
-    double above, below;                  ///< lower bounds of the field minus the inner threshold, and of the outer one minus the field
-    std::array<double, 3> gradient;       ///< per user unit, rounded
+    Cell_index cell; ///< one that contains the point; `no_cell` outside the domain
+    /// lower bounds of the field minus the inner threshold, and of the outer one minus the field
+    double above, below;
+    std::array<double, 3> gradient; ///< per user unit, rounded
   };
 
   /// what was found on a triangle
   struct Facet_bounds
   {
-    bool is_contained = false, is_transversal = false;        ///< proved
-    bool leaves_shell = false, faces_away = false;            ///< at a point that is off the triangle by rounding at most: not a proof;
-                                                              ///< the search stops there
-    double slope = 0;         ///< if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
+    bool is_contained = false, is_transversal = false; ///< proved
+    /// at a point that is off the triangle by rounding at most: not a proof;
+    bool leaves_shell = false, faces_away = false;
+    ///< the search stops there
+    /// if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
+    double slope = 0;
   };
 
   /// Nothing is computed yet: a cell is bounded when a point or a triangle meets it first.
   /// \pre `field` outlives this object, and does not change
   Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer)
-    : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]())
-    , m_places(new Cell_place[field.number_of_cells()]), m_cells(new Cell_bounds[field.number_of_cells()])
+    : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]()),
+      m_places(new Cell_place[field.number_of_cells()]), m_cells(new Cell_bounds[field.number_of_cells()])
   {}
-  Second_order_bounds_3(const Field&&, const Threshold&, const Threshold&) = delete;       // it would dangle
+  Second_order_bounds_3(const Field&&, const Threshold&, const Threshold&) = delete; // it would dangle
 
   /// of a cell, in user units
   double width(Cell_index c) const { return place(c).width; }
@@ -111,7 +118,8 @@ public:
   /// \param corners samples of the triangle's corners
   /// \param normal encloses its normal
   /// \param most_bisections after which nothing more is proved
-  /// \param wanted_slope up to which the bound of the slope is to be at least nine tenths of what the slope is at some point; per user unit
+  /// \param wanted_slope up to which the bound of the slope is to be at least nine tenths of what the slope is at some
+  ///   point; per user unit
   Facet_bounds examine(const std::array<Sample, 3>& corners, const Facet_normal& normal, std::size_t most_bisections,
                        double wanted_slope = 0) const
   {
@@ -123,24 +131,26 @@ private:
   typedef Symmetric_matrix_3 Symmetric_matrix;
   typedef Symmetric_matrix_range_3 Matrix_range;
 
-  // What samples ask of a cell: one line of the processor's cache. Margins: the field minus the inner threshold, the outer one minus the field.
+  // What samples ask of a cell: one line of the processor's cache. Margins: the field minus the inner threshold, the
+  // outer one minus the field.
   struct alignas(64) Cell_place
   {
     Coordinates corner;
     double width;
-    const double* coefficients;       // in the field
-    double value_error;               // bounds the roundings of a margin at a point
-    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. NaN elsewhere.
+    const double* coefficients; // in the field
+    double value_error;         // bounds the roundings of a margin at a point
+    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. NaN
+    // elsewhere.
     double inner, outer;
   };
 
   // what is known of all of a cell, per user unit
   struct Cell_bounds
   {
-    Matrix_range above, below, field;                   // second derivatives, of the margins and the field
-    Coordinates least_gradient, greatest_gradient;      // of the field, components
-    double steepness, curvature;                        // sums of absolute first and second derivatives, of the margins and the field
-    double gradient_error;                              // bounds the roundings of a gradient's component at a point
+    Matrix_range above, below, field;              // second derivatives, of the margins and the field
+    Coordinates least_gradient, greatest_gradient; // of the field, components
+    double steepness, curvature; // sums of absolute first and second derivatives, of the margins and the field
+    double gradient_error;       // bounds the roundings of a gradient's component at a point
   };
 
   static Coordinates middle(const Sample& p, const Sample& q)
@@ -163,7 +173,7 @@ private:
     Sample s = { x, c, -1, -1, {} };
     if(c == Field::npos) return s;
     const Cell_place& place = this->place(c);
-    constexpr double no_radius = 0;       // values do not ask for it
+    constexpr double no_radius = 0; // values do not ask for it
     const typename Field::Cell cell(place.corner, place.width, place.coefficients, no_radius);
     double value = 0;
     if(wants_gradient) {
@@ -182,7 +192,10 @@ private:
     return s;
   }
 
-  struct Slopes { Coordinates least, most; };
+  struct Slopes
+  {
+    Coordinates least, most;
+  };
 
   // encloses the components of the gradient on a cell
   static Slopes slopes(const Enclosed_tricubic& f, double width)
@@ -196,7 +209,8 @@ private:
     for(std::size_t axis = 0; axis < 3; ++axis) {
       const double least = differences[axis].min, most = differences[axis].max;
       const double error = (1 + 16 * internal::rounding)
-                         * (8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius + internal::underflow);
+                           * (8 * internal::rounding * (std::max)(std::abs(least), std::abs(most)) + 2 * f.radius
+                              + internal::underflow);
       slopes.least[axis] = 3 * (least - error) / width - internal::underflow;
       slopes.most[axis] = 3 * (most + error) / width + internal::underflow;
     }
@@ -211,7 +225,12 @@ private:
   }
 
   // Many cells of a field are never met, and need no bounds.
-  enum class State : char { UNKNOWN, BUSY, KNOWN };
+  enum class State : char
+  {
+    UNKNOWN,
+    BUSY,
+    KNOWN
+  };
   const Cell_place& place(Cell_index c) const
   {
     ensure(c);
@@ -236,7 +255,7 @@ private:
       if(found == State::KNOWN) return;
       std::this_thread::yield();
     }
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // bounds do not depend on who asks first
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // bounds do not depend on who asks first
     try {
       bound(c);
     } catch(...) {
@@ -266,8 +285,8 @@ private:
     bounds.greatest_gradient = gradient.most;
     bounds.curvature = (std::max)({ bounds.field.size(), bounds.above.size(), bounds.below.size() });
     bounds.steepness = (std::max)({ size(gradient), size(slopes(above, width)), size(slopes(below, width)) });
-    // Of values that cells compute at points in them: Form_error covers more roundings than there are. A threshold is the difference of the
-    // field and a margin.
+    // Of values that cells compute at points in them: Form_error covers more roundings than there are. A threshold is
+    // the difference of the field and a margin.
     const internal::Form_error error(8 * internal::rounding);
     place.value_error = 2 * error(f) + error(above) + error(below);
     const Level_range inner = m_inner.range(c), outer = m_outer.range(c);
@@ -279,9 +298,11 @@ private:
       place.value_error += variation;
     }
     // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
-    bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width + internal::underflow;
+    bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width
+                            + internal::underflow;
     // Comparisons pass over what is no number; what is infinite they keep.
-    if(!(bounds.steepness + bounds.curvature + place.value_error + bounds.gradient_error < std::numeric_limits<double>::infinity()))
+    if(!(bounds.steepness + bounds.curvature + place.value_error + bounds.gradient_error
+         < std::numeric_limits<double>::infinity()))
       bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
   }
 
@@ -301,7 +322,8 @@ private:
       for(int a = 0; a < 3; ++a) m_absolute_normal[a] = std::abs(normal.direction[a]) + normal.radius;
       m_result.slope = std::numeric_limits<double>::infinity();
       const Part part = { { &corners[0], &corners[1], &corners[2] }, 0, 0, false, false };
-      const double length = std::sqrt(square(m_absolute_normal[0]) + square(m_absolute_normal[1]) + square(m_absolute_normal[2]));
+      const double length = std::sqrt(square(m_absolute_normal[0]) + square(m_absolute_normal[1])
+                                      + square(m_absolute_normal[2]));
       m_enough = wanted_slope * length * (1 + 32 * internal::rounding);
       m_result.is_contained = m_result.is_transversal = true;
       bool is_hopeless = false;
@@ -315,29 +337,29 @@ private:
   private:
     struct Part
     {
-      std::array<const Sample*, 3> corner;      // of who examines the triangle, and of the bisections that led here
-      int depth, refinements;                   // bisections; those of them below the size of a cell
-      bool is_contained, is_transversal;        // known of all of it
+      std::array<const Sample*, 3> corner; // of who examines the triangle, and of the bisections that led here
+      int depth, refinements;              // bisections; those of them below the size of a cell
+      bool is_contained, is_transversal;   // known of all of it
     };
     struct Cell_met
     {
       Cell_index cell;
-      bool is_transversal;                      // by the gradients on the cell
+      bool is_transversal; // by the gradients on the cell
     };
     // the cells met, by number, and what is known about all of them
     struct Region
     {
       std::size_t begin, end;
-      Symmetric_matrix above, below;            // q of the margins
-      Symmetric_matrix radius;                  // R of the field
-      double width, steepness, curvature;       // the least width, otherwise the largest
+      Symmetric_matrix above, below;      // q of the margins
+      Symmetric_matrix radius;            // R of the field
+      double width, steepness, curvature; // the least width, otherwise the largest
       bool is_transversal;
     };
     struct Edges
     {
-      std::array<Symmetric_matrix, 3> products;       // of components; of those off the diagonal, twice
-      double longest;                                 // length
-      int top;                                        // the corner opposite to it
+      std::array<Symmetric_matrix, 3> products; // of components; of those off the diagonal, twice
+      double longest;                           // length
+      int top;                                  // the corner opposite to it
     };
 
     static double square(double x) { return x * x; }
@@ -374,9 +396,12 @@ private:
       double longest = -1;
       for(int v = 0; v < 3; ++v) {
         const Coordinates &p = part.corner[(v + 1) % 3]->point, &q = part.corner[(v + 2) % 3]->point;
-        const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x*x + y*y + z*z;
-        edges.products[v] = { x*x, y*y, z*z, 2*y*z, 2*x*z, 2*x*y };
-        if(squared > longest) { longest = squared; edges.top = v; }
+        const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x * x + y * y + z * z;
+        edges.products[v] = { x * x, y * y, z * z, 2 * y * z, 2 * x * z, 2 * x * y };
+        if(squared > longest) {
+          longest = squared;
+          edges.top = v;
+        }
       }
       edges.longest = std::sqrt(longest) * (1 + 8 * internal::rounding);
       return edges;
@@ -417,7 +442,8 @@ private:
         extent += m_absolute_normal[a] * (cell.width / 2 + m_shift);
         reach = (std::max)(reach, std::abs(d));
       }
-      return std::abs(distance) <= extent * (1 + 16 * internal::rounding) + (3 * m_normal.radius + 16 * internal::rounding) * reach;
+      return std::abs(distance)
+             <= extent * (1 + 16 * internal::rounding) + (3 * m_normal.radius + 16 * internal::rounding) * reach;
     }
 
     void meet(Cell_index c)
@@ -425,7 +451,8 @@ private:
       const Cell_bounds& cell = m_all.bounds(c);
       double sum = 0, size = 0;
       for(int a = 0; a < 3; ++a) {
-        sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a], m_normal.direction[a] * cell.greatest_gradient[a]);
+        sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a],
+                          m_normal.direction[a] * cell.greatest_gradient[a]);
         size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.greatest_gradient[a]));
       }
       const double least = sum - (2 * m_normal.radius + 8 * internal::rounding) * size;
@@ -443,11 +470,13 @@ private:
       if(e.longest < large_extent * width) {
         const Bbox_3 box = bbox(part);
         const Cell_index first = part.corner[0]->cell;
-        bool is_covered = part.corner[1]->cell == first && part.corner[2]->cell == first && is_in(box, m_all.place(first));
+        bool is_covered = part.corner[1]->cell == first && part.corner[2]->cell == first
+                          && is_in(box, m_all.place(first));
         if(is_covered) meet(first);
-        else is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
-          if(plane_meets(m_all.place(c), part)) meet(c);
-        });
+        else
+          is_covered = m_all.m_field->visit_cells(box, [&](Cell_index c) {
+            if(plane_meets(m_all.place(c), part)) meet(c);
+          });
         is_covered = is_covered && !m_cells.empty();
         if(is_covered) examine(part, e, region_from(0));
         m_cells.clear();
@@ -474,7 +503,7 @@ private:
       for(int end : { 1, 2 }) {
         half.corner = part.corner;
         half.corner[(e.top + end) % 3] = &between;
-        half.is_contained = part.is_contained || !m_result.is_contained;        // what is lost need not be proved
+        half.is_contained = part.is_contained || !m_result.is_contained; // what is lost need not be proved
         half.is_transversal = part.is_transversal || !m_result.is_transversal;
         if(!(half.is_contained && half.is_transversal)) next(half);
       }
@@ -483,7 +512,7 @@ private:
     // one of the cells met, or else the field's
     Cell_index locate(const Coordinates& x) const
     {
-      for(std::size_t n = m_cells.size(); n-- > 0; )
+      for(std::size_t n = m_cells.size(); n-- > 0;)
         if(contains(m_all.place(m_cells[n].cell), x)) return m_cells[n].cell;
       return m_all.locate(x);
     }
@@ -492,7 +521,15 @@ private:
     Region region_from(std::size_t begin) const
     {
       const Cell_bounds& first = m_all.bounds(m_cells[begin].cell);
-      Region region = { begin, m_cells.size(), {}, {}, {}, m_all.width(m_cells[begin].cell), first.steepness, first.curvature, m_cells[begin].is_transversal };
+      Region region = { begin,
+                        m_cells.size(),
+                        {},
+                        {},
+                        {},
+                        m_all.width(m_cells[begin].cell),
+                        first.steepness,
+                        first.curvature,
+                        m_cells[begin].is_transversal };
       Matrix_range above = first.above, below = first.below, field = first.field;
       for(std::size_t n = begin + 1; n < m_cells.size(); ++n) {
         const Cell_bounds& cell = m_all.bounds(m_cells[n].cell);
@@ -516,7 +553,8 @@ private:
       const Bbox_3 box = bbox(part);
       const std::size_t size = m_cells.size();
       for(std::size_t n = around.begin; n < around.end; ++n)
-        if(around.end - around.begin == 1 || do_meet(box, m_all.place(m_cells[n].cell))) m_cells.push_back(Cell_met(m_cells[n]));
+        if(around.end - around.begin == 1 || do_meet(box, m_all.place(m_cells[n].cell)))
+          m_cells.push_back(Cell_met(m_cells[n]));
       const bool is_smaller = m_cells.size() - size < around.end - around.begin;
       if(!is_smaller) m_cells.resize(size);
       if(is_smaller && m_cells.size() > size) examine(part, e, box, region_from(size));
@@ -537,15 +575,17 @@ private:
 
     bool is_contained(const Part& part, const Edges& e, const Region& region) const
     {
-      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these underflow.
+      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these
+      // underflow.
       const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift
-                         + region.curvature * internal::underflow;
+                           + region.curvature * internal::underflow;
       std::array<double, 3> above, below;
       for(std::size_t v = 0; v < 3; ++v) {
         above[v] = part.corner[v]->above - error * up;
         below[v] = part.corner[v]->below - error * up;
       }
-      return is_positive_on_triangle(above, on_edges(region.above, e)) && is_positive_on_triangle(below, on_edges(region.below, e));
+      return is_positive_on_triangle(above, on_edges(region.above, e))
+             && is_positive_on_triangle(below, on_edges(region.below, e));
     }
 
     static std::array<double, 3> on_edges(const Symmetric_matrix& q, const Edges& e)
@@ -553,7 +593,7 @@ private:
       std::array<double, 3> on_edges;
       for(std::size_t v = 0; v < 3; ++v) {
         const Symmetric_matrix& p = e.products[v];
-        on_edges[v] = q[0]*p[0] + q[1]*p[1] + q[2]*p[2] + q[3]*p[3] + q[4]*p[4] + q[5]*p[5];
+        on_edges[v] = q[0] * p[0] + q[1] * p[1] + q[2] * p[2] + q[3] * p[3] + q[4] * p[4] + q[5] * p[5];
       }
       return on_edges;
     }
@@ -563,9 +603,9 @@ private:
       if(region.is_transversal) return true;
       const Symmetric_matrix& r = region.radius;
       const Coordinates& n = m_absolute_normal;
-      const double deviation = (box.xmax() - box.xmin()) * (r[0]*n[0] + r[5]*n[1] + r[4]*n[2])
-                             + (box.ymax() - box.ymin()) * (r[5]*n[0] + r[1]*n[1] + r[3]*n[2])
-                             + (box.zmax() - box.zmin()) * (r[4]*n[0] + r[3]*n[1] + r[2]*n[2]);
+      const double deviation = (box.xmax() - box.xmin()) * (r[0] * n[0] + r[5] * n[1] + r[4] * n[2])
+                               + (box.ymax() - box.ymin()) * (r[5] * n[0] + r[1] * n[1] + r[3] * n[2])
+                               + (box.zmax() - box.zmin()) * (r[4] * n[0] + r[3] * n[1] + r[2] * n[2]);
       double least = std::numeric_limits<double>::infinity();
       for(const Sample* s : part.corner) least = (std::min)(least, slope(*s, m_normal.direction) - slope_error(*s));
       least -= (deviation / 2 + 4 * region.curvature * m_shift) * up;
@@ -577,15 +617,16 @@ private:
     const Second_order_bounds_3& m_all;
     const Facet_normal& m_normal;
     Coordinates m_absolute_normal;
-    double m_shift;                     // by which corners of parts may be off, by rounding
-    double m_enough;                    // of slope on a part, as a bound
+    double m_shift;  // by which corners of parts may be off, by rounding
+    double m_enough; // of slope on a part, as a bound
     std::size_t m_bisections_left;
     Facet_bounds m_result;
-    boost::container::small_vector<Cell_met, 256> m_cells;      // of the region that is looked at, after those of the regions that it is in
+    // of the region that is looked at, after those of the regions that it is in
+    boost::container::small_vector<Cell_met, 256> m_cells;
   };
 
-  static constexpr double large_extent = 3;           // cells
-  static constexpr double flat = 1e-3;                // variation of thresholds, relative to the thickness
+  static constexpr double large_extent = 3; // cells
+  static constexpr double flat = 1e-3;      // variation of thresholds, relative to the thickness
   static constexpr int max_depth = 40, max_refinements = 14;
 
   const Field* m_field;

@@ -56,14 +56,15 @@ namespace Bspline_shells {
  * \brief decides, rigorously, whether the integral curves of a field relate a mesh one-to-one to all others in the same
  * shell for which it says so.
  *
- * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one point,
- * the mesh does not intersect itself, and it is isotopic in the shell to every level set between the largest value of the inner
- * threshold and the least value of the outer one. Two such meshes in the same components of the shell are mapped onto each other by a
- * homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and boxes, counts are exact.
+ * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one
+ * point, the mesh does not intersect itself, and it is isotopic in the shell to every level set between the largest
+ * value of the inner threshold and the least value of the outer one. Two such meshes in the same components of the
+ * shell are mapped onto each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole
+ * facets and boxes, counts are exact.
  *
- * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell asks that a mesh has
- * exactly one component in each of them, and no other. So all meshes with a certificate of the same certified shell are mapped onto each
- * other. For certificates between other thresholds, see `matches()`.
+ * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell
+ * asks that a mesh has exactly one component in each of them, and no other. So all meshes with a certificate of the
+ * same certified shell are mapped onto each other. For certificates between other thresholds, see `matches()`.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -82,15 +83,16 @@ public:
   {
     Verdict containment = Verdict::UNDECIDED;
     Verdict transversality = Verdict::UNDECIDED;
-    double slope = 0;         ///< lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
-                              ///< A close one only where the slope is near the least of all facets.
+    /// lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
+    double slope = 0;
+    ///< A close one only where the slope is near the least of all facets.
   };
 
   /// \pre `field` outlives this object; it may change between verifications
   Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
-  Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete;       // it would dangle
+  Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete; // it would dangle
 
   /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
   /// bounds on cells, if it has some or they are given. If the shell is not certified, but a file had candidates of
@@ -98,7 +100,8 @@ public:
   /// each component through which such a path is proved to lead, and no other. If there is no shell, `status()` is its
   /// status once a mesh was to be verified.
   /// \pre the shell outlives this object and stays as it is; `bounds` are those of the shell
-  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell, std::shared_ptr<const Bounds> bounds = nullptr)
+  explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell,
+                               std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
   {
     m_is_of_shell = true;
@@ -115,23 +118,26 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PolygonMesh a model of `FaceListGraph`
-  /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its triangles count
-  ///        as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the triangles of discs count as the facets
-  ///        that follow. Polygons are triangulated as for the construction of a shell.
+  /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its
+  ///   triangles count as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the
+  ///   triangles of discs count as the facets that follow. Polygons are triangulated as for the construction of a
+  ///   shell.
   /// \param np `vertex_point_map` as in all of \cgal
   /// \return whether all claims are proved
-  template <typename ConcurrencyTag = Parallel_if_available_tag,
-            typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
+            typename CGAL_NP_TEMPLATE_PARAMETERS>
   bool verify(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     unsay();
-    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_const_property_map(vertex_point, mesh));
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing), Input_mesh_3::truncator(m_truncation));
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing),
+                                          Input_mesh_3::truncator(m_truncation));
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
@@ -154,9 +160,9 @@ public:
     return true;
   }
 
-  /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and their components lie in the same
-  /// components of the shell. Undecided if one of them is not certified, if their field objects or thresholds differ,
-  /// or if every path is degenerate.
+  /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and
+  /// their components lie in the same components of the shell. Undecided if one of them is not certified, if their
+  /// field objects or thresholds differ, or if every path is degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
     const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;
@@ -170,7 +176,8 @@ public:
   bool is_certified() const
   {
     return m_status == Shell_status::SUCCESS && m_arithmetic == Arithmetic_status::SOUND
-        && std::all_of(m_report.verdicts.begin(), m_report.verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
+           && std::all_of(m_report.verdicts.begin(), m_report.verdicts.end(),
+                          [](Verdict v) { return v == Verdict::PROVED; });
   }
   explicit operator bool() const { return is_certified(); }
 
@@ -190,13 +197,15 @@ public:
   const std::optional<Cover>& cover() const { return m_cover; }
   /// the triangles with `double` coordinates that were examined
   const Triangle_mesh& examined_mesh() const { return m_input->mesh(); }
-  /// for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if containment is proved
+  /// for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if containment is
+  /// proved
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
   /// number of components of the cover
   std::size_t number_of_covers() const { return m_report.covers; }
   /// the paths that prove the degree
   const std::vector<Crossing_path>& paths() const { return m_report.paths; }
-  /// for each component of the mesh, the component of the shell that certainly contains it, or `Certificate_witness::none`
+  /// for each component of the mesh, the component of the shell that certainly contains it, or
+  /// `Certificate_witness::none`
   const std::vector<std::size_t>& components() const { return m_report.components; }
   const Certificate_statistics& statistics() const { return m_report.statistics; }
   /// what was found out about the cells that facets meet; null before that
@@ -209,18 +218,19 @@ public:
   /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
   /// in the shell is at most this. Infinite if the gradient claim is not proved.
   double displacement_bound() const { return m_report.displacement_bound; }
-  /// the same for each facet, in the order of `faces(mesh)`: no integral curve that meets the facet is longer in the shell. By the
-  /// gradient and the thresholds nearby, and so far less in most places than where the gradient is least. Takes several times as long
-  /// as the proof.
+  /// the same for each facet, in the order of `faces(mesh)`: no integral curve that meets the facet is longer in the
+  /// shell. By the gradient and the thresholds nearby, and so far less in most places than where the gradient is least.
+  /// Takes several times as long as the proof.
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<double> displacement_bounds() const
   {
     if(!(displacement_bound() < std::numeric_limits<double>::infinity()))
       return std::vector<double>(m_facets.size(), displacement_bound());
-    return Bspline_shells::displacement_bounds<ConcurrencyTag>(*m_cover, m_inner, m_outer, *m_input, displacement_bound());
+    return Bspline_shells::displacement_bounds<ConcurrencyTag>(*m_cover, m_inner, m_outer, *m_input,
+                                                               displacement_bound());
   }
-  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or transversality
-  /// is not proved
+  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
+  /// transversality is not proved
   double least_angle() const { return m_report.least_angle; }
   /// smallest cone margin of a vertex (`vertex_cone_margin()`)
   double least_cone_margin() const { return m_report.least_cone_margin; }
@@ -294,7 +304,10 @@ private:
     verdict = worse(verdict, w.verdict);
     m_draft.add(w);
   }
-  void conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason) { conclude(witness(claim, verdict, reason)); }
+  void conclude(Claim claim, Verdict verdict, Certificate_witness::Reason reason)
+  {
+    conclude(witness(claim, verdict, reason));
+  }
 
   template <typename ConcurrencyTag>
   void examine_vertices(const Input_mesh_3& input)
@@ -313,7 +326,7 @@ private:
       for(std::size_t n = begin; n < end; ++n) {
         if(mesh.is_isolated(vertices[n])) continue;
         const std::optional<double> margin = bounded_vertex_cone_margin(mesh, vertices[n], result.least_margin);
-        if(margin) result.least_margin = *margin;         // whether there is one is exact, unlike its value
+        if(margin) result.least_margin = *margin; // whether there is one is exact, unlike its value
         else result.singular.push_back(input.vertex_of_origin(vertices[n]));
       }
     });
@@ -326,8 +339,8 @@ private:
     if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
   }
 
-  // A slope that some facet has, rounded: not much above the least one where facets are alike. No claim rests on it; it only tells up to where slopes
-  // need be known well.
+  // A slope that some facet has, rounded: not much above the least one where facets are alike. No claim rests on it; it
+  // only tells up to where slopes need be known well.
   double least_slope_at_some_corners(const Input_mesh_3& input, const std::vector<Face_index>& triangles) const
   {
     constexpr std::size_t some = 512;
@@ -356,7 +369,7 @@ private:
     };
     std::vector<Result> results((triangles.size() + chunk - 1) / chunk);
     std::vector<Facet_verdict> verdicts(triangles.size());
-    constexpr std::size_t most_bisections = 65536;      // large facets meet thousands of cells
+    constexpr std::size_t most_bisections = 65536; // large facets meet thousands of cells
     if(!m_bounds) m_bounds = std::make_shared<const Bounds>(*m_field, m_inner, m_outer);
     const double slope_somewhere = least_slope_at_some_corners(input, triangles);
     internal::for_each_chunk<ConcurrencyTag>(triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -366,7 +379,8 @@ private:
         const auto t = input.triangle(triangles[n]);
         const std::array<Point_3, 3> triangle = { to_field(t[0]), to_field(t[1]), to_field(t[2]) };
         const auto note = [&](Claim claim, Verdict verdict, const Witness& place) {
-          Certificate_witness w = witness(claim, verdict, place.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET);
+          Certificate_witness w = witness(claim, verdict,
+                                          place.outside ? Certificate_witness::OUTSIDE : Certificate_witness::FACET);
           w.facet = input.facet_of_origin(triangles[n]);
           w.part = input.part_of_facet(w.facet);
           w.triangle = std::size_t(triangles[n]);
@@ -374,11 +388,12 @@ private:
           w.value = place.value;
           result.witnesses.push_back(w);
         };
-        const auto h = mesh.halfedge(triangles[n]);       // to the second corner
-        const auto found = m_bounds->examine({ samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
-                                               samples(mesh.target(mesh.next(h)), triangle[2]) },
-                                             facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
-                                             (std::min)(slope_somewhere, result.least_slope));       // what is above need not be known well
+        const auto h = mesh.halfedge(triangles[n]); // to the second corner
+        const auto found = m_bounds->examine(
+          { samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
+            samples(mesh.target(mesh.next(h)), triangle[2]) },
+          facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
+          (std::min)(slope_somewhere, result.least_slope)); // what is above need not be known well
         Witness w;
         verdicts[n].containment = Verdict::PROVED;
         if(!found.is_contained) {
@@ -389,7 +404,8 @@ private:
         verdicts[n].slope = found.slope;
         if(!found.is_transversal) {
           verdicts[n].slope = (std::min)(result.least_slope, 0.25);
-          verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality, &verdicts[n].slope);
+          verdicts[n].transversality = m_predicates->crosses_upwards(triangle, &w, &result.transversality,
+                                                                     &verdicts[n].slope);
           if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
         }
         result.least_slope = (std::min)(result.least_slope, verdicts[n].slope);
@@ -426,7 +442,8 @@ private:
     return facets;
   }
 
-  // Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user unit.
+  // Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user
+  // unit.
   double greatest_gradient(std::uint32_t c) const
   {
     const typename Field::Cell cell = m_field->cell(c);
@@ -437,12 +454,14 @@ private:
       for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
     });
     for(double& largest : greatest) largest = 3 * (largest + 2 * cell.error_radius());
-    return internal::length_bound(greatest) / cell.width() * (1 + 16 * internal::rounding) + std::numeric_limits<double>::denorm_min();
+    return internal::length_bound(greatest) / cell.width() * (1 + 16 * internal::rounding)
+           + std::numeric_limits<double>::denorm_min();
   }
 
   typedef typename Cover::Shared Shared;
 
-  // if the cover is known, and has all components of the mesh: those that share a component of the cover with an earlier one
+  // if the cover is known, and has all components of the mesh: those that share a component of the cover with an
+  // earlier one
   std::optional<std::vector<Shared> > adopt_proved_cover(const Triangle_mesh& mesh)
   {
     if(!m_proved.cover) return std::nullopt;
@@ -463,7 +482,8 @@ private:
     m_cover->template prepare<ConcurrencyTag>(std::move(cells));
     std::vector<Shared> shared;
     for(std::size_t c = 0; c < input.number_of_components(); ++c) {
-      const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(input.mesh().point(m_seeds[c])), std::uint32_t(c));
+      const std::uint32_t known = m_cover->template flood<ConcurrencyTag>(to_field(input.mesh().point(m_seeds[c])),
+                                                                          std::uint32_t(c));
       if(known != c) shared.push_back({ known, c });
     }
     return shared;
@@ -474,10 +494,12 @@ private:
     const Triangle_mesh& mesh = input.mesh();
     m_seeds.assign(input.number_of_components(), Triangle_mesh::null_vertex());
     for(Face_index f : mesh.faces())
-      if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex()) m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
+      if(m_seeds[input.component(f)] == Triangle_mesh::null_vertex())
+        m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
   }
 
-  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of the cover.
+  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of
+  // the cover.
   template <typename ConcurrencyTag>
   std::vector<Shared> examine_cover(const Input_mesh_3& input)
   {
@@ -490,7 +512,7 @@ private:
 
     Level_range thresholds;
     const bool is_greatest_known = known && m_draft.covers == m_proved.components
-                                && m_proved.greatest_gradient < std::numeric_limits<double>::infinity();
+                                   && m_proved.greatest_gradient < std::numeric_limits<double>::infinity();
     double greatest = is_greatest_known ? m_proved.greatest_gradient : 0;
     std::uint32_t last_cell = std::uint32_t(-1);
     std::size_t examined = 0;
@@ -515,7 +537,8 @@ private:
       ++m_draft.statistics.undecided_boxes;
       internal::Run::poll();
       const Bbox_3 b = cover.bbox(box);
-      std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+      std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2,
+                                       (b.zmin() + b.zmax()) / 2 };
       const bool critical = examined < max_examined && is_critical(mesh, box, center);
       ++examined;
       Certificate_witness w = witness(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
@@ -536,25 +559,29 @@ private:
     if(found(Claim::TRANSVERSALITY) == Verdict::PROVED)
       m_draft.least_angle = std::asin((std::min)(1., m_least_slope / greatest)) * (1 - 8 * internal::rounding);
     if(found(Claim::GRADIENT) == Verdict::PROVED)
-      m_draft.least_gradient = known && m_proved.least_gradient > 0 ? m_proved.least_gradient : cover.template least_gradient<ConcurrencyTag>();
+      m_draft.least_gradient = known && m_proved.least_gradient > 0 ? m_proved.least_gradient
+                                                                    : cover.template least_gradient<ConcurrencyTag>();
     if(m_draft.least_gradient > 0)
       m_draft.displacement_bound = internal::longest_curve(thresholds, m_draft.least_gradient);
     return shared;
   }
 
-  // P4, given P1. Components of the mesh in different components of the cover are in different components of the shell. So are those that share one, if
-  // P2, P3 and P5 hold: each component of the shell is a product of a surface and the curves, all of which meet a component of the mesh in it equally
-  // often, and at least once. As the path through one meets the whole mesh once, there is no other.
+  // P4, given P1. Components of the mesh in different components of the cover are in different components of the shell.
+  // So are those that share one, if P2, P3 and P5 hold: each component of the shell is a product of a surface and the
+  // curves, all of which meet a component of the mesh in it equally often, and at least once. As the path through one
+  // meets the whole mesh once, there is no other.
   void examine_sheets(const Input_mesh_3& input, const std::vector<Shared>& shared)
   {
     begin(Claim::ONE_SHEET);
-    const bool is_product = found(Claim::TRANSVERSALITY) == Verdict::PROVED && found(Claim::GRADIENT) == Verdict::PROVED;
+    const bool is_product = found(Claim::TRANSVERSALITY) == Verdict::PROVED
+                            && found(Claim::GRADIENT) == Verdict::PROVED;
     std::vector<char> has_path(input.number_of_components(), 0);
     for(const Crossing_path& path : m_draft.paths) has_path[path.component] = 1;
     for(const Shared& pair : shared) {
       if(is_product && has_path[pair[0]] && has_path[pair[1]]) continue;
       const std::optional<std::array<double, 3> > joint = joined(input, pair[0], pair[1]);
-      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::TWO_SHEETS);
+      Certificate_witness w = witness(Claim::ONE_SHEET, joint ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                      Certificate_witness::TWO_SHEETS);
       w.component = pair[0];
       w.other_component = pair[1];
       w.point = joint ? *joint : to_array(input.mesh().point(m_seeds[pair[1]]));
@@ -579,10 +606,13 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for(Vertex_index v : mesh.vertices()) {
       const double d = CGAL::squared_distance(p, mesh.point(v));
-      if(d < least) { least = d; nearest = mesh.point(v); }
+      if(d < least) {
+        least = d;
+        nearest = mesh.point(v);
+      }
     }
-    return m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) },
-                                                             m_inner, m_outer) == Verdict::PROVED;
+    return m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(nearest) }, m_inner, m_outer)
+           == Verdict::PROVED;
   }
 
   // a point on a segment in the shell from one component of the mesh to another, if one is found
@@ -609,7 +639,8 @@ private:
     std::sort(candidates.begin(), candidates.end());
     for(std::size_t n = 0; n < (std::min)(tries, candidates.size()); ++n) {
       const auto &p = mesh.point(candidates[n].second.first), &q = mesh.point(candidates[n].second.second);
-      if(m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer) == Verdict::PROVED)
+      if(m_predicates->values_within(std::array<Point_3, 2>{ to_field(p), to_field(q) }, m_inner, m_outer)
+         == Verdict::PROVED)
         return to_array(CGAL::midpoint(p, q));
     }
     return std::nullopt;
@@ -661,18 +692,21 @@ private:
       }
       if(verdict == Verdict::PROVED) {
         m_draft.paths.push_back(path);
-        // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet them.
+        // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet
+        // them.
         const std::size_t first = (n - 1) % candidates.size();
         const std::size_t end = (std::min)(first + max_spare_paths, candidates.size());
         for(std::size_t m = first; m < end; ++m)
           if(try_path<ConcurrencyTag>(input, counter, candidates[m], { 0.871, 0.978, 1.151 }, path, count)
-             == Verdict::PROVED) m_draft.spare_paths.push_back(path);
+             == Verdict::PROVED)
+            m_draft.spare_paths.push_back(path);
         continue;
       }
       // only without critical points is the count the same for all paths
       if(found(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
-      Certificate_witness w = witness(Claim::DEGREE_ONE, verdict, verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
-                                                                                              : Certificate_witness::NO_PATH);
+      Certificate_witness w = witness(Claim::DEGREE_ONE, verdict,
+                                      verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
+                                                                  : Certificate_witness::NO_PATH);
       w.component = c;
       if(verdict == Verdict::REFUTED) w.count = count;
       const auto t = input.triangle(facet);
@@ -696,10 +730,10 @@ private:
     m_are_paths_proved = true;
   }
 
-  // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved are mapped onto each
-  // other. Without paths through a shell, the mesh defines the components. A shell that is not certified may have
-  // critical points where the mesh is not, and a file may have any paths: that a mesh is not met by them refutes
-  // nothing.
+  // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved
+  // are mapped onto each other. Without paths through a shell, the mesh defines the components. A shell that is not
+  // certified may have critical points where the mesh is not, and a file may have any paths: that a mesh is not met by
+  // them refutes nothing.
   void examine_components(const Input_mesh_3& input)
   {
     m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
@@ -717,9 +751,9 @@ private:
       is_known = is_known && count;
       if(count == 1) continue;
       const bool is_empty = !count || *count == 0, is_refuted = count && is_transversal && m_is_shell_certified;
-      Certificate_witness w = witness(is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE,
-                                      is_refuted ? Verdict::REFUTED : Verdict::UNDECIDED,
-                                      is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
+      Certificate_witness w = witness(
+        is_empty ? Claim::ONE_SHEET : Claim::DEGREE_ONE, is_refuted ? Verdict::REFUTED : Verdict::UNDECIDED,
+        is_empty ? Certificate_witness::EMPTY_COMPONENT : Certificate_witness::SHELL_CROSSINGS);
       w.component = k;
       if(!is_empty) w.count = *count;
       for(const Crossing_path& path : m_shell_paths)
@@ -729,18 +763,19 @@ private:
     }
     for(std::size_t c = 0; c < input.number_of_components(); ++c)
       if(m_draft.components[c] == Certificate_witness::none) {
-        Certificate_witness w = witness(Claim::ONE_SHEET, is_known ? Verdict::REFUTED : Verdict::UNDECIDED, Certificate_witness::OTHER_COMPONENT);
+        Certificate_witness w = witness(Claim::ONE_SHEET, is_known ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                        Certificate_witness::OTHER_COMPONENT);
         w.component = c;
         w.point = to_array(input.mesh().point(m_seeds[c]));
         conclude(w);
       }
   }
 
-  // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or refuted by the
-  // count; undecided if the segment does not qualify.
+  // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or
+  // refuted by the count; undecided if the segment does not qualify.
   template <typename ConcurrencyTag>
-  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f, const std::array<double, 3>& weights,
-                   Crossing_path& path, int& count) const
+  Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f,
+                   const std::array<double, 3>& weights, Crossing_path& path, int& count) const
   {
     const auto t = input.triangle(f);
     const Triangle_mesh::Point middle = CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
@@ -760,12 +795,13 @@ private:
     return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
   }
 
-  static constexpr std::size_t max_paths = 64;        // tried for a component
+  static constexpr std::size_t max_paths = 64; // tried for a component
   // barycentric coordinates of the points of facets that they pass; the first for all facets, then the next
-  static constexpr std::array<std::array<double, 3>, 4> path_points
-    = { { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } } };
-  static constexpr std::size_t max_spare_paths = 3;   // for a component
-  static constexpr std::size_t max_examined = 64;     // undecided boxes in which a critical point is looked for
+  static constexpr std::array<std::array<double, 3>, 4> path_points = {
+    { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } }
+  };
+  static constexpr std::size_t max_spare_paths = 3; // for a component
+  static constexpr std::size_t max_examined = 64;   // undecided boxes in which a critical point is looked for
 
   const Field* m_field;
   Threshold m_inner, m_outer;
@@ -778,8 +814,8 @@ private:
     std::shared_ptr<const std::vector<Cover_box> > cover;
     std::size_t components = 0;
     double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
-  } m_proved;         // of the shell
-  std::vector<Crossing_path> m_shell_paths;           // through the components of the shell
+  } m_proved;                               // of the shell
+  std::vector<Crossing_path> m_shell_paths; // through the components of the shell
   Shell_status m_shell_status = Shell_status::SUCCESS;
   bool m_is_shell_certified = false, m_are_paths_proved = true;
   std::optional<Field_predicates_3<Field> > m_predicates;
@@ -787,7 +823,7 @@ private:
   Shell_status m_status = Shell_status::NOT_BUILT;
   Offending_simplices m_offenders;
   Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
-  Certificate_report m_draft, m_report;               // what is found, and what is said once all is examined
+  Certificate_report m_draft, m_report; // what is found, and what is said once all is examined
   std::vector<Facet_verdict> m_facets;
   std::optional<Cover> m_cover;
   std::vector<Vertex_index> m_seeds;
@@ -801,7 +837,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   unsay();
   Real_timer timer;
   timer.start();
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   forget();
   m_arithmetic = arithmetic_self_test();
   if(m_arithmetic != Arithmetic_status::SOUND) return false;
@@ -843,7 +879,8 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template bool Shell_certificate_3<>::verify<Parallel_if_available_tag>(std::shared_ptr<const Input_mesh_3>);
-extern template bool Shell_certificate_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >::
+extern template bool Shell_certificate_3<Hierarchical_bspline_field_3<>,
+                                         Spline_threshold<Hierarchical_bspline_field_3<> > >::
   verify<Parallel_if_available_tag>(std::shared_ptr<const Input_mesh_3>);
 #endif
 

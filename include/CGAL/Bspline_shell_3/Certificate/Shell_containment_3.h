@@ -32,9 +32,10 @@ namespace Bspline_shells {
  * \brief tells whether points, segments, triangles and meshes lie in a shell, with the call operators of
  * `CGAL::Polyhedral_envelope`.
  *
- * The answer `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover by which the shell was
- * certified; of a shell without one (`Bspline_shell_3::proved_cover()`), in cells that the shell may meet. The answer `false` means that this
- * does not hold, or only by less than some 1e-13 of the coordinates. Const member functions may be called from several threads at once.
+ * The answer `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover by
+ * which the shell was certified; of a shell without one (`Bspline_shell_3::proved_cover()`), in cells that the shell
+ * may meet. The answer `false` means that this does not hold, or only by less than some 1e-13 of the coordinates. Const
+ * member functions may be called from several threads at once.
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -47,13 +48,14 @@ public:
 
   /// \pre the shell outlives this object
   explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>& shell)
-    : m_shell(&shell), m_is_empty(!shell || arithmetic_self_test() != Arithmetic_status::SOUND), m_predicates(shell.field())
+    : m_shell(&shell), m_is_empty(!shell || arithmetic_self_test() != Arithmetic_status::SOUND),
+      m_predicates(shell.field())
   {
     if(m_is_empty || !shell.proved_cover()) return;
     m_cover.emplace(shell.field(), shell.inner_threshold(), shell.outer_threshold());
     m_cover->adopt(*shell.proved_cover());
   }
-  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete;       // it would dangle
+  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete; // it would dangle
 
   /// a point; exact for constant thresholds
   bool operator()(const Point_3& p) const
@@ -61,10 +63,10 @@ public:
     if(m_is_empty || !(m_cover ? is_in_cover(p) : is_in_cell(p))) return false;
     if constexpr(Threshold::is_constant) {
       Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-      const auto inner = m_predicates.compare(p, m_shell->inner_level()), outer = m_predicates.compare(p, m_shell->outer_level());
+      const auto inner = m_predicates.compare(p, m_shell->inner_level()),
+                 outer = m_predicates.compare(p, m_shell->outer_level());
       return *inner != SMALLER && *outer != LARGER;
-    } else
-      return contains(std::array<Point_3, 2>{ p, p });
+    } else return contains(std::array<Point_3, 2>{ p, p });
   }
 
   /// a segment
@@ -88,20 +90,27 @@ public:
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_const_property_map(vertex_point, mesh));
     for(auto f : faces(mesh)) {
       const auto h = halfedge(f, mesh);
-      if(!(*this)(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)))) return false;
+      if(!(*this)(get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh))))
+        return false;
     }
     return true;
   }
   template <typename TriangleMesh>
-  bool operator()(const TriangleMesh& mesh) const { return (*this)(mesh, CGAL::parameters::default_values()); }
+  bool operator()(const TriangleMesh& mesh) const
+  {
+    return (*this)(mesh, CGAL::parameters::default_values());
+  }
 
-  /// which component of a certified shell each component of a mesh lies in, if it is closed, or can be closed as the mesh of the shell was. A mesh may be contained and have fewer components than the
-  /// shell, or several in one; then no map onto the mesh that the shell was built for is one-to-one, and the verdict is not
-  /// `PROVED`. Undecided for a shell that is not certified, and for a mesh that is refused (`Input_mesh_3`).
-  /// \pre all facets are contained, and face along the gradient: `Shell_certificate_3` proves both, and makes the same comparison
+  /// which component of a certified shell each component of a mesh lies in, if it is closed, or can be closed as the
+  /// mesh of the shell was. A mesh may be contained and have fewer components than the shell, or several in one; then
+  /// no map onto the mesh that the shell was built for is one-to-one, and the verdict is not `PROVED`. Undecided for a
+  /// shell that is not certified, and for a mesh that is refused (`Input_mesh_3`).
+  /// \pre all facets are contained, and face along the gradient: `Shell_certificate_3` proves both, and makes the same
+  ///   comparison
   /// \param mesh a model of `FaceListGraph`
   /// \param np `vertex_point_map` as in all of \cgal
   template <typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -111,7 +120,8 @@ public:
     using CGAL::parameters::get_parameter;
     Component_match match;
     if(m_is_empty || !m_shell->is_certified()) return match;
-    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
+    auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                get_const_property_map(vertex_point, mesh));
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     Input_mesh_3 input;
@@ -123,8 +133,8 @@ public:
   /// all triangles of a soup.
   /// \tparam PointRange a random access range of points
   /// \tparam TriangleRange a range of random access ranges of three positions in `points`
-  template <typename PointRange, typename TriangleRange,
-            typename = typename TriangleRange::value_type, typename = typename PointRange::value_type>
+  template <typename PointRange, typename TriangleRange, typename = typename TriangleRange::value_type,
+            typename = typename PointRange::value_type>
   bool operator()(const PointRange& points, const TriangleRange& triangles) const
   {
     for(const auto& t : triangles)
@@ -149,10 +159,11 @@ private:
   bool contains(const std::array<Point_3, size>& simplex) const
   {
     if(m_is_empty) return false;
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
     const Threshold &inner = m_shell->inner_threshold(), &outer = m_shell->outer_threshold();
     if(m_cover) return is_in_cover(simplex[0]) && m_predicates.values_within(simplex, inner, outer) == Verdict::PROVED;
-    return is_in_cell(simplex[0]) && m_predicates.values_within(simplex, inner, outer, m_shell->shell_cells()) == Verdict::PROVED;
+    return is_in_cell(simplex[0])
+           && m_predicates.values_within(simplex, inner, outer, m_shell->shell_cells()) == Verdict::PROVED;
   }
 
   const Bspline_shell_3<Field, Threshold>* m_shell;

@@ -38,13 +38,13 @@ namespace Bspline_shells {
  * \brief a cover, by closed boxes, of those components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
  * points.
  *
- * Leaf cells are subdivided until the kind of each box is known, or there is no use in it. From each point, the boxes that
- * touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so that the
- * component of the point cannot leave its boxes: where none of them is undecided, the component has no critical point,
- * and where it is excluded wherever they touch the end of the domain, it lies in the interior.
+ * Leaf cells are subdivided until the kind of each box is known, or there is no use in it. From each point, the boxes
+ * that touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so
+ * that the component of the point cannot leave its boxes: where none of them is undecided, the component has no
+ * critical point, and where it is excluded wherever they touch the end of the domain, it lies in the interior.
  *
- * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings. Its domain consists of equal cells of a
- * lattice, of which its cells are dyadic parts.
+ * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings. Its
+ *   domain consists of equal cells of a lattice, of which its cells are dyadic parts.
  * \tparam Threshold a model of `ShellThreshold`
  */
 template <typename Field_, typename Threshold = Constant_threshold>
@@ -54,25 +54,28 @@ public:
   typedef Field_ Field;
   typedef typename Field::Point_3 Point_3;
   typedef typename Field::Cell Cell;
-  typedef std::size_t Box_index;                           ///< a shell may have more boxes than 32 bits can count
-  static constexpr int max_depth = 7;                      ///< halvings of a leaf cell
-  /// A cell with more boxes is not subdivided further. The smaller number holds once `many_undecided_boxes` are undecided; then boxes are not subdivided
-  /// either where critical points seem to be in the shell.
-  static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64, many_undecided_boxes = 1000;
+  typedef std::size_t Box_index;      ///< a shell may have more boxes than 32 bits can count
+  static constexpr int max_depth = 7; ///< halvings of a leaf cell
+  /// A cell with more boxes is not subdivided further. The smaller number holds once `many_undecided_boxes` are
+  /// undecided; then boxes are not subdivided either where critical points seem to be in the shell.
+  static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64,
+                               many_undecided_boxes = 1000;
 
-  /// \param separating_depth halvings of a cell up to which boxes with critical points beyond a threshold are subdivided all the same: what is on both
-  ///        sides of a wall or a gap is one component of the cover, unless boxes between are excluded. Zero where components do not matter.
+  /// \param separating_depth halvings of a cell up to which boxes with critical points beyond a threshold are
+  ///   subdivided all the same: what is on both sides of a wall or a gap is one component of the cover, unless boxes
+  ///   between are excluded. Zero where components do not matter.
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int separating_depth = 3)
-    : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth), m_first(field.number_of_cells(), unseen)
+    : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth),
+      m_first(field.number_of_cells(), unseen)
   {}
-  Shell_cover_3(const Field&&, const Threshold&, const Threshold&, int = 3) = delete;       // it would dangle
+  Shell_cover_3(const Field&&, const Threshold&, const Threshold&, int = 3) = delete; // it would dangle
 
   const Field& field() const { return *m_field; }
 
   /// takes over what another cover found out about cells
-  /// \param now a function of the other cover's cells: the cell of this cover that has the same place, if the field and the thresholds are the same
-  /// there, and `npos` otherwise
+  /// \param now a function of the other cover's cells: the cell of this cover that has the same place, if the field and
+  ///   the thresholds are the same there, and `npos` otherwise
   /// \pre the other cover's field has the same domain, and no cell of this cover has been subdivided
   template <typename Now>
   void reuse(const Shell_cover_3& other, const Now& now)
@@ -109,8 +112,10 @@ public:
   /// two points of one component of the cover, the earlier one first
   typedef std::array<std::size_t, 2> Shared;
 
-  /// the same, with those components alone that hold given points; the number of each becomes that of the first of its points
-  /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and this cover is of no use
+  /// the same, with those components alone that hold given points; the number of each becomes that of the first of its
+  /// points
+  /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and
+  ///   this cover is of no use
   /// \pre no box of the other cover's components is undecided, and none is at the end of the field's domain
   std::optional<std::vector<Shared> > adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
   {
@@ -135,7 +140,8 @@ public:
   void prepare(std::vector<std::uint32_t> cells)
   {
     sort_unique(cells);
-    cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }), cells.end());
+    cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_first[c] != unseen; }),
+                cells.end());
     constexpr std::size_t chunk = 64;
     const bool is_hopeless = m_undecided >= many_undecided_boxes;
     std::vector<std::vector<Cover_box> > boxes((cells.size() + chunk - 1) / chunk);
@@ -190,9 +196,10 @@ public:
           front.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Flood_step>& found) {
             for(std::size_t n = begin; n < end; ++n) find_steps(front[n], found);
           });
-        for(const Flood_step& step : steps)
-          switch(step.kind) {
-            case Flood_step::BOX: if(m_boxes[step.number].component == Cover_box::no_component) include(step.number); break;
+        for(const Flood_step& step : steps) switch(step.kind) {
+            case Flood_step::BOX:
+              if(m_boxes[step.number].component == Cover_box::no_component) include(step.number);
+              break;
             case Flood_step::UNSEEN_CELL: wanted.push_back(std::uint32_t(step.number)); break;
             case Flood_step::WAITING_BOX: waiting.push_back(step.number); break;
             case Flood_step::BOX_AT_END: m_at_end.push_back(step.number); break;
@@ -254,10 +261,14 @@ public:
   Level_range critical_values(const Cover_box& box) const { return Bspline_shells::critical_values(function(box)); }
 
   /// whether all of a box is certainly in the shell
-  bool is_between_thresholds(const Cover_box& box) const { return m_examination.are_between_thresholds(functions_on(box)); }
+  bool is_between_thresholds(const Cover_box& box) const
+  {
+    return m_examination.are_between_thresholds(functions_on(box));
+  }
 
-  /// a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the least bounds are subdivided
-  /// until these are near what the field has in their middles, or a number of subdivisions is used up.
+  /// a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the least
+  /// bounds are subdivided until these are near what the field has in their middles, or a number of subdivisions is
+  /// used up.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   double least_gradient() const
@@ -270,10 +281,18 @@ public:
         if(m_boxes[n].component != Cover_box::no_component)
           bounds[n] = gradient_bound({ m_boxes[n], functions_on(m_boxes[n]) });
     });
-    struct Bounded_box { double bound; Cover_box box; };
-    struct Bounded_part { Bounded_box bounded; double in_the_middle; };
+    struct Bounded_box
+    {
+      double bound;
+      Cover_box box;
+    };
+    struct Bounded_part
+    {
+      Bounded_box bounded;
+      double in_the_middle;
+    };
     const auto is_above = [](const Bounded_box& a, const Bounded_box& b) { return a.bound > b.bound; };
-    std::vector<Bounded_box> least;       // a heap
+    std::vector<Bounded_box> least; // a heap
     for(std::size_t n = 0; n < bounds.size(); ++n)
       if(bounds[n] < std::numeric_limits<double>::infinity()) least.push_back({ bounds[n], m_boxes[n] });
     if(least.empty()) return std::numeric_limits<double>::infinity();
@@ -297,7 +316,8 @@ public:
             examine_part(octants[n]);
             if(octants[n].box.kind == Box_kind::EXCLUDED) continue;
             // what proves a part may say less than what proves the box
-            found.push_back({ { (std::max)(worst[w].bound, gradient_bound(octants[n])), octants[n].box }, gradient_in_the_middle(octants[n]) });
+            found.push_back({ { (std::max)(worst[w].bound, gradient_bound(octants[n])), octants[n].box },
+                              gradient_in_the_middle(octants[n]) });
           }
         });
       for(const Bounded_part& part : parts) {
@@ -309,8 +329,8 @@ public:
     return least.empty() ? std::numeric_limits<double>::infinity() : least.front().bound;
   }
 
-  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell, on the boxes of the cover in it; infinite where
-  /// there are none. Coarser than `least_gradient()`.
+  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell, on the boxes of the
+  /// cover in it; infinite where there are none. Coarser than `least_gradient()`.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   std::vector<double> least_gradients() const
@@ -335,16 +355,32 @@ private:
   typedef internal::Box_examination<Threshold> Examination;
   typedef typename Examination::Functions Functions;
 
-  struct Part { Cover_box box; Functions functions; };
-  typedef std::array<int, 3> Direction;     // to a face, an edge or a vertex of a cell or a box: of minus one, zero and one
-  struct Cell_boxes { std::uint32_t cell; std::size_t begin, end; };
+  struct Part
+  {
+    Cover_box box;
+    Functions functions;
+  };
+  // to a face, an edge or a vertex of a cell or a box: of minus one, zero and one
+  typedef std::array<int, 3> Direction;
+  struct Cell_boxes
+  {
+    std::uint32_t cell;
+    std::size_t begin, end;
+  };
 
-  // what a box of the front leads to: boxes that touch it and do not belong to the cover yet; or cells that must be subdivided first, and itself once more
+  // what a box of the front leads to: boxes that touch it and do not belong to the cover yet; or cells that must be
+  // subdivided first, and itself once more
   struct Flood_step
   {
-    enum Kind : std::uint8_t { BOX, UNSEEN_CELL, WAITING_BOX, BOX_AT_END };
+    enum Kind : std::uint8_t
+    {
+      BOX,
+      UNSEEN_CELL,
+      WAITING_BOX,
+      BOX_AT_END
+    };
     Kind kind;
-    std::size_t number;       // box or cell
+    std::size_t number; // box or cell
   };
 
   void find_steps(Box_index b, std::vector<Flood_step>& steps) const
@@ -352,7 +388,8 @@ private:
     const Bbox_3 box = bbox(m_boxes[b]);
     const auto find_touching = [&](std::uint32_t c) {
       for_each_touching(c, box, [&](Box_index n) {
-        if(m_boxes[n].kind != Box_kind::EXCLUDED && m_boxes[n].component == Cover_box::no_component) steps.push_back({ Flood_step::BOX, n });
+        if(m_boxes[n].kind != Box_kind::EXCLUDED && m_boxes[n].component == Cover_box::no_component)
+          steps.push_back({ Flood_step::BOX, n });
       });
     };
     if(is_inside_cell(m_boxes[b])) {
@@ -366,8 +403,7 @@ private:
         if(complete) steps.resize(before);
         complete = false;
         steps.push_back({ Flood_step::UNSEEN_CELL, c });
-      } else if(complete)
-        find_touching(c);
+      } else if(complete) find_touching(c);
     });
     if(!complete) steps.push_back({ Flood_step::WAITING_BOX, b });
     else if(m_boxes[b].is_at_end) steps.push_back({ Flood_step::BOX_AT_END, b });
@@ -390,11 +426,13 @@ private:
   static Bbox_3 grown(const Bbox_3& b)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return Bbox_3(std::nextafter(b.xmin(), -infinity), std::nextafter(b.ymin(), -infinity), std::nextafter(b.zmin(), -infinity),
-                  std::nextafter(b.xmax(), infinity), std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
+    return Bbox_3(std::nextafter(b.xmin(), -infinity), std::nextafter(b.ymin(), -infinity),
+                  std::nextafter(b.zmin(), -infinity), std::nextafter(b.xmax(), infinity),
+                  std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
   }
 
-  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive. The queue is scratch memory.
+  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive. The queue is
+  // scratch memory.
   void subdivide(std::uint32_t c, bool is_hopeless, std::vector<Part>& queue, std::vector<Cover_box>& boxes) const
   {
     const std::size_t most_boxes = is_hopeless ? max_boxes_of_a_hopeless_cell : max_boxes_of_a_cell;
@@ -412,14 +450,17 @@ private:
       examine_part(queue[n]);
       Cover_box& box = queue[n].box;
       box.is_at_end = box.kind != Box_kind::EXCLUDED && !ends_in_shell(queue[n], ends).empty();
-      const bool splits = box.kind == Box_kind::UNDECIDED ? box.depth < max_depth && !(is_hopeless && m_examination.seems_critical(queue[n].functions))
-                        : (is_critical(box.kind) && box.depth < m_separating_depth)
-                        // what is inside must be told from what is not
-                        || (box.is_at_end && box.depth < max_depth_at_end);
+      const bool splits = box.kind == Box_kind::UNDECIDED
+                            ? box.depth < max_depth
+                                && !(is_hopeless && m_examination.seems_critical(queue[n].functions))
+                            : (is_critical(box.kind) && box.depth < m_separating_depth)
+                                // what is inside must be told from what is not
+                                || (box.is_at_end && box.depth < max_depth_at_end);
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
     }
-    std::sort(boxes.begin() + begin, boxes.end(), [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
+    std::sort(boxes.begin() + begin, boxes.end(),
+              [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
   }
 
   // interleaved bits of the least corner
@@ -441,9 +482,11 @@ private:
       for(int j = -1; j <= 1; ++j)
         for(int i = -1; i <= 1; ++i) {
           const Direction direction = { i, j, k };
-          std::array<double, 3> p;      // next to the middle of a face, an edge or a vertex
+          std::array<double, 3> p; // next to the middle of a face, an edge or a vertex
           for(int a = 0; a < 3; ++a)
-            p[a] = direction[a] < 0 ? (around.min)(a) : direction[a] > 0 ? (around.max)(a) : ((cell.min)(a) + (cell.max)(a)) / 2;
+            p[a] = direction[a] < 0   ? (around.min)(a)
+                   : direction[a] > 0 ? (around.max)(a)
+                                      : ((cell.min)(a) + (cell.max)(a)) / 2;
           if(!m_field->visit_cells(Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]), ignore)) ends.push_back(direction);
         }
     return ends;
@@ -471,7 +514,10 @@ private:
     return on_box;
   }
 
-  static bool is_critical(Box_kind kind) { return kind == Box_kind::CRITICAL_BELOW || kind == Box_kind::CRITICAL_ABOVE; }
+  static bool is_critical(Box_kind kind)
+  {
+    return kind == Box_kind::CRITICAL_BELOW || kind == Box_kind::CRITICAL_ABOVE;
+  }
 
   // finds the kind of a part of a box; if nothing is found, it is that of the box, as is what proves it
   void examine_part(Part& part) const
@@ -487,13 +533,17 @@ private:
   double gradient_bound(const Part& part) const
   {
     const double bound = m_examination.gradient_bound(part.functions, part.box);
-    // two quotients, of which the second may overflow, and of which little is known if they are denormal; the length is an upper bound
+    // two quotients, of which the second may overflow, and of which little is known if they are denormal; the length is
+    // an upper bound
     const double slope = bound / width(part.box);
     if(!((std::min)(bound, slope) >= internal::underflow)) return 0;
     return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
   }
 
-  double gradient_in_the_middle(const Part& part) const { return m_examination.gradient_in_the_middle(part.functions) / width(part.box); }
+  double gradient_in_the_middle(const Part& part) const
+  {
+    return m_examination.gradient_in_the_middle(part.functions) / width(part.box);
+  }
 
   // the same, of parts where that is far from what the field has in the middle
   double close_gradient_bound(const Part& part, int subdivisions) const
@@ -502,13 +552,15 @@ private:
     constexpr double near = 0.6;
     const double bound = gradient_bound(part);
     if(bound >= near * gradient_in_the_middle(part) || subdivisions == max_subdivisions
-       || part.box.depth == std::numeric_limits<std::uint16_t>::digits) return bound;
+       || part.box.depth == std::numeric_limits<std::uint16_t>::digits)
+      return bound;
     std::vector<Part> parts(1, part);
     push_octants(0, parts);
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t n = 1; n < parts.size(); ++n) {
       examine_part(parts[n]);
-      if(parts[n].box.kind != Box_kind::EXCLUDED) least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
+      if(parts[n].box.kind != Box_kind::EXCLUDED)
+        least = (std::min)(least, close_gradient_bound(parts[n], subdivisions + 1));
     }
     return (std::max)(bound, least);
   }
@@ -525,7 +577,8 @@ private:
       for(int a = 0; a < 3; ++a) child.box.position[a] = std::uint16_t(2 * part.box.position[a] + ((o >> a) & 1));
       if(is_critical(part.box.kind))
         for(int a = 0; a < 3; ++a) child.box.proof[a] = 2 * part.box.proof[a] - ((o >> a) & 1);
-      for(std::size_t m = 0; m < part.functions.size(); ++m) child.functions[m] = restrict_to_octant(part.functions[m], o);
+      for(std::size_t m = 0; m < part.functions.size(); ++m)
+        child.functions[m] = restrict_to_octant(part.functions[m], o);
     }
   }
 
@@ -551,12 +604,16 @@ private:
     for(int a = 0; a < 3; ++a) part.position[a] = std::uint16_t(part.position[a] >> below);
     part.depth = std::uint8_t(depth);
     if(!do_overlap(bbox(part), target)) return;
-    if(end - begin == 1) { visit(begin); return; }
-    for(std::size_t b = begin; b < end; ) {
+    if(end - begin == 1) {
+      visit(begin);
+      return;
+    }
+    for(std::size_t b = begin; b < end;) {
       const int o = octant(m_boxes[b], int(m_boxes[b].depth) - depth - 1);
-      const std::size_t next = std::size_t(std::partition_point(m_boxes.begin() + b, m_boxes.begin() + end, [&](const Cover_box& x) {
-        return octant(x, int(x.depth) - depth - 1) <= o;
-      }) - m_boxes.begin());
+      const std::size_t next = std::size_t(
+        std::partition_point(m_boxes.begin() + b, m_boxes.begin() + end,
+                             [&](const Cover_box& x) { return octant(x, int(x.depth) - depth - 1) <= o; })
+        - m_boxes.begin());
       descend(b, next, depth + 1, target, visit);
       b = next;
     }
@@ -565,11 +622,11 @@ private:
   const Field* m_field;
   Examination m_examination;
   int m_separating_depth;
-  std::vector<std::size_t> m_first;       // of each leaf cell: its place in m_cells, or unseen
+  std::vector<std::size_t> m_first; // of each leaf cell: its place in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
   std::vector<Box_index> m_at_end;
-  std::size_t m_undecided = 0;            // boxes of the cover
+  std::size_t m_undecided = 0; // boxes of the cover
 };
 
 } // namespace Bspline_shells

@@ -47,20 +47,22 @@ namespace Bspline_shells {
 enum class Facet_proofs
 {
   ALL,
-  WHERE_DOUBTFUL      ///< those that an estimate from a few points does not clear: faster, but what is accepted still has to be proved
+  WHERE_DOUBTFUL ///< those that an estimate from a few points does not clear: faster, but what is accepted still has to
+                 ///< be proved
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief accepts the triangles that provably lie in a shell and face along the gradient, as containment and transversality,
- * the first two claims of the certificate, ask of facets.
+ * \brief accepts the triangles that provably lie in a shell and face along the gradient, as containment and
+ * transversality, the first two claims of the certificate, ask of facets.
  *
- * Answers come from `Second_order_bounds_3`. Rejections are no proofs: a triangle that is in the shell by less than rounding may be
- * rejected, and one that would take too many bisections.
+ * Answers come from `Second_order_bounds_3`. Rejections are no proofs: a triangle that is in the shell by less than
+ * rounding may be rejected, and one that would take too many bisections.
  *
- * On request (`Facet_proofs::WHERE_DOUBTFUL`), it proves only what is doubtful, and what it accepts is proved no more. That is for edits
- * that make many facets of which few are left: their results are certified, whatever was accepted before.
+ * On request (`Facet_proofs::WHERE_DOUBTFUL`), it proves only what is doubtful, and what it accepts is proved no more.
+ * That is for edits that make many facets of which few are left: their results are certified, whatever was accepted
+ * before.
  *
  * The oracle is immutable: const member functions may be called from several threads at once.
  *
@@ -68,10 +70,11 @@ enum class Facet_proofs
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex; verdicts are
- *         the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex;
+ *   verdicts are the same
  */
-template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold, typename ConcurrencyTag = Sequential_tag>
+template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold,
+          typename ConcurrencyTag = Sequential_tag>
 class Shell_facet_oracle_3
 {
 public:
@@ -81,8 +84,8 @@ public:
   typedef typename Bounds::Sample Sample;
   typedef typename Bounds::Facet_bounds Facet_bounds;
 
-  /// what is known of places that were rejected: an edge that was given up and is considered again has mostly the same facets, and the places that
-  /// are tried for an edge have the same link
+  /// what is known of places that were rejected: an edge that was given up and is considered again has mostly the same
+  /// facets, and the places that are tried for an edge have the same link
   class Memory
   {
   public:
@@ -92,7 +95,11 @@ public:
   private:
     friend class Shell_facet_oracle_3;
     typedef std::array<double, 3> Place;
-    struct Facet { Point_3 q, r; Placement_verdict verdict; };
+    struct Facet
+    {
+      Point_3 q, r;
+      Placement_verdict verdict;
+    };
     struct Hash
     {
       std::size_t operator()(const Place& place) const { return boost::hash_range(place.begin(), place.end()); }
@@ -105,7 +112,7 @@ public:
     }
     void add(const Place& place, const Facet& facet)
     {
-      constexpr std::size_t most_facets = 32;       // at one place: each facet of a link is compared with all of them
+      constexpr std::size_t most_facets = 32; // at one place: each facet of a link is compared with all of them
       if(m_facets.size() == m_most_places && m_facets.count(place) == 0) m_facets.clear();
       Facets& facets = m_facets[place];
       if(facets.size() < most_facets) facets.push_back(facet);
@@ -119,16 +126,17 @@ public:
     }
 
     std::size_t m_most_places;
-    std::unordered_map<Place, Facets, Hash> m_facets;         // at each place
-    std::vector<Point_3> m_link;                              // the last one
-    std::vector<std::optional<Sample> > m_samples;            // of its vertices, as far as they were needed
-    std::optional<std::size_t> m_rejecting;       // the vertex whose edge rejected the last place: it most likely rejects the next one, too
+    std::unordered_map<Place, Facets, Hash> m_facets; // at each place
+    std::vector<Point_3> m_link;                      // the last one
+    std::vector<std::optional<Sample> > m_samples;    // of its vertices, as far as they were needed
+    // the vertex whose edge rejected the last place: it most likely rejects the next one, too
+    std::optional<std::size_t> m_rejecting;
   };
 
   /// If there is no shell, all facets are rejected.
   /// \pre the shell outlives this object, and its field does not change
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
-  explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete;       // it would dangle
+  explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete; // it would dangle
 
   /// which of the facets that are accepted are proved
   Facet_proofs proofs() const { return m_proofs; }
@@ -143,7 +151,8 @@ public:
     return m_bounds->sample(p);
   }
 
-  /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the gradient at `p` once.
+  /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the
+  /// gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
   /// \param memory of earlier questions
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
@@ -154,14 +163,16 @@ public:
     return (*this)(p, q, r, { sample(p), sample(q), sample(r) });
   }
   /// the same, if the field is known at the corners, by `sample()`
-  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r, const std::array<Sample, 3>& corners) const;
+  Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r,
+                               const std::array<Sample, 3>& corners) const;
 
   /// how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face it
   std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
   {
     return winding_number(p, sample(p), link);
   }
-  /// the same, if the field is known at `p`; by an axis that is long enough for its direction not to be spoilt by rounding
+  /// the same, if the field is known at `p`; by an axis that is long enough for its direction not to be spoilt by
+  /// rounding
   std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
   /// the mean of the field's values at two points, rounded; nothing outside the domain
@@ -199,16 +210,17 @@ private:
 
   // a facet whose corners are in the shell
   // \param normal of the facet, rounded
-  Placement_verdict judge(const Samples& corners, const Samples& middles, const Coordinates& normal, const Point_3& p, const Point_3& q,
-                          const Point_3& r) const
+  Placement_verdict judge(const Samples& corners, const Samples& middles, const Coordinates& normal, const Point_3& p,
+                          const Point_3& q, const Point_3& r) const
   {
     switch(estimate(corners, middles, normal)) {
-      case Estimate::CLEAR:        return Placement_verdict::ACCEPTED;
+      case Estimate::CLEAR: return Placement_verdict::ACCEPTED;
       case Estimate::LEAVES_SHELL: return Placement_verdict::LEAVES_SHELL;
-      case Estimate::FACES_AWAY:   return Placement_verdict::FACES_AWAY;
-      case Estimate::DOUBTFUL:     break;
+      case Estimate::FACES_AWAY: return Placement_verdict::FACES_AWAY;
+      case Estimate::DOUBTFUL: break;
     }
-    const Facet_bounds found = m_bounds->examine({ *corners[0], *corners[1], *corners[2] }, facet_normal(p, q, r), most_bisections);
+    const Facet_bounds found = m_bounds->examine({ *corners[0], *corners[1], *corners[2] }, facet_normal(p, q, r),
+                                                 most_bisections);
     if(!found.is_contained) return Placement_verdict::LEAVES_SHELL;
     return found.is_transversal ? Placement_verdict::ACCEPTED : Placement_verdict::FACES_AWAY;
   }
@@ -219,24 +231,26 @@ private:
   Facet_proofs m_proofs;
   Field_predicates_3<Field> m_predicates;
   std::shared_ptr<const Bounds> m_bounds;
-  double m_largest_width = 0;       // of a cell
+  double m_largest_width = 0; // of a cell
 };
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
 Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs)
-  : m_shell(&shell), m_proofs(proofs), m_predicates(shell.field())
-  , m_bounds(shell.cell_bounds() ? shell.cell_bounds()
-                                 : std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
+  : m_shell(&shell), m_proofs(proofs), m_predicates(shell.field()),
+    m_bounds(shell.cell_bounds()
+               ? shell.cell_bounds()
+               : std::make_shared<const Bounds>(shell.field(), shell.inner_threshold(), shell.outer_threshold()))
 {
   for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
     m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-Placement_verdict
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const
+Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p,
+                                                                                     const std::vector<Point_3>& link,
+                                                                                     Memory& memory) const
 {
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   internal::Run::poll();
   const std::size_t size = link.size();
   boost::container::small_vector<char, 16> is_known(size, 0);
@@ -250,8 +264,13 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
       }
   boost::container::small_vector<Coordinates, 16> normals(size, boost::container::default_init);
   for(std::size_t n = 0; n < size; ++n) normals[n] = rounded_normal(p, link[n], link[(n + 1) % size]);
-  // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says of its facets:
-  struct Rejected { std::size_t facet; Placement_verdict verdict; };
+  // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says
+  // of its facets:
+  struct Rejected
+  {
+    std::size_t facet;
+    Placement_verdict verdict;
+  };
   const auto rejected_at = [&](std::size_t n, const Sample& s) -> std::optional<Rejected> {
     if(!is_in(s)) return Rejected{ n, Placement_verdict::LEAVES_SHELL };
     for(std::size_t facet : { n, (n + size - 1) % size })
@@ -260,7 +279,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   };
   memory.set_link(link);
   boost::container::small_vector<Sample, 16> middles(size, boost::container::default_init);
-  Sample at_p = { place, Bounds::no_cell, -1, -1, {} };         // needed later
+  Sample at_p = { place, Bounds::no_cell, -1, -1, {} }; // needed later
   const auto rejected_by_edge = [&](std::size_t n) {
     if(!memory.m_samples[n]) memory.m_samples[n] = m_bounds->sample(link[n]);
     std::optional<Rejected> rejected = rejected_at(n, *memory.m_samples[n]);
@@ -294,10 +313,10 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   const auto examine = [&](std::size_t n, std::size_t) {
     if(is_known[n] || n > first_rejected) return;
     const std::size_t m = (n + 1) % size;
-    verdicts[n] = judge({ &at_p, &*memory.m_samples[n], &*memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] }, normals[n],
-                        p, link[n], link[m]);
+    verdicts[n] = judge({ &at_p, &*memory.m_samples[n], &*memory.m_samples[m] }, { nullptr, &middles[m], &middles[n] },
+                        normals[n], p, link[n], link[m]);
     if(verdicts[n] == Placement_verdict::ACCEPTED) return;
-    for(std::size_t other = first_rejected; n < other; )
+    for(std::size_t other = first_rejected; n < other;)
       if(first_rejected.compare_exchange_weak(other, n)) break;
   };
   // facets in few cells take less time than other threads need to begin
@@ -315,16 +334,16 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-Placement_verdict
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3& p, const Point_3& q, const Point_3& r,
-                                                             const std::array<Sample, 3>& corners) const
+Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(
+  const Point_3& p, const Point_3& q, const Point_3& r, const std::array<Sample, 3>& corners) const
 {
   internal::Run::poll();
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if(CGAL::collinear(p, q, r)) return Placement_verdict::FACES_AWAY;
   for(const Sample& s : corners)
     if(!is_in_cells(s)) return Placement_verdict::LEAVES_SHELL;
-  if(estimate({ &corners[0], &corners[1], &corners[2] }, {}, rounded_normal(p, q, r)) == Estimate::CLEAR) return Placement_verdict::ACCEPTED;
+  if(estimate({ &corners[0], &corners[1], &corners[2] }, {}, rounded_normal(p, q, r)) == Estimate::CLEAR)
+    return Placement_verdict::ACCEPTED;
   const Facet_bounds found = m_bounds->examine(corners, facet_normal(p, q, r), most_bisections);
   if(found.leaves_shell) return Placement_verdict::LEAVES_SHELL;
   if(found.faces_away) return Placement_verdict::FACES_AWAY;
@@ -332,13 +351,14 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operator()(const Point_3
   if(!found.is_contained
      && m_predicates.values_within(triangle, m_shell->inner_threshold(), m_shell->outer_threshold()) != Verdict::PROVED)
     return Placement_verdict::LEAVES_SHELL;
-  if(!found.is_transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED) return Placement_verdict::FACES_AWAY;
+  if(!found.is_transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED)
+    return Placement_verdict::FACES_AWAY;
   return Placement_verdict::ACCEPTED;
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-std::optional<double>
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::level_between(const Point_3& a, const Point_3& b) const
+std::optional<double> Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::level_between(const Point_3& a,
+                                                                                            const Point_3& b) const
 {
   const Field& field = m_shell->field();
   const auto fa = field.value(a), fb = field.value(b);
@@ -347,9 +367,10 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::level_between(const Poin
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, double level) const -> std::optional<Point_3>
+auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, double level) const
+  -> std::optional<Point_3>
 {
-  constexpr int steps = 3;      // of Newton's method; the field is nearly linear across the shell
+  constexpr int steps = 3; // of Newton's method; the field is nearly linear across the shell
   const Field& field = m_shell->field();
   Point_3 x = p;
   for(int n = 0; n < steps; ++n) {
@@ -366,8 +387,8 @@ auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(cons
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
-std::size_t
-Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
+std::size_t Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(
+  const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const
 {
   const Coordinates gradient = internal::scaled_to_unit(at_p.gradient);
   const double length = internal::norm(gradient);
@@ -376,18 +397,20 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_number(const Poi
   Coordinates on_axis;
   for(int a = 0; a < 3; ++a) {
     on_axis[a] = p[a] + s * gradient[a];
-    if(!std::isfinite(on_axis[a])) return 0;        // predicates take numbers only
+    if(!std::isfinite(on_axis[a])) return 0; // predicates take numbers only
   }
   return link_winding_number(p, Point_3(on_axis[0], on_axis[1], on_axis[2]), link);
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template class Shell_facet_oracle_3<>;
-extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >;
-#  ifdef CGAL_LINKED_WITH_TBB
+extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>,
+                                           Spline_threshold<Hierarchical_bspline_field_3<> > >;
+#ifdef CGAL_LINKED_WITH_TBB
 extern template class Shell_facet_oracle_3<Uniform_bspline_field_3<>, Constant_threshold, Parallel_tag>;
-extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> >, Parallel_tag>;
-#  endif
+extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>,
+                                           Spline_threshold<Hierarchical_bspline_field_3<> >, Parallel_tag>;
+#endif
 #endif
 
 } // namespace Bspline_shells

@@ -22,18 +22,19 @@ namespace Bspline_shells {
  *
  * \cgalModels `ShellContainmentOracle`
  *
- * \tparam Contains a function of three points that returns whether their triangle is contained: `CGAL::Polyhedral_envelope`,
- *         `Shell_containment_3`, or a lambda
+ * \tparam Contains a function of three points that returns whether their triangle is contained:
+ *   `CGAL::Polyhedral_envelope`, `Shell_containment_3`, or a lambda
  */
 template <typename Contains>
 class Triangle_predicate_oracle
 {
 public:
-  struct Memory {};
+  struct Memory
+  {};
 
   /// \pre `contains` outlives this object
   explicit Triangle_predicate_oracle(const Contains& contains) : m_contains(&contains) {}
-  explicit Triangle_predicate_oracle(const Contains&&) = delete;       // it would dangle
+  explicit Triangle_predicate_oracle(const Contains&&) = delete; // it would dangle
 
   template <typename Point_3>
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory&) const

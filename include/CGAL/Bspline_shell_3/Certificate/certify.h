@@ -40,8 +40,8 @@ namespace Bspline_shells {
  * \return the certificate of the mesh. It converts to `true` if all claims are proved; otherwise it has the reasons.
  * \cgalHeading{Cost} that of the certificate
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag,
-          typename Field, typename Threshold, typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Field, typename Threshold, typename PolygonMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Shell_certificate_3<Field, Threshold> certify(Bspline_shell_3<Field, Threshold>& shell, const PolygonMesh& mesh,
                                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {

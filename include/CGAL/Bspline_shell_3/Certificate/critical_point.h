@@ -26,14 +26,15 @@ namespace Bspline_shells {
  */
 struct Critical_point
 {
-  std::array<double, 3> center;     ///< in local coordinates
-  double radius;                    ///< of the box, local
+  std::array<double, 3> center; ///< in local coordinates
+  double radius;                ///< of the box, local
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief looks for a critical point of a function on its box, and proves that it is there, if it is and is not degenerate.
+ * \brief looks for a critical point of a function on its box, and proves that it is there, if it is and is not
+ * degenerate.
  *
  * Newton's method finds a candidate; Krawczyk's test, with second derivatives enclosed on the whole box, proves that a
  * small box around it contains exactly one zero of the gradient. Nothing is lost if there is none: it is only looked
@@ -42,9 +43,9 @@ struct Critical_point
 inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubic& f)
 {
   constexpr double largest_radius = 1. / 16;
-  const std::array<std::array<double, 3>, 3> axes = {{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }};
+  const std::array<std::array<double, 3>, 3> axes = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   std::array<Enclosed_tricubic, 3> slope;
-  std::array<std::array<Level_range, 3>, 3> second;       // on the whole box
+  std::array<std::array<Level_range, 3>, 3> second; // on the whole box
   Eigen::Matrix3d middle;
   for(int a = 0; a < 3; ++a) slope[a] = enclosed_derivative(f, axes[a]);
   for(int a = 0; a < 3; ++a)

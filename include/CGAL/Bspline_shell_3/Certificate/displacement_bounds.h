@@ -26,23 +26,24 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound of the length of curves between two levels, where the gradient has at least a given length. The last term covers
-// the rounding of subnormal quotients.
+// Returns an upper bound of the length of curves between two levels, where the gradient has at least a given length.
+// The last term covers the rounding of subnormal quotients.
 inline double longest_curve(const Level_range& levels, double least_gradient)
 {
   return (levels.max - levels.min) / least_gradient * (1 + 4 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
-// Cubes of equal size that cover some cells; each knows how far curves through it can go. Along a curve the field increases by at
-// least the gradient's least length per unit of length. What holds within a distance of a tile is enough if it says that curves through the tile
-// end within that distance.
+// Cubes of equal size that cover some cells; each knows how far curves through it can go. Along a curve the field
+// increases by at least the gradient's least length per unit of length. What holds within a distance of a tile is
+// enough if it says that curves through the tile end within that distance.
 class Displacement_tiles
 {
 public:
   Displacement_tiles(const Bbox_3& box, double width) : m_box(box), m_width(width)
   {
     for(int a = 0; a < 3; ++a)
-      if(!((box.max)(a) - (box.min)(a) < m_width * most_tiles_of_axis)) m_width = ((box.max)(a) - (box.min)(a)) / most_tiles_of_axis;
+      if(!((box.max)(a) - (box.min)(a) < m_width * most_tiles_of_axis))
+        m_width = ((box.max)(a) - (box.min)(a)) / most_tiles_of_axis;
   }
 
   // a part of the shell, with a lower bound of the gradient and what encloses the thresholds
@@ -90,8 +91,8 @@ private:
     Level_range levels;
     double bound = 0;
   };
-  static constexpr double margin = 1e-6;        // of a width: more than rounding can do to places of tiles
-  static constexpr double most_tiles = 4096;    // of a box
+  static constexpr double margin = 1e-6;     // of a width: more than rounding can do to places of tiles
+  static constexpr double most_tiles = 4096; // of a box
   static constexpr double most_tiles_of_axis = double(1 << 20);
 
   // calls visit(index) for the tiles that may meet a box; false if they are too many
@@ -104,7 +105,7 @@ private:
       const auto place = [&](double x) {
         return int(std::floor((std::min)((std::max)((x - (m_box.min)(a)) / m_width, -2.), 2 * most_tiles_of_axis)));
       };
-      first[a] = place((box.min)(a) - margin * m_width);
+      first[a] = place((box.min)(a)-margin * m_width);
       last[a] = place((box.max)(a) + margin * m_width);
       number *= last[a] - first[a] + 1.;
     }
@@ -150,12 +151,13 @@ private:
  * \return user units, in the order of the user's facets
  */
 template <typename ConcurrencyTag, typename Cover, typename Threshold>
-std::vector<double> displacement_bounds(const Cover& cover, const Threshold& inner, const Threshold& outer, const Input_mesh_3& mesh,
-                                        double of_all)
+std::vector<double> displacement_bounds(const Cover& cover, const Threshold& inner, const Threshold& outer,
+                                        const Input_mesh_3& mesh, double of_all)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto& field = cover.field();
-  const std::vector<double> gradients = cover.template least_gradients<ConcurrencyTag>();      // infinite outside of the shell
+  // infinite outside of the shell
+  const std::vector<double> gradients = cover.template least_gradients<ConcurrencyTag>();
   double width = 0;
   Bbox_3 box;
   for(std::uint32_t c = 0; c < gradients.size(); ++c)

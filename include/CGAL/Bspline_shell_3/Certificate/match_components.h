@@ -33,13 +33,15 @@ struct Component_match
 {
   static constexpr std::size_t none = Certificate_witness::none;
 
-  /// for each component of the mesh, that of the shell which contains it; `none` if there is none, or if it is not known
+  /// for each component of the mesh, that of the shell which contains it; `none` if there is none, or if it is not
+  /// known
   std::vector<std::size_t> component_of_shell;
-  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with signs; empty if every
-  /// path is degenerate
+  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with
+  /// signs; empty if every path is degenerate
   std::vector<std::optional<int> > crossings;
 
-  /// whether the components of the mesh and those of the shell match one-to-one; undecided if nothing is known of the shell
+  /// whether the components of the mesh and those of the shell match one-to-one; undecided if nothing is known of the
+  /// shell
   Verdict verdict() const
   {
     bool is_known = !crossings.empty();
@@ -48,7 +50,8 @@ struct Component_match
       is_known = is_known && count;
     }
     if(!is_known) return Verdict::UNDECIDED;
-    const bool has_other = std::find(component_of_shell.begin(), component_of_shell.end(), none) != component_of_shell.end();
+    const bool has_other = std::find(component_of_shell.begin(), component_of_shell.end(), none)
+                           != component_of_shell.end();
     return has_other ? Verdict::REFUTED : Verdict::PROVED;
   }
 };
@@ -56,35 +59,38 @@ struct Component_match
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief matches the components of a closed mesh and those of a shell, by the crossings of the mesh with the paths through the
- * shell.
+ * \brief matches the components of a closed mesh and those of a shell, by the crossings of the mesh with the paths
+ * through the shell.
  *
- * On a path the field increases from below the inner threshold to above the outer one, and so does its difference to both: the part of
- * the path between the thresholds is connected, and lies in one component of the shell. A mesh between the thresholds meets
- * the path there only, if at all. Each of its components in that component of the shell, if it faces along the gradient, is crossed at
- * least once, counted with signs. So if the count is one, there is exactly one, and it is the one that is crossed.
+ * On a path the field increases from below the inner threshold to above the outer one, and so does its difference to
+ * both: the part of the path between the thresholds is connected, and lies in one component of the shell. A mesh
+ * between the thresholds meets the path there only, if at all. Each of its components in that component of the shell,
+ * if it faces along the gradient, is crossed at least once, counted with signs. So if the count is one, there is
+ * exactly one, and it is the one that is crossed.
  *
- * Crossings are decided exactly. Where a path meets an edge or a vertex of the mesh, another path through the same component is
- * taken, if there is one. If the counts of paths through one component differ, the mesh is not between the thresholds; a count of one is
- * then preferred.
+ * Crossings are decided exactly. Where a path meets an edge or a vertex of the mesh, another path through the same
+ * component is taken, if there is one. If the counts of paths through one component differ, the mesh is not between the
+ * thresholds; a count of one is then preferred.
  *
- * \pre the field has no critical point in the components of the shell, and crosses the thresholds there: the third claim of the certificate
+ * \pre the field has no critical point in the components of the shell, and crosses the thresholds there: the third
+ *   claim of the certificate
  *
  * \param paths paths through the components of the shell, in any order
  * \param number_of_components of the mesh
  * \param number_of_triangles of the mesh
- * \param triangle a function that returns the three vertices, points of `Exact_predicates_inexact_constructions_kernel`, of the
- *        `n`-th triangle
+ * \param triangle a function that returns the three vertices, points of
+ *   `Exact_predicates_inexact_constructions_kernel`, of the `n`-th triangle
  * \param component a function that returns the number of the component of the mesh which has the `n`-th triangle
  *
  * \cgalHeading{Cost} that of `CGAL::box_intersection_d()` for paths and triangles
  */
 template <typename TriangleFunction, typename ComponentFunction>
-Component_match match_components(const std::vector<Crossing_path>& paths, std::size_t number_of_components, std::size_t number_of_triangles,
-                                 const TriangleFunction& triangle, const ComponentFunction& component)
+Component_match match_components(const std::vector<Crossing_path>& paths, std::size_t number_of_components,
+                                 std::size_t number_of_triangles, const TriangleFunction& triangle,
+                                 const ComponentFunction& component)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   struct Box : Box_intersection_d::Box_d<double, 3>
   {
     Box(const Bbox_3& b, std::size_t n) : Box_intersection_d::Box_d<double, 3>(b), number(n) {}
@@ -93,8 +99,8 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
   struct Count
   {
     int sum = 0;
-    bool is_clean = true;       // no edge or vertex is met
-    std::vector<std::size_t> crossed;       // components
+    bool is_clean = true;             // no edge or vertex is met
+    std::vector<std::size_t> crossed; // components
   };
   const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
 
@@ -109,15 +115,17 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
     if(do_overlap(box, all)) triangles.emplace_back(box, n);
   }
   std::vector<Count> counts(paths.size());
-  CGAL::box_intersection_d(segments.begin(), segments.end(), triangles.begin(), triangles.end(), [&](const Box& s, const Box& b) {
-    const std::array<Point_3, 3> t = triangle(b.number);
-    const std::optional<int> crossing = facet_crossing(point(paths[s.number].source), point(paths[s.number].target), t[0], t[1], t[2]);
-    Count& count = counts[s.number];
-    count.is_clean = count.is_clean && crossing;
-    if(!crossing || *crossing == 0) return;
-    count.sum += *crossing;
-    count.crossed.push_back(component(b.number));
-  });
+  CGAL::box_intersection_d(segments.begin(), segments.end(), triangles.begin(), triangles.end(),
+                           [&](const Box& s, const Box& b) {
+                             const std::array<Point_3, 3> t = triangle(b.number);
+                             const std::optional<int> crossing = facet_crossing(
+                               point(paths[s.number].source), point(paths[s.number].target), t[0], t[1], t[2]);
+                             Count& count = counts[s.number];
+                             count.is_clean = count.is_clean && crossing;
+                             if(!crossing || *crossing == 0) return;
+                             count.sum += *crossing;
+                             count.crossed.push_back(component(b.number));
+                           });
 
   Component_match match;
   match.component_of_shell.assign(number_of_components, Component_match::none);
@@ -138,8 +146,10 @@ template <typename Mesh>
 Component_match match_components(const std::vector<Crossing_path>& paths, const Mesh& mesh)
 {
   typedef typename Mesh::Face_index Face_index;
-  return match_components(paths, mesh.number_of_components(), mesh.mesh().number_of_faces(),
-                          [&](std::size_t n) { return mesh.triangle(Face_index(n)); }, [&](std::size_t n) { return mesh.component(Face_index(n)); });
+  return match_components(
+    paths, mesh.number_of_components(), mesh.mesh().number_of_faces(),
+    [&](std::size_t n) { return mesh.triangle(Face_index(n)); },
+    [&](std::size_t n) { return mesh.component(Face_index(n)); });
 }
 
 } // namespace Bspline_shells

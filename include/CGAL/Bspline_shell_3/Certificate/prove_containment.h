@@ -21,7 +21,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief whether a mesh certainly lies between two thresholds, in the field's domain: the first claim of the certificate alone.
+ * \brief whether a mesh certainly lies between two thresholds, in the field's domain: the first claim of the
+ * certificate alone.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`
@@ -34,14 +35,15 @@ bool prove_containment(const Field& field, const Threshold& inner, const Thresho
   constexpr std::size_t chunk = 64;
   const Field_predicates_3<Field> predicates(field);
   std::atomic<bool> is_proved(true);
-  internal::for_each_chunk<ConcurrencyTag>(input.mesh().number_of_faces(), chunk, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t n = begin; n < end && is_proved; ++n) {
-      const auto t = input.triangle(Input_mesh_3::Face_index(n));
-      const auto point = [&](int v) { return Point_3(t[v].x(), t[v].y(), t[v].z()); };
-      const std::array<Point_3, 3> triangle = { point(0), point(1), point(2) };
-      if(predicates.values_within(triangle, inner, outer) != Verdict::PROVED) is_proved = false;
-    }
-  });
+  internal::for_each_chunk<ConcurrencyTag>(
+    input.mesh().number_of_faces(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end && is_proved; ++n) {
+        const auto t = input.triangle(Input_mesh_3::Face_index(n));
+        const auto point = [&](int v) { return Point_3(t[v].x(), t[v].y(), t[v].z()); };
+        const std::array<Point_3, 3> triangle = { point(0), point(1), point(2) };
+        if(predicates.values_within(triangle, inner, outer) != Verdict::PROVED) is_proved = false;
+      }
+    });
   return is_proved;
 }
 

@@ -28,7 +28,8 @@ bool certainly_increase(const Field_predicates_3<Field>& predicates, const Thres
 {
   if(predicates.increases(segment) != Verdict::PROVED) return false;
   if constexpr(Threshold::is_constant) return true;
-  else return predicates.increases_above(segment, inner) == Verdict::PROVED
+  else
+    return predicates.increases_above(segment, inner) == Verdict::PROVED
            && predicates.increases_above(segment, outer) == Verdict::PROVED;
 }
 
@@ -48,7 +49,7 @@ bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Thre
                          const std::array<typename Field::Point_3, 2>& segment)
 {
   return predicates.is_beyond(segment[0], inner, NEGATIVE) && predicates.is_beyond(segment[1], outer, POSITIVE)
-      && internal::certainly_increase(predicates, inner, outer, segment);
+         && internal::certainly_increase(predicates, inner, outer, segment);
 }
 
 /*!
@@ -64,9 +65,9 @@ bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Thre
  * \param middle a point in the shell
  */
 template <typename Field, typename Threshold>
-std::optional<std::array<typename Field::Point_3, 2> >
-segment_through_shell(const Field_predicates_3<Field>& predicates, const Threshold& inner, const Threshold& outer,
-                      const typename Field::Point_3& middle)
+std::optional<std::array<typename Field::Point_3, 2> > segment_through_shell(
+  const Field_predicates_3<Field>& predicates, const Threshold& inner, const Threshold& outer,
+  const typename Field::Point_3& middle)
 {
   typedef typename Field::Point_3 Point_3;
   const Field& field = predicates.field();

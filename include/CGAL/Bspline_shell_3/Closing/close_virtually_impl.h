@@ -43,7 +43,8 @@ inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mes
       fan.wings.emplace_back(link[link.size() - 2], link.back());
     }
     // a vertex whose facets face no common direction is singular, whatever is added
-    if(!is_fan_closable(mesh.point(v), link) && cone_direction(fan)) facets.insert(facets.end(), around.begin(), around.end());
+    if(!is_fan_closable(mesh.point(v), link) && cone_direction(fan))
+      facets.insert(facets.end(), around.begin(), around.end());
   }
   return facets;
 }
@@ -62,7 +63,8 @@ public:
   {
     constexpr unsigned int most_pairs = 10000;
     Facet_pairs pairs;
-    Polygon_mesh_processing::self_intersections<Sequential_tag>(mesh, std::back_inserter(pairs), CGAL::parameters::maximum_number(most_pairs));
+    Polygon_mesh_processing::self_intersections<Sequential_tag>(mesh, std::back_inserter(pairs),
+                                                                CGAL::parameters::maximum_number(most_pairs));
     return pairs;
   }
 
@@ -104,10 +106,10 @@ public:
     return bool(m_closing);
   }
 
-  // Whether a back sheet that intersects nothing is changed all the same: where it is folded, or facets leave no cone. What does not go away is the
-  // mesh's.
-  bool improves(Back_sheet& back, const Shell_closing_3& closing, const std::vector<std::size_t>& points, const Closing_mesh& whole,
-                const std::vector<Closing_mesh::Vertex_index>& added) const
+  // Whether a back sheet that intersects nothing is changed all the same: where it is folded, or facets leave no cone.
+  // What does not go away is the mesh's.
+  bool improves(Back_sheet& back, const Shell_closing_3& closing, const std::vector<std::size_t>& points,
+                const Closing_mesh& whole, const std::vector<Closing_mesh::Vertex_index>& added) const
   {
     constexpr double least_margin = 0.05, least_distance = 1. / 16;
     const std::vector<Back_sheet::Triangle> folded = back.folded_triangles();

@@ -29,10 +29,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what is known of the field of a round: how large it is on the mesh in each cell, which facets it crosses upwards, and where thresholds were
- * covered without an obstacle.
+ * \brief what is known of the field of a round: how large it is on the mesh in each cell, which facets it crosses
+ * upwards, and where thresholds were covered without an obstacle.
  *
- * What is known of a cell holds for the next field, too, if it is the same in that cell (`is_same_in_cell()`). That alone decides what is examined again.
+ * What is known of a cell holds for the next field, too, if it is the same in that cell (`is_same_in_cell()`). That
+ * alone decides what is examined again.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -47,7 +48,8 @@ public:
 
   /// \pre `problem` and `fitted` outlive this object
   Examined_field(const Refinement_problem& problem, const Fitted& fitted)
-    : m_problem(problem), m_fitted(fitted), m_unexamined(problem.wanted_slopes.size()), m_thresholds(seeds(*problem.input))
+    : m_problem(problem), m_fitted(fitted), m_unexamined(problem.wanted_slopes.size()),
+      m_thresholds(seeds(*problem.input))
   {}
 
   /// \name Changes of the Field
@@ -99,8 +101,9 @@ public:
   /// the range of the field on the mesh in each cell
   const std::vector<Level_range>& ranges(Mesh_ranges::Precision precision)
   {
-    m_ranges.template update<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped(),
-                                             [&](Index c) { return m_problem.half_thickness(*m_fitted.field(), c); }, precision);
+    m_ranges.template update<ConcurrencyTag>(
+      *m_fitted.field(), m_fitted.clipped(), [&](Index c) { return m_problem.half_thickness(*m_fitted.field(), c); },
+      precision);
     return m_ranges.cells();
   }
   /// where the field was too large when ranges were asked for last
@@ -116,12 +119,16 @@ public:
   }
   /// the range on each facet, coarsely
   /// \pre ranges were asked for
-  std::vector<Level_range> facet_ranges() const { return m_ranges.template facets<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped()); }
+  std::vector<Level_range> facet_ranges() const
+  {
+    return m_ranges.template facets<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped());
+  }
 
   /// facets that the field does not certainly cross upwards
   std::vector<Facet_failure> failing_facets()
   {
-    std::vector<Facet_failure> failures = Bspline_shells::failing_facets<ConcurrencyTag>(*m_fitted.field(), *m_problem.input, m_unexamined);
+    std::vector<Facet_failure> failures = Bspline_shells::failing_facets<ConcurrencyTag>(
+      *m_fitted.field(), *m_problem.input, m_unexamined);
     std::fill(m_unexamined.begin(), m_unexamined.end(), 0);
     for(const Facet_failure& f : failures) m_unexamined[f.facet] = 1;
     return failures;
@@ -132,8 +139,11 @@ public:
   std::vector<Threshold_obstacle> choose_thresholds(const Narrowing_limits& limits)
   {
     if(m_problem.parameters.constant_thresholds)
-      m_thresholds.set_constant(Bspline_shells::facet_ranges<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped()).mesh);
-    const auto ranges = [&](Mesh_ranges::Precision precision) -> const std::vector<Level_range>& { return this->ranges(precision); };
+      m_thresholds.set_constant(
+        Bspline_shells::facet_ranges<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped()).mesh);
+    const auto ranges = [&](Mesh_ranges::Precision precision) -> const std::vector<Level_range>& {
+      return this->ranges(precision);
+    };
     return m_thresholds.template choose<ConcurrencyTag>(ranges, limits);
   }
   /// @}
@@ -171,7 +181,7 @@ private:
 
   const Refinement_problem& m_problem;
   const Fitted& m_fitted;
-  std::vector<char> m_unexamined;                     // of each facet: whether it is to be examined (again)
+  std::vector<char> m_unexamined; // of each facet: whether it is to be examined (again)
   Mesh_ranges m_ranges;
   Thresholds m_thresholds;
 };

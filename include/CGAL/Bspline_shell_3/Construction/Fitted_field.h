@@ -39,7 +39,8 @@ namespace Bspline_shells {
  *
  * \brief the field of a round, with the mesh cut by its cells and the equations that it minimizes an energy by.
  *
- * It is fitted to all samples, or only near the cells that were split since the last round; samples of cells that stay are not taken again.
+ * It is fitted to all samples, or only near the cells that were split since the last round; samples of cells that stay
+ * are not taken again.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -66,7 +67,8 @@ public:
     std::vector<Index> split;
     if(m_field) split = update_signed_distance<ConcurrencyTag>(m_problem.oracle, m_field->cells(), cells, m_samples);
     else m_samples = sample_signed_distance<ConcurrencyTag>(m_problem.oracle, cells);
-    if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); })) return Refinement_status::DISTANCE_NOT_FINITE;
+    if(!std::all_of(m_samples.begin(), m_samples.end(), [](double d) { return std::isfinite(d); }))
+      return Refinement_status::DISTANCE_NOT_FINITE;
     budget.end_step(Refinement_budget::DISTANCE);
 
     inherit_surface_factors(cells);
@@ -74,7 +76,7 @@ public:
     budget.round().cells = m_field->number_of_cells();
     budget.round().unknowns = m_field->number_of_coefficients();
     budget.round().levels = m_field->number_of_levels();
-    m_clipped.reset();        // before there is another one
+    m_clipped.reset(); // before there is another one
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_problem.input, m_field->cells()));
     const double largest_part = m_problem.parameters.tuning.largest_part * double(m_field->number_of_cells());
     m_part.reset();
@@ -96,10 +98,7 @@ public:
 
   /// sets the field to what `x()` has become
   /// \return the field before
-  Field update()
-  {
-    return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width()));
-  }
+  Field update() { return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width())); }
 
   /// asks the next field to be nearer to zero on the mesh in some cells
   void ask_nearer_to_zero(const std::vector<Index>& cells)
@@ -113,10 +112,10 @@ public:
   void release_equations() { m_A = Matrix(); }
 
   const std::shared_ptr<Field>& field() const { return m_field; }
-  const Clipped_mesh_3& clipped() const { return *m_clipped; }        ///< the mesh, cut by the cells
+  const Clipped_mesh_3& clipped() const { return *m_clipped; } ///< the mesh, cut by the cells
   std::size_t cells_at_mesh() const { return m_clipped->cells().size(); }
-  const std::optional<Fitted_part>& part() const { return m_part; }   ///< that was fitted, if not all was
-  double width() const { return m_field->cells().lattice().spacing(); }     ///< of root cells
+  const std::optional<Fitted_part>& part() const { return m_part; }     ///< that was fitted, if not all was
+  double width() const { return m_field->cells().lattice().spacing(); } ///< of root cells
 
   /// \name Equations
   /// \f$x^T A x - 2 b^T x\f$ is minimal; coefficients are in units of the width of root cells
@@ -129,7 +128,8 @@ public:
 private:
   Fit_energy<Field> energy() const
   {
-    Fit_energy<Field> energy(*m_field, m_samples, *m_clipped, m_problem.input->unit() / width(), m_problem.parameters.weights);
+    Fit_energy<Field> energy(*m_field, m_samples, *m_clipped, m_problem.input->unit() / width(),
+                             m_problem.parameters.weights);
     energy.set_surface_factors(m_surface_factors);
     return energy;
   }
@@ -172,7 +172,7 @@ private:
   std::optional<Fitted_part> m_part;
   Matrix m_A;
   Vector m_b, m_x;
-  std::vector<float> m_surface_factors;         // of cells (`Fit_energy`); empty if they are alike
+  std::vector<float> m_surface_factors; // of cells (`Fit_energy`); empty if they are alike
 };
 
 } // namespace Bspline_shells

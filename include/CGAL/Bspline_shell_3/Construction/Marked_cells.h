@@ -26,7 +26,9 @@ void visit_around(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c, cons
 {
   const std::array<double, 3> low = cells.corner(c);
   const double width = cells.width(c), near = width / 2;
-  cells.visit_cells(Bbox_3(low[0] - near, low[1] - near, low[2] - near, low[0] + width + near, low[1] + width + near, low[2] + width + near), visit);
+  cells.visit_cells(Bbox_3(low[0] - near, low[1] - near, low[2] - near, low[0] + width + near, low[1] + width + near,
+                           low[2] + width + near),
+                    visit);
 }
 
 /*!
@@ -49,7 +51,8 @@ public:
     if(m_cells.level(c) < m_cells.max_level()) m_marked.push_back(c);
   }
 
-  /// and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split must leave the field more freedom
+  /// and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split
+  /// must leave the field more freedom
   void mark_widely(Index c, int axes = 3)
   {
     const Lattice_point p = m_cells.lattice_point(c);

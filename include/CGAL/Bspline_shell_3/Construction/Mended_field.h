@@ -34,7 +34,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief changes the field of a round by little where facets have too small a slope, or where it is too large on the mesh (`Slope_enforcement`).
+ * \brief changes the field of a round by little where facets have too small a slope, or where it is too large on the
+ * mesh (`Slope_enforcement`).
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -46,12 +47,14 @@ public:
   typedef Field::Cell_index Index;
 
   /// \pre the arguments outlive this object
-  Mended_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted, Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
+  Mended_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
+               Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(fitted), m_examined(examined), m_budget(budget)
   {}
 
   /// changes the field until slopes and sizes are as wanted, or nothing helps.
-  /// \return whether that was tried to the end; otherwise too much would have to be changed, and only `sloping_facets()` are known
+  /// \return whether that was tried to the end; otherwise too much would have to be changed, and only
+  ///   `sloping_facets()` are known
   bool mend()
   {
     if(!m_enforcement) begin();
@@ -77,18 +80,25 @@ public:
   /// whether the field is too large on the mesh in more cells than small changes can mend
   bool are_many_thick() const
   {
-    return m_examined.thick_cells().size() > (std::min)(m_tuning.most_thick_cells, m_fitted.cells_at_mesh() / m_tuning.thick_cells);
+    return m_examined.thick_cells().size()
+           > (std::min)(m_tuning.most_thick_cells, m_fitted.cells_at_mesh() / m_tuning.thick_cells);
   }
 
 private:
-  enum class Outcome { MENDED, TOO_MUCH, LESS_IS_WANTED };
+  enum class Outcome
+  {
+    MENDED,
+    TOO_MUCH,
+    LESS_IS_WANTED
+  };
 
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   // the slope wanted of a facet in a cell
   double wanted_slope(Index c, std::uint32_t facet) const
   {
-    return m_slope_limits.empty() ? m_problem.wanted_slopes[facet] : (std::min)(m_problem.wanted_slopes[facet], m_slope_limits[c]);
+    return m_slope_limits.empty() ? m_problem.wanted_slopes[facet]
+                                  : (std::min)(m_problem.wanted_slopes[facet], m_slope_limits[c]);
   }
 
   // what the field may be on the mesh, in units of the width of root cells
@@ -102,7 +112,8 @@ private:
     m_enforcement.emplace(*m_fitted.field(), m_fitted.A(), m_fitted.b());
     m_enforcement->insert(slope_conditions<ConcurrencyTag>(
       *m_fitted.field(), m_fitted.clipped(), [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
-      [&](Index c) { return !m_fitted.part() || m_fitted.part()->cells[c]; }, [&](Index c) { return largest_on_mesh(c); }));
+      [&](Index c) { return !m_fitted.part() || m_fitted.part()->cells[c]; },
+      [&](Index c) { return largest_on_mesh(c); }));
     std::vector<Slope_condition> conditions;
     add_conditions_of_thick_cells(conditions);
     m_enforcement->insert(std::move(conditions));
@@ -113,33 +124,40 @@ private:
   {
     for(const Thick_cell& t : m_examined.thick_cells())
       if(m_problem.wanted_slopes[t.facet] > 0)
-        conditions.push_back({ t.cell, t.facet, m_fitted.field()->cell(t.cell).local_coordinates(t.point), m_fitted.clipped().normal(t.facet),
-                               wanted_slope(t.cell, t.facet), largest_on_mesh(t.cell) });
+        conditions.push_back({ t.cell, t.facet, m_fitted.field()->cell(t.cell).local_coordinates(t.point),
+                               m_fitted.clipped().normal(t.facet), wanted_slope(t.cell, t.facet),
+                               largest_on_mesh(t.cell) });
   }
 
-  void add_conditions_of_sloping_facets(const std::vector<Facet_failure>& failures, std::vector<Slope_condition>& conditions) const
+  void add_conditions_of_sloping_facets(const std::vector<Facet_failure>& failures,
+                                        std::vector<Slope_condition>& conditions) const
   {
     for(const Facet_failure& f : failures)
       if(can_be_mended(f))
-        conditions.push_back({ f.cell, f.facet, m_fitted.field()->cell(f.cell).local_coordinates(f.point), m_fitted.clipped().normal(f.facet),
-                               wanted_slope(f.cell, f.facet) });
+        conditions.push_back({ f.cell, f.facet, m_fitted.field()->cell(f.cell).local_coordinates(f.point),
+                               m_fitted.clipped().normal(f.facet), wanted_slope(f.cell, f.facet) });
   }
 
-  bool can_be_mended(const Facet_failure& f) const { return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0; }
+  bool can_be_mended(const Facet_failure& f) const
+  {
+    return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0;
+  }
 
   // Meets the conditions, adds those of places where that was not enough, and so on.
   Outcome exchange_conditions()
   {
-    const std::size_t most_violated = (std::max)(m_tuning.least_violated_cells, m_fitted.cells_at_mesh() / m_tuning.violated_cells);
+    const std::size_t most_violated = (std::max)(m_tuning.least_violated_cells,
+                                                 m_fitted.cells_at_mesh() / m_tuning.violated_cells);
     std::vector<Facet_failure> failures;
     m_sloping.clear();
-    for(int exchange = 0; ; ++exchange) {
+    for(int exchange = 0;; ++exchange) {
       const Slope_report slopes = m_enforcement->template operator()<ConcurrencyTag>(m_fitted.x(), most_violated);
       if(exchange == 0) m_budget.round().sloping_cells = slopes.violated_before;
       m_budget.round().sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
         if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::LESS_IS_WANTED;
-        for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n) m_sloping.push_back({ slopes.violated_cells[n], slopes.violated_facets[n] });
+        for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
+          m_sloping.push_back({ slopes.violated_cells[n], slopes.violated_facets[n] });
         return Outcome::TOO_MUCH;
       }
       if(slopes.patches > 0) m_examined.has_changed(m_fitted.update());
@@ -154,7 +172,9 @@ private:
         if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::LESS_IS_WANTED;
         break;
       }
-      if(exchange > 0 && thick > m_tuning.few_thick_cells && double(thick) > m_tuning.thick_cells_left * double(thick_before)) break;
+      if(exchange > 0 && thick > m_tuning.few_thick_cells
+         && double(thick) > m_tuning.thick_cells_left * double(thick_before))
+        break;
       std::vector<Slope_condition> conditions;
       add_conditions_of_sloping_facets(failures, conditions);
       add_conditions_of_thick_cells(conditions);
@@ -167,29 +187,36 @@ private:
     return Outcome::MENDED;
   }
 
-  // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is less than before anywhere.
+  // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is
+  // less than before anywhere.
   bool limit_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty()) return false;
-    const std::vector<double> limits = slopes_at_gaps<ConcurrencyTag>(m_fitted.field()->cells(), cells, m_problem.gap(), m_fitted.clipped());
-    if(std::none_of(limits.begin(), limits.end(), [&](double limit) { return limit < m_problem.parameters.slope_fraction; })) return false;
+    const std::vector<double> limits = slopes_at_gaps<ConcurrencyTag>(m_fitted.field()->cells(), cells, m_problem.gap(),
+                                                                      m_fitted.clipped());
+    if(std::none_of(limits.begin(), limits.end(),
+                    [&](double limit) { return limit < m_problem.parameters.slope_fraction; }))
+      return false;
     m_slope_limits.assign(m_fitted.field()->number_of_cells(), unlimited);
     for(std::size_t n = 0; n < cells.size(); ++n) m_slope_limits[cells[n]] = limits[n];
     return true;
   }
 
-  // Where some conditions are met only at the cost of others, all facets around are asked for a part of the least slope that one of them was asked for:
-  // along a sharp fin, a field that is steep on one facet may not increase through the next one. Returns false if that was done in this round.
+  // Where some conditions are met only at the cost of others, all facets around are asked for a part of the least slope
+  // that one of them was asked for: along a sharp fin, a field that is steep on one facet may not increase through the
+  // next one. Returns false if that was done in this round.
   bool relax_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty() || cells.empty()) return false;
     const Cell_hierarchy_3& all = m_fitted.field()->cells();
     std::vector<double> least(all.number_of_cells(), unlimited);
     for(const Clipped_mesh_3::Piece& piece : m_fitted.clipped().pieces())
-      if(m_problem.wanted_slopes[piece.facet] > 0) least[piece.cell] = (std::min)(least[piece.cell], m_problem.wanted_slopes[piece.facet]);
+      if(m_problem.wanted_slopes[piece.facet] > 0)
+        least[piece.cell] = (std::min)(least[piece.cell], m_problem.wanted_slopes[piece.facet]);
     m_slope_limits.assign(all.number_of_cells(), unlimited);
     for(Index c : cells)
-      visit_around(all, c, [&](Index n) { m_slope_limits[n] = (std::min)(m_slope_limits[n], m_tuning.relaxed_slope * least[c]); });
+      visit_around(
+        all, c, [&](Index n) { m_slope_limits[n] = (std::min)(m_slope_limits[n], m_tuning.relaxed_slope * least[c]); });
     return true;
   }
 
@@ -199,7 +226,7 @@ private:
   Examined_field<ConcurrencyTag>& m_examined;
   Refinement_budget& m_budget;
   std::optional<Slope_enforcement<Field> > m_enforcement;
-  std::vector<double> m_slope_limits;             // of cells; empty if slopes are limited nowhere
+  std::vector<double> m_slope_limits; // of cells; empty if slopes are limited nowhere
   std::vector<Sloping_facet> m_sloping;
 };
 

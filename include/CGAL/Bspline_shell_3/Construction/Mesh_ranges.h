@@ -27,13 +27,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a cell where a field may be too large on the mesh, and where it is largest among the points that were looked at.
+ * \brief a cell where a field may be too large on the mesh, and where it is largest among the points that were looked
+ * at.
  */
 struct Thick_cell
 {
   std::uint32_t cell;
-  std::uint32_t facet;                ///< of the point
-  std::array<double, 3> point;        ///< user units
+  std::uint32_t facet;         ///< of the point
+  std::array<double, 3> point; ///< user units
 };
 
 /*!
@@ -41,9 +42,9 @@ struct Thick_cell
  *
  * \brief encloses a field on the part of the mesh in each cell, and is kept up to date where the field changes.
  *
- * Most cells need no more than to be told that the field is as small there as it should be, which its values at corners and its second derivatives do.
- * Elsewhere values on grids of points say more, and where these do not do, the field is bounded by Bernstein coefficients of degree nine, on parts of
- * triangles where that decides.
+ * Most cells need no more than to be told that the field is as small there as it should be, which its values at corners
+ * and its second derivatives do. Elsewhere values on grids of points say more, and where these do not do, the field is
+ * bounded by Bernstein coefficients of degree nine, on parts of triangles where that decides.
  */
 class Mesh_ranges
 {
@@ -51,9 +52,16 @@ public:
   typedef std::uint32_t Cell_index;
 
   /// how well a range is known
-  enum Precision : char { UNKNOWN, SUFFICIENT, SHARP };
+  enum Precision : char
+  {
+    UNKNOWN,
+    SUFFICIENT,
+    SHARP
+  };
 
-  explicit Mesh_ranges(std::size_t number_of_cells = 0) : m_range(number_of_cells), m_precision(number_of_cells, UNKNOWN) {}
+  explicit Mesh_ranges(std::size_t number_of_cells = 0)
+    : m_range(number_of_cells), m_precision(number_of_cells, UNKNOWN)
+  {}
 
   /// of each cell; empty without mesh
   const std::vector<Level_range>& cells() const { return m_range; }
@@ -77,7 +85,8 @@ public:
   {
     m_range[now] = before.m_range[c];
     m_precision[now] = before.m_precision[c];
-    const auto thick = std::lower_bound(before.m_thick.begin(), before.m_thick.end(), c, [](const Thick_cell& t, Cell_index cell) { return t.cell < cell; });
+    const auto thick = std::lower_bound(before.m_thick.begin(), before.m_thick.end(), c,
+                                        [](const Thick_cell& t, Cell_index cell) { return t.cell < cell; });
     if(thick == before.m_thick.end() || thick->cell != c) return;
     m_thick.push_back(*thick);
     m_thick.back().cell = now;
@@ -93,23 +102,27 @@ public:
   void update(const Field& field, const Clipped_mesh_3& clipped, const Size& largest, Precision precision)
   {
     constexpr std::size_t chunk = 16;
-    std::vector<std::pair<std::size_t, std::size_t> > outdated;       // pieces of cells
+    std::vector<std::pair<std::size_t, std::size_t> > outdated; // pieces of cells
     const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
     for(std::size_t n = 0, next; n < pieces.size(); n = next) {
       for(next = n + 1; next < pieces.size() && pieces[next].cell == pieces[n].cell; ++next) {}
       if(m_precision[pieces[n].cell] < precision) outdated.emplace_back(n, next);
     }
-    m_thick.erase(std::remove_if(m_thick.begin(), m_thick.end(), [&](const Thick_cell& t) { return m_precision[t.cell] < precision; }), m_thick.end());
+    m_thick.erase(std::remove_if(m_thick.begin(), m_thick.end(),
+                                 [&](const Thick_cell& t) { return m_precision[t.cell] < precision; }),
+                  m_thick.end());
     const auto examine = [&](std::size_t begin, std::size_t end, std::vector<Thick_cell>& thick) {
       Scratch scratch;
       for(std::size_t n = begin; n < end; ++n) {
         const Cell_index c = pieces[outdated[n].first].cell;
-        const std::optional<Thick_cell> found = bound(field, clipped, outdated[n].first, outdated[n].second, largest(c), precision, scratch);
+        const std::optional<Thick_cell> found = bound(field, clipped, outdated[n].first, outdated[n].second, largest(c),
+                                                      precision, scratch);
         if(found) thick.push_back(*found);
         m_precision[c] = precision;
       }
     };
-    const std::vector<Thick_cell> more = internal::collect_from_chunks<ConcurrencyTag, Thick_cell>(outdated.size(), chunk, examine);
+    const std::vector<Thick_cell> more = internal::collect_from_chunks<ConcurrencyTag, Thick_cell>(outdated.size(),
+                                                                                                   chunk, examine);
     m_thick.insert(m_thick.end(), more.begin(), more.end());
     std::sort(m_thick.begin(), m_thick.end(), [](const Thick_cell& a, const Thick_cell& b) { return a.cell < b.cell; });
   }
@@ -127,7 +140,7 @@ public:
       std::optional<Bounds<Field> > bounds;
       for(std::size_t n = begin; n < end; ++n) {
         const Cell_index c = pieces[n].cell;
-        if(n == begin || c != pieces[n-1].cell) bounds.emplace(field, c);
+        if(n == begin || c != pieces[n - 1].cell) bounds.emplace(field, c);
         const Level_range range = bounds->by_corners(clipped, pieces[n], scratch.corners).range;
         of_piece[n] = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
       }
@@ -138,16 +151,16 @@ public:
   }
 
 private:
-  static constexpr int max_grid_halvings = 2;       // of edges: 3 values for a triangle, then 12; a third would take 30
-  static constexpr int max_depth = 5;               // each takes three quarters of the excess of a bound
-  static constexpr double nearly_largest = 0.95;    // a point whose value is that part of the largest will do
+  static constexpr int max_grid_halvings = 2;    // of edges: 3 values for a triangle, then 12; a third would take 30
+  static constexpr int max_depth = 5;            // each takes three quarters of the excess of a bound
+  static constexpr double nearly_largest = 0.95; // a point whose value is that part of the largest will do
   // excess of a bound that is not to be improved, beyond values at corners in the cell, relative to the size asked for
   static constexpr double sharp = 0.004;
 
   struct Bounds_by_corners
   {
     Level_range at_corners, range;
-    std::size_t corner;           // where the field is largest, and its size there
+    std::size_t corner; // where the field is largest, and its size there
     double size;
   };
 
@@ -168,7 +181,8 @@ private:
     Bounds(const Field& field, Cell_index c) : in(field, c), corner_bounds(enclosed_value(in.cell)) {}
 
     // also gets the corners in the cell
-    Bounds_by_corners by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
+    Bounds_by_corners by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece,
+                                 std::vector<std::array<double, 3> >& corners) const
     {
       in.get_corners(clipped, piece, corners);
       const std::pair<double, double> excess = corner_bounds.excess(corners, in.shift);
@@ -191,13 +205,14 @@ private:
       return { values.min - excess.first - in.error, values.max + excess.second + in.error };
     }
 
-    // How far the field may be beyond its values on the grid below: one of the triangles that it makes of a triangle has the edges of all of them.
+    // How far the field may be beyond its values on the grid below: one of the triangles that it makes of a triangle
+    // has the edges of all of them.
     std::pair<double, double> excess_on_grid(const std::vector<std::array<double, 3> >& corners, int halvings,
                                              std::vector<std::array<double, 3> >& part) const
     {
       std::pair<double, double> most(0, 0);
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) {
-        const Grid_on_triangle grid = { corners[0], corners[v], corners[v+1], halvings };
+        const Grid_on_triangle grid = { corners[0], corners[v], corners[v + 1], halvings };
         part = { grid(0, 0), grid(1, 0), grid(0, 1) };
         const std::pair<double, double> excess = corner_bounds.excess(part, in.shift);
         most = { (std::max)(most.first, excess.first), (std::max)(most.second, excess.second) };
@@ -210,8 +225,8 @@ private:
     void visit_grid(const std::vector<std::array<double, 3> >& corners, int halvings, const Visitor& visit) const
     {
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) {
-        const Grid_on_triangle grid = { corners[0], corners[v], corners[v+1], halvings };
-        const int first = v == 1 ? 0 : 1;       // the triangle before has the edge between them
+        const Grid_on_triangle grid = { corners[0], corners[v], corners[v + 1], halvings };
+        const int first = v == 1 ? 0 : 1; // the triangle before has the edge between them
         for(int j = first; j <= 1 << halvings; ++j)
           for(int i = 0; i + j <= 1 << halvings; ++i) {
             if(i % 2 == 0 && j % 2 == 0) continue;
@@ -241,8 +256,8 @@ private:
 
   // the pieces of a cell; returns a point if it is thick
   template <typename Field>
-  std::optional<Thick_cell> bound(const Field& field, const Clipped_mesh_3& clipped, std::size_t first, std::size_t last, double size,
-                                  Precision precision, Scratch& scratch)
+  std::optional<Thick_cell> bound(const Field& field, const Clipped_mesh_3& clipped, std::size_t first,
+                                  std::size_t last, double size, Precision precision, Scratch& scratch)
   {
     const Cell_index c = clipped.pieces()[first].cell;
     const Bounds<Field> bounds(field, c);
@@ -270,12 +285,13 @@ private:
       place.facet = facet;
       for(int a = 0; a < 3; ++a) place.point[a] = in.cell.corner()[a] + in.cell.width() * x[a];
     };
-    // A cell is thick whatever else is found, if it is at a point; that should be about the worst one. Pieces on which the field is nearly between
-    // values that it has elsewhere need not be known better.
+    // A cell is thick whatever else is found, if it is at a point; that should be about the worst one. Pieces on which
+    // the field is nearly between values that it has elsewhere need not be known better.
     const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
     const double excess = sharp * size;
     const auto is_enough = [&](const Level_range& r) {
-      return is_within(r, open_from()) && (precision == SUFFICIENT || (r.min >= attained.min - excess && r.max <= attained.max + excess));
+      return is_within(r, open_from())
+             && (precision == SUFFICIENT || (r.min >= attained.min - excess && r.max <= attained.max + excess));
     };
     Level_range range;
     for(std::size_t n = first; n < last; ++n) {
@@ -303,7 +319,8 @@ private:
       }
       if(is_known) continue;
       auto& stack = scratch.stack;
-      for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v)
+        stack.push_back({ corners[0], corners[v], corners[v + 1], 0 });
       while(!stack.empty()) {
         const internal::Subtriangle t = stack.back();
         stack.pop_back();
@@ -319,7 +336,8 @@ private:
         else range.include(part);
       }
     }
-    if(m_precision[c] != UNKNOWN) range = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
+    if(m_precision[c] != UNKNOWN)
+      range = { (std::max)(range.min, m_range[c].min), (std::min)(range.max, m_range[c].max) };
     m_range[c] = range;
     if(is_within(range, size)) return std::nullopt;
     return place;

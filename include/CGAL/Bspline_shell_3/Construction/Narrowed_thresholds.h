@@ -44,21 +44,25 @@ namespace Bspline_shells {
 struct Narrowing_limits
 {
   int max_passes = 8;
-  std::size_t many_obstacles = std::numeric_limits<std::size_t>::max();   ///< cells; with more of them, two passes are enough
+  /// cells; with more of them, two passes are enough
+  std::size_t many_obstacles = std::numeric_limits<std::size_t>::max();
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief chooses the thresholds of a shell. Where it is undecided whether the shell has a critical point, or where it reaches the end of the domain,
- * the threshold next to that place is narrowed, as far as the mesh allows.
+ * \brief chooses the thresholds of a shell. Where it is undecided whether the shell has a critical point, or where it
+ * reaches the end of the domain, the threshold next to that place is narrowed, as far as the mesh allows.
  *
- * How far a threshold has to be narrowed is told by the values that the field may have at critical points in undecided boxes
- * (`Shell_cover_3::critical_values()`). Within a thin wall, critical points are all over, and a cell may have more boxes across its surface than the cover
- * allows: where the threshold is near enough to zero already, only a finer cover would decide.
+ * How far a threshold has to be narrowed is told by the values that the field may have at critical points in undecided
+ * boxes
+ * (`Shell_cover_3::critical_values()`). Within a thin wall, critical points are all over, and a cell may have more
+ * boxes across its surface than the cover allows: where the threshold is near enough to zero already, only a finer
+ * cover would decide.
  *
- * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What is known is kept for further
- * fields, too: on the same cells (`field_has_changed()`), and on finer ones (`cells_were_refined()`); or caps alone (`forget_field()`).
+ * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What
+ * is known is kept for further fields, too: on the same cells (`field_has_changed()`), and on finer ones
+ * (`cells_were_refined()`); or caps alone (`forget_field()`).
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -83,7 +87,7 @@ public:
     m_field = &field;
     m_is_constant = false;
     m_wanted.emplace(field, thickness);
-    for(const Cap& cap : m_caps) m_wanted->cap(cap);      // these would be found again
+    for(const Cap& cap : m_caps) m_wanted->cap(cap); // these would be found again
   }
 
   /// replaces what was asked for by the same two levels everywhere, which are not narrowed
@@ -108,7 +112,7 @@ public:
     m_tight.clear();
     if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
     std::size_t unresolved_before = std::numeric_limits<std::size_t>::max();
-    for(int pass = 0; ; ++pass) {
+    for(int pass = 0;; ++pass) {
       m_inner = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(NEGATIVE));
       m_outer = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(POSITIVE));
       Cover cover = covered<ConcurrencyTag>();
@@ -122,11 +126,13 @@ public:
       const std::vector<Threshold_obstacle> narrowed = narrow(nearest, obstacles, unresolved);
       std::vector<Cell_index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Cell_index(0));
-      for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;      // there may be more boxes for them next time
+      // there may be more boxes for them next time
+      for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
       const bool is_enough = pass + 1 >= max_passes_of_many && !obstacles.empty()
-                          && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
-      const bool helps = !narrowed.empty() || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
+                             && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
+      const bool helps = !narrowed.empty()
+                         || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
       unresolved_before = unresolved.size();
       if(!helps || is_enough || pass + 1 == limits.max_passes) {
         m_caps = m_wanted->caps();
@@ -152,8 +158,8 @@ public:
   /// \pre `are_chosen()`
   const Threshold& outer() const { return *m_outer; }
 
-  /// of the boxes where the last `choose()` left undecided whether the shell has a critical point, and of those at the end of the domain; infinite
-  /// before the first one
+  /// of the boxes where the last `choose()` left undecided whether the shell has a critical point, and of those at the
+  /// end of the domain; infinite before the first one
   double undecided_volume() const { return m_undecided_volume; }
 
   /// leaves nothing chosen
@@ -170,8 +176,8 @@ public:
     m_caps.clear();
   }
 
-  /// forgets which parts of the shell were covered, and keeps the caps for another field on finer cells: as they are, or where cells were halved, twice
-  /// as wide: within a thin wall, a field on narrower cells gets farther from zero
+  /// forgets which parts of the shell were covered, and keeps the caps for another field on finer cells: as they are,
+  /// or where cells were halved, twice as wide: within a thin wall, a field on narrower cells gets farther from zero
   /// \param before the last ones
   /// \param cells the finer ones
   void forget_field(const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells)
@@ -203,8 +209,8 @@ public:
       if(c != Field::npos && changed[c]) c = Field::npos;
   }
 
-  /// is to be called when the field is another one on finer cells, with the number that each cell has there, or `Field::npos` where it is split,
-  /// or the field is another one
+  /// is to be called when the field is another one on finer cells, with the number that each cell has there, or
+  /// `Field::npos` where it is split, or the field is another one
   void cells_were_refined(const std::vector<Cell_index>& now)
   {
     reset();
@@ -224,8 +230,8 @@ private:
   typedef typename Shell_thresholds_3<Field>::Cap Cap;
   typedef std::pair<Cell_index, int> Cell_and_side;
 
-  // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has changed since then: most stay as
-  // they are.
+  // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has
+  // changed since then: most stay as they are.
   struct Examined
   {
     Threshold inner, outer;
@@ -234,12 +240,17 @@ private:
   };
 
   // how near to the mesh's level a box comes that is in the way, and whether it is one of too few
-  struct Nearest { double size; std::array<double, 3> point; bool is_coarse; };
+  struct Nearest
+  {
+    double size;
+    std::array<double, 3> point;
+    bool is_coarse;
+  };
 
   template <typename ConcurrencyTag>
   Cover covered() const
   {
-    constexpr int separating_depth = 0;       // only critical points matter here
+    constexpr int separating_depth = 0; // only critical points matter here
     Cover cover(*m_field, *m_inner, *m_outer, separating_depth);
     if(m_examined) {
       constexpr std::size_t chunk = 256;
@@ -247,8 +258,10 @@ private:
       internal::for_each_chunk<ConcurrencyTag>(same.size(), chunk, [&](std::size_t begin, std::size_t end) {
         for(std::size_t n = begin; n < end; ++n) {
           const Cell_index c = Cell_index(n), now = same[c];
-          if(now != Field::npos && !(is_same_in_cell(m_examined->inner.field(), c, m_inner->field(), now)
-                                     && is_same_in_cell(m_examined->outer.field(), c, m_outer->field(), now))) same[c] = Field::npos;
+          if(now != Field::npos
+             && !(is_same_in_cell(m_examined->inner.field(), c, m_inner->field(), now)
+                  && is_same_in_cell(m_examined->outer.field(), c, m_outer->field(), now)))
+            same[c] = Field::npos;
         }
       });
       cover.reuse(m_examined->cover, [&](Cell_index c) { return same[c]; });
@@ -265,9 +278,13 @@ private:
     const auto note = [&](const Cover_box& box, const Level_range& f) {
       m_undecided_volume += std::pow(std::ldexp(m_field->cells().width(box.cell), -int(box.depth)), 3);
       const Bbox_3 b = cover.bbox(box);
-      const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+      const std::array<double, 3> middle = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2,
+                                             (b.zmin() + b.zmax()) / 2 };
       const double level = f.min > 0 ? f.min : f.max < 0 ? f.max : 0;
-      if(level == 0) { obstacles.push_back({ box.cell, middle }); return; }
+      if(level == 0) {
+        obstacles.push_back({ box.cell, middle });
+        return;
+      }
       const Nearest place = { std::abs(level), middle, int(box.depth) <= coarsest_depth };
       const auto it = nearest.insert({ { box.cell, level > 0 ? 1 : -1 }, place }).first;
       if(place.size < it->second.size) it->second = place;
@@ -276,7 +293,8 @@ private:
       for(const Cover_box& box : cover.boxes())
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
           internal::Run::poll();
-          // Where only the threshold is too steep, there may be none: then these must not be on the other side of zero than the field.
+          // Where only the threshold is too steep, there may be none: then these must not be on the other side of zero
+          // than the field.
           const Level_range values = cover.critical_values(box), field = cover.function(box).range();
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
           note(box, is_beyond_zero ? field : values);
@@ -285,13 +303,14 @@ private:
     return nearest;
   }
 
-  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns such places. Where the cap is there
-  // already, and the cover coarse, the place is unresolved.
-  std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest, std::vector<Threshold_obstacle>& obstacles,
+  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns such
+  // places. Where the cap is there already, and the cover coarse, the place is unresolved.
+  std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest,
+                                         std::vector<Threshold_obstacle>& obstacles,
                                          std::vector<Threshold_obstacle>& unresolved)
   {
-    constexpr double margin = 0.98;       // of a cap that makes a difference
-    constexpr double much = 0.7;          // of the room, that the mesh takes
+    constexpr double margin = 0.98; // of a cap that makes a difference
+    constexpr double much = 0.7;    // of the room, that the mesh takes
     std::vector<Threshold_obstacle> narrowed;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
@@ -314,14 +333,14 @@ private:
     return narrowed;
   }
 
-  static constexpr int coarsest_depth = 3;    // halvings: boxes of cells where boxes ran out
+  static constexpr int coarsest_depth = 3; // halvings: boxes of cells where boxes ran out
 
   std::vector<Point_3> m_seeds;
   const Field* m_field = nullptr;
   std::optional<Shell_thresholds_3<Field> > m_wanted;
   bool m_is_constant = false;
-  std::vector<Cap> m_caps;                            // of the last thresholds
-  std::unique_ptr<Threshold> m_inner, m_outer;        // at fixed places, as certificates refer to them
+  std::vector<Cap> m_caps;                     // of the last thresholds
+  std::unique_ptr<Threshold> m_inner, m_outer; // at fixed places, as certificates refer to them
   std::optional<Examined> m_examined;
   std::map<Cell_and_side, Threshold_obstacle> m_tight;
   double m_undecided_volume = std::numeric_limits<double>::infinity();

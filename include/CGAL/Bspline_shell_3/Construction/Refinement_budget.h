@@ -21,18 +21,28 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the rounds of a refinement with the time that they took, for reports; and whether the limits allow another round.
+ * \brief the rounds of a refinement with the time that they took, for reports; and whether the limits allow another
+ * round.
  */
 class Refinement_budget
 {
 public:
   /// of a round, in the order of `Refinement_round::seconds`
-  enum Step { CELLS, DISTANCE, ASSEMBLY, SOLVER, SLOPES, BOUNDS, CERTIFICATE };
+  enum Step
+  {
+    CELLS,
+    DISTANCE,
+    ASSEMBLY,
+    SOLVER,
+    SLOPES,
+    BOUNDS,
+    CERTIFICATE
+  };
 
   explicit Refinement_budget(const Refinement_parameters& parameters) : m_parameters(parameters) {}
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
-  Refinement_round& round() { return m_rounds.back(); }         ///< the present one
+  Refinement_round& round() { return m_rounds.back(); } ///< the present one
   /// what time has passed since the last step belongs to none
   Refinement_round& begin_round()
   {
@@ -57,9 +67,9 @@ public:
   bool was_part_in_vain() const
   {
     const std::size_t n = m_rounds.size();
-    if(n < 2 || !m_rounds[n-1].partial) return false;
-    const Refinement_round& now = m_rounds[n-1];
-    const Refinement_round& before = m_rounds[n-2];
+    if(n < 2 || !m_rounds[n - 1].partial) return false;
+    const Refinement_round& now = m_rounds[n - 1];
+    const Refinement_round& before = m_rounds[n - 2];
     if(now.examined != before.examined) return !now.examined;
     return now.undecided_cells + now.thick_cells >= before.undecided_cells + before.thick_cells;
   }
@@ -80,7 +90,7 @@ public:
 private:
   Refinement_parameters m_parameters;
   std::vector<Refinement_round> m_rounds;
-  std::size_t m_fitted_cells = 0;       // in all rounds together
+  std::size_t m_fitted_cells = 0; // in all rounds together
   Real_timer m_step;
 };
 

@@ -33,10 +33,10 @@ struct Sloping_facet
  */
 enum class Obstacle_kind
 {
-  FEW,              ///< they are local
+  FEW, ///< they are local
   MANY,
-  THICK_FIELD,      ///< many are left of a field that was too large on the mesh in many cells
-  NARROW_GAPS       ///< walls or gaps are too narrow for the shell asked for on much of the mesh
+  THICK_FIELD, ///< many are left of a field that was too large on the mesh in many cells
+  NARROW_GAPS  ///< walls or gaps are too narrow for the shell asked for on much of the mesh
 };
 
 /// \ingroup PkgBsplineShell3Construction
@@ -49,22 +49,25 @@ inline std::size_t many_obstacles(std::size_t cells_at_mesh, const Refinement_tu
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the rounds of a refinement have shown: whether they lead on, where refinement does not help, and whether gaps are too narrow.
+ * \brief what the rounds of a refinement have shown: whether they lead on, where refinement does not help, and whether
+ * gaps are too narrow.
  */
 class Refinement_history
 {
 public:
   /// \pre `tuning` outlives this object
-  Refinement_history(std::size_t number_of_facets, const Refinement_tuning& tuning) : m_tuning(tuning), m_refinements(number_of_facets, 0) {}
+  Refinement_history(std::size_t number_of_facets, const Refinement_tuning& tuning)
+    : m_tuning(tuning), m_refinements(number_of_facets, 0)
+  {}
 
   /// adds a round for which thresholds were chosen
-  /// \param undecided_volume of the boxes that are in the way: boxes are larger where there are many, so that few of them may have more volume than
-  /// others before
+  /// \param undecided_volume of the boxes that are in the way: boxes are larger where there are many, so that few of
+  ///   them may have more volume than others before
   void add_round(const Refinement_round& round, double undecided_volume)
   {
     const bool leads_on = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
-                       || undecided_volume < m_tuning.progress * m_least_volume
-                       || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
+                          || undecided_volume < m_tuning.progress * m_least_volume
+                          || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
     m_rounds_in_vain = leads_on ? 0 : m_rounds_in_vain + 1;
     m_least_volume = (std::min)(m_least_volume, undecided_volume);
     m_fewest_facets = (std::min)(m_fewest_facets, round.failing_facets);
@@ -91,8 +94,8 @@ public:
     for(std::uint32_t f : refined) ++m_refinements[f];
   }
 
-  /// tells the kind of the obstacles of a round. Gaps are narrow if there are very many, or many again after others were refined; once known, that
-  /// stays so.
+  /// tells the kind of the obstacles of a round. Gaps are narrow if there are very many, or many again after others
+  /// were refined; once known, that stays so.
   /// \param cells with obstacles
   /// \param cells_at_mesh that the mesh passes through
   /// \param was_thick whether the field was too large on the mesh in many cells before small changes
@@ -111,10 +114,13 @@ public:
   bool are_gaps_narrow() const { return m_are_gaps_narrow; }
 
 private:
-  bool is_worth_refining(const Sloping_facet& f) const { return m_refinements[f.facet] < m_tuning.max_refinements_of_a_facet; }
+  bool is_worth_refining(const Sloping_facet& f) const
+  {
+    return m_refinements[f.facet] < m_tuning.max_refinements_of_a_facet;
+  }
 
   const Refinement_tuning& m_tuning;
-  std::vector<int> m_refinements;             // of each facet: how often it was a reason for them
+  std::vector<int> m_refinements; // of each facet: how often it was a reason for them
   double m_least_volume = std::numeric_limits<double>::infinity(), m_fewest_obstacles = m_least_volume;
   std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max();
   int m_rounds_in_vain = 0;

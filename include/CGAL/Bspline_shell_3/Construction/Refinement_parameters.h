@@ -33,10 +33,10 @@ struct Refinement_parameters
   /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
   bool constant_thresholds = false;
   std::size_t max_rounds = 24;
-  /// The limit of effort: the number of cells that are fitted in all rounds together. So many take about a minute on two
-  /// cores, proofs included.
+  /// The limit of effort: the number of cells that are fitted in all rounds together. So many take about a minute on
+  /// two cores, proofs included.
   double max_cells = 1.5e6;
-  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
+  double max_bytes = std::numeric_limits<double>::infinity(); ///< about
 
   Refinement_parameters()
   {

@@ -44,9 +44,11 @@ public:
 
   /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   template <typename ConcurrencyTag>
-  Refinement_problem(ConcurrencyTag, std::shared_ptr<const Input_mesh_3> mesh, const Any_signed_distance_3& distance, const Thickness& thickness,
-                     const Any_spd_solver& solver, const Start& start, const Refinement_parameters& parameters)
-    : input(std::move(mesh)), oracle(distance), thickness(thickness), solver(solver), start(start), parameters(parameters),
+  Refinement_problem(ConcurrencyTag, std::shared_ptr<const Input_mesh_3> mesh, const Any_signed_distance_3& distance,
+                     const Thickness& thickness, const Any_spd_solver& solver, const Start& start,
+                     const Refinement_parameters& parameters)
+    : input(std::move(mesh)), oracle(distance), thickness(thickness), solver(solver), start(start),
+      parameters(parameters),
       wanted_slopes(Bspline_shells::wanted_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
   {}
 
@@ -54,7 +56,8 @@ public:
   double half_thickness(const Field& field, Field::Cell_index c) const
   {
     const Bbox_3 b = field.cell(c).bbox();
-    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+    return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2))
+           / 2;
   }
 
   /// is made when it is asked for first
@@ -70,7 +73,7 @@ public:
   const Any_spd_solver& solver;
   const Start& start;
   const Refinement_parameters parameters;
-  const std::vector<double> wanted_slopes;          ///< of each triangle, per user unit; zero where nothing helps
+  const std::vector<double> wanted_slopes; ///< of each triangle, per user unit; zero where nothing helps
 
 private:
   std::optional<Local_gap_3> m_gap;

@@ -23,9 +23,11 @@ struct Refinement_tuning
   /// the largest share of all cells that is fitted apart from the others; more of them take as long as all
   double largest_part = 0.75;
 
-  /// how often a facet with too small a slope is a reason to refine: what that many refinements do not mend, more will not
+  /// how often a facet with too small a slope is a reason to refine: what that many refinements do not mend, more will
+  /// not
   int max_refinements_of_a_facet = 5;
-  /// small changes are not tried if slopes are too small in more than one of so many cells, and in more than `least_violated_cells`
+  /// small changes are not tried if slopes are too small in more than one of so many cells, and in more than
+  /// `least_violated_cells`
   std::size_t violated_cells = 6, least_violated_cells = 64;
   /// how often the places that small changes leave are added to what they have to mend
   int max_slope_exchanges = 6;
@@ -47,7 +49,8 @@ struct Refinement_tuning
 
   /// obstacles in more than one of so many cells, and in more than `least_many_obstacles`, are many
   std::size_t many_obstacles = 128, least_many_obstacles = 100;
-  /// with obstacles in one of so many cells, or twice in one of `cells_of_nearly_thin`, walls or gaps are too narrow for the shell asked for
+  /// with obstacles in one of so many cells, or twice in one of `cells_of_nearly_thin`, walls or gaps are too narrow
+  /// for the shell asked for
   std::size_t cells_of_thin = 5, cells_of_nearly_thin = 12;
   /// with obstacles in one of so many cells, these are refined alone; fewer of them with their neighbors
   std::size_t cells_to_split_alone = 38;
@@ -59,7 +62,8 @@ struct Refinement_tuning
 
   /// at narrow walls and gaps: the part of the room for thresholds that the field may take on the mesh
   double most_at_obstacles = 0.7;
-  /// the part of half the thickness below which the field's size on the mesh does not count; it is smaller in the middle of walls
+  /// the part of half the thickness below which the field's size on the mesh does not count; it is smaller in the
+  /// middle of walls
   double considerable = 1e-3;
   /// how much more than elsewhere the next field's size on the mesh counts there
   double weight_near_obstacles = 20;
@@ -68,7 +72,8 @@ struct Refinement_tuning
   /// rings of cells around refined ones that are refined, too
   int rings = 1;
 
-  /// refinement ends after so many rounds that leave more than this share of the volume of obstacles, and of their number
+  /// refinement ends after so many rounds that leave more than this share of the volume of obstacles, and of their
+  /// number
   int max_rounds_in_vain = 4;
   double progress = 0.9;
 };

@@ -31,7 +31,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the construction of every shell begins with: the checked mesh and a lattice of cells; and its report, with the time of each step.
+ * \brief what the construction of every shell begins with: the checked mesh and a lattice of cells; and its report,
+ * with the time of each step.
  */
 class Shell_construction
 {
@@ -97,8 +98,8 @@ public:
     tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
     const auto mesh_copy = std::make_shared<Input_mesh_3>();
     const Shell_status status = mesh_copy->template build<ConcurrencyTag>(
-      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)), tolerated, closer,
-      truncator);
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
+      tolerated, closer, truncator);
     m_input = mesh_copy;
     m_report.offending_simplices = m_input->offending_simplices();
     if(status != Shell_status::SUCCESS) return status;

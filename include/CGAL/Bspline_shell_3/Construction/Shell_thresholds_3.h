@@ -27,12 +27,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief thresholds of a shell that vary in space: as wide as asked for, narrower where that is needed, never narrower than
- * the mesh needs.
+ * \brief thresholds of a shell that vary in space: as wide as asked for, narrower where that is needed, never narrower
+ * than the mesh needs.
  *
- * A threshold is a spline on the cells of the field. Where all coefficients that act on a cell lie beyond the values that
- * the field takes on the mesh in that cell, so does the threshold; that is what the mesh needs of a coefficient. Caps keep
- * the threshold below a value in a cell, and let it rise from there with a bounded slope.
+ * A threshold is a spline on the cells of the field. Where all coefficients that act on a cell lie beyond the values
+ * that the field takes on the mesh in that cell, so does the threshold; that is what the mesh needs of a coefficient.
+ * Caps keep the threshold below a value in a cell, and let it rise from there with a bounded slope.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -53,7 +53,9 @@ public:
     m_cap[0].resize(size);
     for(Eigen::Index u = 0; u < size; ++u) {
       const Bbox_3 b = field.support(Index(u));
-      m_cap[0][u] = thickness(typename Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2)) / 2;
+      m_cap[0][u] = thickness(typename Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2,
+                                                      (b.zmin() + b.zmax()) / 2))
+                    / 2;
     }
     m_cap[1] = m_cap[0];
     m_highest = size > 0 ? m_cap[0].maxCoeff() : 0;
@@ -82,7 +84,9 @@ public:
         const Index point = m_field->first_point(level) + n, u = m_field->coefficient_of_point(point);
         if(at_points[point][0] == none) continue;
         if(u != Field::npos) include(needed[u], at_points[point]);
-        else m_field->visit_parents(level, m_field->points(level).point(n), [&](Index parent, double) { include(needed[parent], at_points[point]); });
+        else
+          m_field->visit_parents(level, m_field->points(level).point(n),
+                                 [&](Index parent, double) { include(needed[parent], at_points[point]); });
       }
     for(std::size_t u = 0; u < needed.size(); ++u)
       for(int side = 0; side < 2; ++side) m_needed[side][Eigen::Index(u)] = needed[u][side];
@@ -101,7 +105,8 @@ public:
   double needed(Index cell, Sign side) const
   {
     double most = -std::numeric_limits<double>::infinity();
-    m_field->visit_coefficients(cell, [&](int, Index u, double) { most = (std::max)(most, m_needed[number(side)][u]); });
+    m_field->visit_coefficients(cell,
+                                [&](int, Index u, double) { most = (std::max)(most, m_needed[number(side)][u]); });
     return side == POSITIVE ? most : -most;
   }
 
@@ -110,15 +115,16 @@ public:
   {
     Index cell;
     Sign side;
-    Bbox_3 core;      ///< holds the centers of all functions that act on the cell
-    double size;      ///< of the threshold there
+    Bbox_3 core; ///< holds the centers of all functions that act on the cell
+    double size; ///< of the threshold there
   };
 
-  /// keeps the outer threshold at or below `level` in a cell, or the inner one at or above it, as far as the mesh allows
+  /// keeps the outer threshold at or below `level` in a cell, or the inner one at or above it, as far as the mesh
+  /// allows
   void cap(Index cell, Sign side, double level)
   {
-    // Distances are those of the functions' centers, whatever their size, from a box that holds the centers of all that act on
-    // the cell.
+    // Distances are those of the functions' centers, whatever their size, from a box that holds the centers of all that
+    // act on the cell.
     Bbox_3 core = m_field->cell(cell).bbox();
     m_field->visit_coefficients(cell, [&](int, Index u, double) {
       const Bbox_3 s = m_field->support(u);
@@ -135,16 +141,18 @@ public:
     if(!(reach > 0)) return;
     const Bbox_3& core = cap.core;
     Eigen::VectorXd& caps = m_cap[number(cap.side)];
-    m_field->visit_coefficients_near(Bbox_3(core.xmin() - reach, core.ymin() - reach, core.zmin() - reach,
-                                            core.xmax() + reach, core.ymax() + reach, core.zmax() + reach), [&](Index u, const Bbox_3& support) {
-      double squared = 0;
-      for(int a = 0; a < 3; ++a) {
-        const double center = ((support.min)(a) + (support.max)(a)) / 2;
-        const double gap = (std::max)({ 0., center - (core.max)(a), (core.min)(a) - center });
-        squared += gap * gap;
-      }
-      caps[u] = (std::min)(caps[u], cap.size + m_slope * std::sqrt(squared));
-    });
+    m_field->visit_coefficients_near(
+      Bbox_3(core.xmin() - reach, core.ymin() - reach, core.zmin() - reach, core.xmax() + reach, core.ymax() + reach,
+             core.zmax() + reach),
+      [&](Index u, const Bbox_3& support) {
+        double squared = 0;
+        for(int a = 0; a < 3; ++a) {
+          const double center = ((support.min)(a) + (support.max)(a)) / 2;
+          const double gap = (std::max)({ 0., center - (core.max)(a), (core.min)(a)-center });
+          squared += gap * gap;
+        }
+        caps[u] = (std::min)(caps[u], cap.size + m_slope * std::sqrt(squared));
+      });
     m_caps.push_back(cap);
   }
 
@@ -166,7 +174,8 @@ private:
   const Field* m_field;
   double m_slope, m_highest = 0;
   std::vector<Cap> m_caps;
-  std::array<Eigen::VectorXd, 2> m_needed, m_cap;       // by coefficient, of the outer threshold and of minus the inner one
+  // by coefficient, of the outer threshold and of minus the inner one
+  std::array<Eigen::VectorXd, 2> m_needed, m_cap;
 };
 
 } // namespace Bspline_shells

@@ -30,9 +30,9 @@ namespace Bspline_shells {
 struct Threshold_obstacle
 {
   std::uint32_t cell;
-  std::array<double, 3> point;        ///< user units
-  Sign side = ZERO;                   ///< of the threshold; `ZERO` if the field may be zero at the place
-  double size = 0;                    ///< what the threshold's size would have to be less than
+  std::array<double, 3> point; ///< user units
+  Sign side = ZERO;            ///< of the threshold; `ZERO` if the field may be zero at the place
+  double size = 0;             ///< what the threshold's size would have to be less than
 };
 
 /// \ingroup PkgBsplineShell3Construction
@@ -48,10 +48,12 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells where the field is so large on the mesh that thresholds cannot pass obstacles: thresholds are splines on the same cells, and so all
- * cells count that the functions reach which act on an obstacle's cell. The latter itself, if there are none.
+ * \brief the cells where the field is so large on the mesh that thresholds cannot pass obstacles: thresholds are
+ * splines on the same cells, and so all cells count that the functions reach which act on an obstacle's cell. The
+ * latter itself, if there are none.
  *
- * In the middle of a thin wall the field is near zero. What keeps the threshold from being nearer is not there, but at the rim, some cells away.
+ * In the middle of a thin wall the field is near zero. What keeps the threshold from being nearer is not there, but at
+ * the rim, some cells away.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \tparam Field `Hierarchical_bspline_field_3`
@@ -76,7 +78,8 @@ std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Lev
         Bbox_3 b = field.cell(o.cell).bbox();
         field.visit_coefficients(o.cell, [&](int, Index u, double) { b += field.support(u); });
         const double inside = field.cells().width(o.cell) / 64;
-        const Bbox_3 box(b.xmin() + inside, b.ymin() + inside, b.zmin() + inside, b.xmax() - inside, b.ymax() - inside, b.zmax() - inside);
+        const Bbox_3 box(b.xmin() + inside, b.ymin() + inside, b.zmin() + inside, b.xmax() - inside, b.ymax() - inside,
+                         b.zmax() - inside);
         field.visit_cells(box, [&](Index c) {
           if((o.side == POSITIVE ? ranges[c].max : -ranges[c].min) > part * o.size) found.push_back(c);
         });

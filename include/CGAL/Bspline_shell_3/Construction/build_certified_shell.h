@@ -36,16 +36,18 @@ namespace Bspline_shells {
  */
 struct Certified_shell_parameters
 {
-  std::optional<double> resolution;     ///< root cells per longest side of the mesh's box; `choose_resolution()` if there is none
-  double relative_thickness = 0.01;     ///< of the longest side of the mesh's box
-  double least_cone_margin = 0.01;      ///< of vertices that are not truncated
-  std::optional<double> thickness;      ///< instead, in user units
+  /// root cells per longest side of the mesh's box; `choose_resolution()` if there is none
+  std::optional<double> resolution;
+  double relative_thickness = 0.01; ///< of the longest side of the mesh's box
+  double least_cone_margin = 0.01;  ///< of vertices that are not truncated
+  std::optional<double> thickness;  ///< instead, in user units
   /// instead, near a point; user units
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;
 
   double largest_thickness(double unit) const { return thickness ? *thickness : relative_thickness * unit; }
-  /// how far back sheets of open meshes are behind these: far enough for a shell of full thickness, without small cells in between
+  /// how far back sheets of open meshes are behind these: far enough for a shell of full thickness, without small cells
+  /// in between
   double closing_offset(double unit) const
   {
     constexpr double thicknesses = 3;
@@ -84,8 +86,10 @@ struct Certified_shell_parameters
  * \pre the parameters are valid
  */
 template <typename ConcurrencyTag>
-Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
-                                                const std::optional<Any_signed_distance_3>& oracle, const Any_spd_solver& solver);
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,
+                                                const Certified_shell_parameters& parameters,
+                                                const std::optional<Any_signed_distance_3>& oracle,
+                                                const Any_spd_solver& solver);
 
 /*!
  * \ingroup PkgBsplineShell3Construction
@@ -93,14 +97,15 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
  * \brief the same by the default solver.
  */
 template <typename ConcurrencyTag>
-Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,
+                                                const Certified_shell_parameters& parameters,
                                                 const std::optional<Any_signed_distance_3>& oracle);
 
 } // namespace Bspline_shells
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Construction/build_certified_shell_impl.h>
+#include <CGAL/Bspline_shell_3/Construction/build_certified_shell_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_H

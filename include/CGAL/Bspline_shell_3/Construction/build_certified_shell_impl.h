@@ -35,8 +35,10 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template <typename ConcurrencyTag>
-Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
-                                                const std::optional<Any_signed_distance_3>& oracle, const Any_spd_solver& solver)
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,
+                                                const Certified_shell_parameters& parameters,
+                                                const std::optional<Any_signed_distance_3>& oracle,
+                                                const Any_spd_solver& solver)
 {
   typedef Certified_bspline_shell_3 Shell;
   typedef Shell_status Status;
@@ -48,21 +50,22 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   const std::shared_ptr<const Input_mesh_3>& input = construction.input();
   const double largest_thickness = parameters.largest_thickness(input->unit());
   const double resolution = parameters.resolution ? *parameters.resolution
-                          : parameters.sizing ? finest_resolution : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
+                            : parameters.sizing   ? finest_resolution
+                                                  : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
-  std::atomic<bool> is_thickness_valid(true);       // several threads ask for it
-  double invalid_thickness = 0;                     // written by one of them
+  std::atomic<bool> is_thickness_valid(true); // several threads ask for it
+  double invalid_thickness = 0;               // written by one of them
   const Refinement_problem::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
     if(t > 0 && std::isfinite(t)) return t;
     if(is_thickness_valid.exchange(false)) invalid_thickness = t;
-    return largest_thickness;         // it has no effect
+    return largest_thickness; // it has no effect
   };
-  // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be anything between the thresholds
-  // on the mesh, and a sizing field asks for thicknesses that are not known yet.
-  constexpr double thickest = 20, more = 0.3;       // cells
+  // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be
+  // anything between the thresholds on the mesh, and a sizing field asks for thicknesses that are not known yet.
+  constexpr double thickest = 20, more = 0.3; // cells
   const double spacing = lattice->spacing();
   if(!parameters.sizing) {
     const double largest = thickest * spacing, relative = largest / input->unit();
@@ -71,7 +74,8 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     else invalid.check("relative_thickness", parameters.relative_thickness, { 0, relative });
     if(invalid) return stop(Status::INVALID_PARAMETER);
   }
-  const double room = parameters.sizing ? spacing : (oracle ? largest_thickness : largest_thickness / 2) + more * spacing;
+  const double room = parameters.sizing ? spacing
+                                        : (oracle ? largest_thickness : largest_thickness / 2) + more * spacing;
   const double rings = std::floor(room / spacing);
   Cells_near_mesh at_mesh = cells_near_mesh<ConcurrencyTag>(*input, *lattice, room - rings * spacing);
   report.surface_cells = at_mesh.entered.size();
@@ -80,13 +84,14 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
   if(!oracle) mesh_distance.emplace(*input);
-  struct Invalid_thickness {};
+  struct Invalid_thickness
+  {};
   const Refinement_problem::Start start = [&](Shell_step step) {
     if(!is_thickness_valid) throw Invalid_thickness();
     construction.start(step);
   };
-  Refinement_problem problem(ConcurrencyTag(), input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance), thickness, solver, start,
-                             parameters.refinement);
+  Refinement_problem problem(ConcurrencyTag(), input, oracle ? *oracle : Any_signed_distance_3(*mesh_distance),
+                             thickness, solver, start, parameters.refinement);
   Refinement refinement(problem);
   Refinement_status refined = Refinement_status::NOT_REFINED;
   try {
@@ -131,7 +136,8 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 }
 
 template <typename ConcurrencyTag>
-Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction, const Certified_shell_parameters& parameters,
+Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,
+                                                const Certified_shell_parameters& parameters,
                                                 const std::optional<Any_signed_distance_3>& oracle)
 {
   // the certificate makes the accuracy of the solver a matter of speed

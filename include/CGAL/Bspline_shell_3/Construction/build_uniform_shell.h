@@ -27,12 +27,12 @@ namespace Bspline_shells {
  */
 struct Uniform_shell_parameters
 {
-  double resolution = 50;               ///< cells per longest side of the mesh's box
-  std::optional<double> spacing;        ///< instead, the edge length of a cell in user units
-  std::optional<int> rings;             ///< of cells around those that the mesh enters; by default as many as needed
-  bool dense = false;                   ///< all cells of the mesh's box, and rings around it
+  double resolution = 50;        ///< cells per longest side of the mesh's box
+  std::optional<double> spacing; ///< instead, the edge length of a cell in user units
+  std::optional<int> rings;      ///< of cells around those that the mesh enters; by default as many as needed
+  bool dense = false;            ///< all cells of the mesh's box, and rings around it
   Energy_weights weights;
-  double max_bytes = std::numeric_limits<double>::infinity();     ///< about
+  double max_bytes = std::numeric_limits<double>::infinity(); ///< about
   bool allow_open_shell = false;
 
   /// the first parameter whose value is not allowed, if there is one
@@ -76,7 +76,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Construction/build_uniform_shell_impl.h>
+#include <CGAL/Bspline_shell_3/Construction/build_uniform_shell_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_UNIFORM_SHELL_H

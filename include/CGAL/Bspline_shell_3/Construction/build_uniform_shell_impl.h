@@ -158,15 +158,16 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
   // Before the cells are listed: how many there are at least, each with its unknown.
   const Bbox_3 box = input.bbox();
   double at_least = parameters.dense ? 1 : (std::max)(double(surface_keys.size()), std::pow(2. * rings + 1, 3));
-  for(int a = 0; parameters.dense && a < 3; ++a) at_least *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings;
+  for(int a = 0; parameters.dense && a < 3; ++a)
+    at_least *= ((box.max)(a) - (box.min)(a)) / lattice.spacing() + 2 * rings;
   if(at_least > double(Fit_energy<Field>::max_number_of_unknowns)) return stop(Status::TOO_MANY_CELLS);
   if(exceeds_memory(at_least, at_least)) return stop(Status::MEMORY_LIMIT_EXCEEDED);
   std::vector<std::uint64_t> keys = parameters.dense ? internal::box_cells(lattice, box, rings)
-                                          : dilate(surface_keys, -rings, rings);
+                                                     : dilate(surface_keys, -rings, rings);
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
-  constexpr int max_widenings = 5;      // by 2 to 6 rings: twenty cells in all
-  std::optional<Field> narrower;        // the field before the last widening
+  constexpr int max_widenings = 5; // by 2 to 6 rings: twenty cells in all
+  std::optional<Field> narrower;   // the field before the last widening
   std::vector<double> samples;
   for(;; ++report.widenings) {
     Field field(Cell_complex_3(lattice, keys));
@@ -178,9 +179,11 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
 
     construction.start(Shell_step::DISTANCE);
     // after a widening, only where there was no cell before
-    const Cell_complex_3 unsampled = narrower ? internal::cells_beyond(field.cells(), narrower->cells()) : field.cells();
+    const Cell_complex_3 unsampled = narrower ? internal::cells_beyond(field.cells(), narrower->cells())
+                                              : field.cells();
     if(!oracle && !mesh_distance) mesh_distance.emplace(input);
-    std::vector<double> more_samples = sample_signed_distance<ConcurrencyTag>(oracle ? *oracle : Any_signed_distance_3(*mesh_distance), unsampled);
+    std::vector<double> more_samples = sample_signed_distance<ConcurrencyTag>(
+      oracle ? *oracle : Any_signed_distance_3(*mesh_distance), unsampled);
     if(!std::all_of(more_samples.begin(), more_samples.end(), [](double d) { return std::isfinite(d); }))
       return stop(Status::DISTANCE_NOT_FINITE);
     samples = narrower ? internal::merge_samples(field.cells(), narrower->cells(), samples, unsampled, more_samples)
@@ -216,7 +219,8 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
       return stop(Status::MESH_NOT_CONTAINED);
     std::vector<Level_range> facets(input.number_of_facets_of_origin());
     for(auto f : input.mesh().faces()) facets[input.facet_of_origin(f)].include(triangles.facet[f]);
-    return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets), construction.end(Status::SUCCESS));
+    return Bspline_shell_3<>(std::move(field), levels, std::move(component.cells), std::move(facets),
+                             construction.end(Status::SUCCESS));
   }
 }
 

@@ -27,8 +27,9 @@ namespace Bspline_shells {
  */
 struct Bend_shares
 {
-  double bent = 0;        ///< where it is shorter than 0.9: at edges of 50 degrees and more
-  double folded = 0;      ///< where it is shorter than 0.7: at sharper edges, tips, and where walls are thinner than cells
+  double bent = 0; ///< where it is shorter than 0.9: at edges of 50 degrees and more
+  /// where it is shorter than 0.7: at sharper edges, tips, and where walls are thinner than cells
+  double folded = 0;
 };
 
 /*!
@@ -72,11 +73,12 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the number of root cells per longest side of a mesh's box that refinement should begin with: 30, or fewer if most of the mesh is nearly flat
- * in wider cells.
+ * \brief the number of root cells per longest side of a mesh's box that refinement should begin with: 30, or fewer if
+ * most of the mesh is nearly flat in wider cells.
  *
- * A field on cells five times as wide as the shell is thick follows a mesh closely enough but at bends; these are mended by small changes if they are
- * few (`Certified_refinement`). Otherwise cells would have to be halved, with those around them, and a few more of equal size are cheaper.
+ * A field on cells five times as wide as the shell is thick follows a mesh closely enough but at bends; these are
+ * mended by small changes if they are few (`Certified_refinement`). Otherwise cells would have to be halved, with those
+ * around them, and a few more of equal size are cheaper.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \param mesh the mesh

@@ -26,21 +26,23 @@ namespace Bspline_shells {
 struct Facet_failure
 {
   std::uint32_t facet;
-  std::uint32_t cell;               ///< that the point is in; `npos` of the field outside of its cells
+  std::uint32_t cell; ///< that the point is in; `npos` of the field outside of its cells
   std::array<double, 3> point;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief those among chosen facets of a mesh that a field does not certainly cross upwards (`Field_predicates_3::crosses_upwards()`).
+ * \brief those among chosen facets of a mesh that a field does not certainly cross upwards
+ * (`Field_predicates_3::crosses_upwards()`).
  *
  * \param field the field
  * \param input the mesh
  * \param chosen for each facet, whether it is asked for
  */
 template <typename ConcurrencyTag, typename Field>
-std::vector<Facet_failure> failing_facets(const Field& field, const Input_mesh_3& input, const std::vector<char>& chosen)
+std::vector<Facet_failure> failing_facets(const Field& field, const Input_mesh_3& input,
+                                          const std::vector<char>& chosen)
 {
   typedef typename Field::Point_3 Point_3;
   const Field_predicates_3<Field> predicates(field);
@@ -48,16 +50,16 @@ std::vector<Facet_failure> failing_facets(const Field& field, const Input_mesh_3
   for(auto f : input.mesh().faces())
     if(chosen[f]) facets.push_back(std::uint32_t(f));
   const std::size_t chunk = internal::chunk_size(facets.size(), 64);
-  return internal::collect_from_chunks<ConcurrencyTag, Facet_failure>(facets.size(), chunk,
-                                                                      [&](std::size_t begin, std::size_t end, std::vector<Facet_failure>& found) {
-    for(std::size_t n = begin; n < end; ++n) {
-      const auto t = input.triangle(Input_mesh_3::Face_index(facets[n]));
-      const auto point = [&](int v) { return Point_3(t[v].x(), t[v].y(), t[v].z()); };
-      Witness w;
-      if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
-        found.push_back({ facets[n], field.locate(Point_3(w.point[0], w.point[1], w.point[2])), w.point });
-    }
-  });
+  return internal::collect_from_chunks<ConcurrencyTag, Facet_failure>(
+    facets.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Facet_failure>& found) {
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto t = input.triangle(Input_mesh_3::Face_index(facets[n]));
+        const auto point = [&](int v) { return Point_3(t[v].x(), t[v].y(), t[v].z()); };
+        Witness w;
+        if(predicates.crosses_upwards({ point(0), point(1), point(2) }, &w) != Verdict::PROVED)
+          found.push_back({ facets[n], field.locate(Point_3(w.point[0], w.point[1], w.point[2])), w.point });
+      }
+    });
 }
 
 } // namespace Bspline_shells

@@ -24,7 +24,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is no part.
+ * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is
+ * no part.
  *
  * \param gap of the mesh
  * \param clipped the mesh, cut by cells
@@ -36,8 +37,9 @@ inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped,
                           double most)
 {
   const auto& pieces = clipped.pieces();
-  auto piece = std::lower_bound(pieces.begin(), pieces.end(), c,
-                                [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
+  auto piece = std::lower_bound(
+    pieces.begin(), pieces.end(), c,
+    [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
   double least = most;
   std::vector<std::array<double, 3> > corners;
   for(; piece != pieces.end() && piece->cell == c; ++piece) {

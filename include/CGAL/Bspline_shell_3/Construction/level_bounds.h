@@ -36,8 +36,8 @@ template <typename Field>
 struct Cell_with_pieces
 {
   typename Field::Cell cell;
-  double shift;       // bounds how far corners of pieces are off, in the cell
-  double error;       // bounds how far a Bernstein coefficient on a piece is from that of f on the facet
+  double shift; // bounds how far corners of pieces are off, in the cell
+  double error; // bounds how far a Bernstein coefficient on a piece is from that of f on the facet
 
   Cell_with_pieces(const Field& field, typename Field::Cell_index c) : cell(field.cell(c))
   {
@@ -49,16 +49,19 @@ struct Cell_with_pieces
     error = Form_error(shift)(enclosed_value(cell));
   }
 
-  void get_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece, std::vector<std::array<double, 3> >& corners) const
+  void get_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece,
+                   std::vector<std::array<double, 3> >& corners) const
   {
     corners.clear();
-    for(std::uint32_t v = 0; v < piece.size; ++v) corners.push_back(cell.local_coordinates(clipped.point(piece.first + v)));
+    for(std::uint32_t v = 0; v < piece.size; ++v)
+      corners.push_back(cell.local_coordinates(clipped.point(piece.first + v)));
   }
 };
 
-// Bounds a field on pieces by its values at their corners v and its second derivatives on their cell. By Taylor's formula at x = sum_i l_i v_i for each
-// corner,
-//   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2 >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i - v_j))
+// Bounds a field on pieces by its values at their corners v and its second derivatives on their cell. By Taylor's
+// formula at x = sum_i l_i v_i for each corner,
+//   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2 >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i -
+//   v_j))
 // for n corners, where the form q is at least that of all second derivatives; and the same for -f.
 class Corner_bounds
 {
@@ -77,8 +80,9 @@ public:
     double up = 0, down = 0;
     for(std::size_t i = 0; i < corners.size(); ++i)
       for(std::size_t j = 0; j < i; ++j) {
-        const double x = corners[i][0] - corners[j][0], y = corners[i][1] - corners[j][1], z = corners[i][2] - corners[j][2];
-        const Symmetric_matrix_3 products = { x*x, y*y, z*z, 2*y*z, 2*x*z, 2*x*y };
+        const double x = corners[i][0] - corners[j][0], y = corners[i][1] - corners[j][1],
+                     z = corners[i][2] - corners[j][2];
+        const Symmetric_matrix_3 products = { x * x, y * y, z * z, 2 * y * z, 2 * x * z, 2 * x * y };
         double q_up = 0, q_down = 0;
         for(int m = 0; m < 6; ++m) {
           q_up += m_upwards[m] * products[m];
@@ -87,7 +91,8 @@ public:
         up = (std::max)(up, q_up);
         down = (std::max)(down, q_down);
       }
-    // Corners are off by the shift, differences by twice that, and both are shorter than two; it is more than what rounding does to products.
+    // Corners are off by the shift, differences by twice that, and both are shorter than two; it is more than what
+    // rounding does to products.
     const double n = double(corners.size()), part = (n - 1) / (4 * n), error = 4 * m_curvature * shift;
     return { (1 + 8 * rounding) * (part * up + error), (1 + 8 * rounding) * (part * down + error) };
   }
@@ -101,7 +106,7 @@ private:
 struct Subtriangle
 {
   std::array<double, 3> p, q, r;
-  int depth;          // bisections of its edges
+  int depth; // bisections of its edges
 
   void push_quarters(std::vector<Subtriangle>& stack) const
   {
@@ -142,7 +147,8 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
       const internal::Cell_with_pieces<Field> in(field, pieces[n].cell);
       in.get_corners(clipped, pieces[n], corners);
       for(std::size_t v = 0; v < corners.size(); ++v) {
-        const std::array<double, 10> b = segment_bernstein_form<double>(in.cell.coefficients(), corners[v], corners[(v + 1) % corners.size()]);
+        const std::array<double, 10> b = segment_bernstein_form<double>(in.cell.coefficients(), corners[v],
+                                                                        corners[(v + 1) % corners.size()]);
         range.include(b.front());
         const auto hull = std::minmax_element(b.begin(), b.end());
         if(*hull.first < range.min || *hull.second > range.max) range.include(bernstein_range(b));
@@ -161,26 +167,27 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
  */
 struct Facet_ranges
 {
-  std::vector<Level_range> facet;     ///< encloses the field on each triangle; coarsely
-  std::vector<Level_range> cell;      ///< encloses the field on the part of the mesh in each cell; coarsely, empty without mesh
-  Level_range mesh;                   ///< encloses the field on the mesh, to within the tolerance
+  std::vector<Level_range> facet; ///< encloses the field on each triangle; coarsely
+  /// encloses the field on the part of the mesh in each cell; coarsely, empty without mesh
+  std::vector<Level_range> cell;
+  Level_range mesh; ///< encloses the field on the mesh, to within the tolerance
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief encloses a field on the facets: by its values at corners and its second derivatives, where these say enough, and by Bernstein coefficients
- * of degree nine on triangles otherwise, with a derived allowance for rounding.
+ * \brief encloses a field on the facets: by its values at corners and its second derivatives, where these say enough,
+ * and by Bernstein coefficients of degree nine on triangles otherwise, with a derived allowance for rounding.
  *
- * The enclosure of the mesh is refined by subdivision, where it decides, until it exceeds values that the field takes by
- * at most `tolerance` times their range.
+ * The enclosure of the mesh is refined by subdivision, where it decides, until it exceeds values that the field takes
+ * by at most `tolerance` times their range.
  */
 template <typename ConcurrencyTag, typename Field>
 Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-7)
 {
   constexpr std::size_t chunk = 1024;
   constexpr int max_depth = 20;
-  constexpr double good = 0.002;        // excess of a bound that is not to be improved, relative to the range of values
+  constexpr double good = 0.002; // excess of a bound that is not to be improved, relative to the range of values
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const std::size_t chunks = (pieces.size() + chunk - 1) / chunk;
 
@@ -197,14 +204,14 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 
   std::vector<Level_range> enclosure(chunks), piece_range(pieces.size());
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    Level_range found = values;           // grows by what this chunk finds
+    Level_range found = values; // grows by what this chunk finds
     Level_range& bound = enclosure[begin / chunk];
     std::vector<internal::Subtriangle> stack;
     std::vector<std::array<double, 3> > corners;
     std::optional<internal::Cell_with_pieces<Field> > in;
     std::optional<internal::Corner_bounds> corner_bounds;
     for(std::size_t n = begin; n < end; ++n) {
-      if(n == begin || pieces[n].cell != pieces[n-1].cell) {
+      if(n == begin || pieces[n].cell != pieces[n - 1].cell) {
         in.emplace(field, pieces[n].cell);
         corner_bounds.emplace(enclosed_value(in->cell));
       }
@@ -212,7 +219,8 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
       const std::pair<double, double> excess = corner_bounds->excess(corners, in->shift);
       if((std::max)(excess.first, excess.second) <= good * (values.max - values.min)) {
         Level_range range;
-        for(std::uint32_t v = 0; v < pieces[n].size; ++v) range.include(in->cell.value(clipped.point(pieces[n].first + v)));
+        for(std::uint32_t v = 0; v < pieces[n].size; ++v)
+          range.include(in->cell.value(clipped.point(pieces[n].first + v)));
         range = { range.min - excess.first - in->error, range.max + excess.second + in->error };
         if(range.min >= found.min && range.max <= found.max) {
           piece_range[n] = range;
@@ -220,7 +228,8 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
           continue;
         }
       }
-      for(std::size_t v = 1; v + 1 < corners.size(); ++v) stack.push_back({ corners[0], corners[v], corners[v+1], 0 });
+      for(std::size_t v = 1; v + 1 < corners.size(); ++v)
+        stack.push_back({ corners[0], corners[v], corners[v + 1], 0 });
       while(!stack.empty()) {
         const internal::Subtriangle t = stack.back();
         stack.pop_back();

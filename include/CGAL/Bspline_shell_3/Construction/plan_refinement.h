@@ -27,15 +27,16 @@ struct Round_findings
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> sloping;               ///< where slopes are still too small
-  std::vector<Index> thick;                 ///< where the field is too large on the mesh
-  bool are_many_thick = false;              ///< too many for small changes
-  std::vector<Index> thick_at_first;        ///< if there were many before small changes: those, and where the field was nearly too large
+  std::vector<Index> sloping;  ///< where slopes are still too small
+  std::vector<Index> thick;    ///< where the field is too large on the mesh
+  bool are_many_thick = false; ///< too many for small changes
+  /// if there were many before small changes: those, and where the field was nearly too large
+  std::vector<Index> thick_at_first;
   std::vector<Threshold_obstacle> obstacles;
-  Obstacle_kind kind = Obstacle_kind::FEW;  ///< of obstacles
-  std::vector<Index> culprits;              ///< at narrow gaps: where the field leaves no room for thresholds
-  std::vector<Index> similar;               ///< to these
-  std::vector<Index> two_sheets;            ///< where the surface passes twice
+  Obstacle_kind kind = Obstacle_kind::FEW; ///< of obstacles
+  std::vector<Index> culprits;             ///< at narrow gaps: where the field leaves no room for thresholds
+  std::vector<Index> similar;              ///< to these
+  std::vector<Index> two_sheets;           ///< where the surface passes twice
 };
 
 /*!
@@ -47,10 +48,10 @@ struct Refinement_plan
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> split;           ///< ascending; empty if nothing can be refined
-  std::vector<Index> at_gaps;         ///< those of them to split more often where gaps are far narrower than cells
-  std::vector<Index> similar;         ///< to split with these, if limits allow it
-  std::vector<Index> nearer_to_zero;  ///< where the field is asked to be nearer to zero on the mesh from now on
+  std::vector<Index> split;          ///< ascending; empty if nothing can be refined
+  std::vector<Index> at_gaps;        ///< those of them to split more often where gaps are far narrower than cells
+  std::vector<Index> similar;        ///< to split with these, if limits allow it
+  std::vector<Index> nearer_to_zero; ///< where the field is asked to be nearer to zero on the mesh from now on
 };
 
 /*!
@@ -58,22 +59,26 @@ struct Refinement_plan
  *
  * \brief decides which cells are refined after a round.
  *
- * Cells are refined with their neighbors of the same size where slopes fail or a few thresholds have obstacles, as what is split must leave the field
- * more freedom. Cells are refined alone where they are many.
+ * Cells are refined with their neighbors of the same size where slopes fail or a few thresholds have obstacles, as what
+ * is split must leave the field more freedom. Cells are refined alone where they are many.
  *
  * \param cells of the round
  * \param found in it
  * \param cells_at_mesh that the mesh passes through
  */
-inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Round_findings& found, std::size_t cells_at_mesh,
-                                       const Refinement_tuning& tuning)
+inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Round_findings& found,
+                                       std::size_t cells_at_mesh, const Refinement_tuning& tuning)
 {
   typedef Cell_hierarchy_3::Index Index;
   constexpr int all_axes = 3;
   Refinement_plan plan;
   Marked_cells marked(cells);
-  const auto mark = [&](const std::vector<Index>& chosen) { for(Index c : chosen) marked.mark(c); };
-  const auto mark_widely = [&](const std::vector<Index>& chosen, int axes) { for(Index c : chosen) marked.mark_widely(c, axes); };
+  const auto mark = [&](const std::vector<Index>& chosen) {
+    for(Index c : chosen) marked.mark(c);
+  };
+  const auto mark_widely = [&](const std::vector<Index>& chosen, int axes) {
+    for(Index c : chosen) marked.mark_widely(c, axes);
+  };
 
   mark_widely(found.sloping, all_axes);
   if(found.are_many_thick) {
@@ -84,20 +89,16 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
   }
   const std::vector<Index> obstacles = cells_of(found.obstacles);
   switch(found.kind) {
-    case Obstacle_kind::THICK_FIELD:
-      mark(found.thick_at_first);
-      break;
+    case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
       mark(found.culprits);
-      if(marked.empty()) mark_widely(obstacles, all_axes);      // culprits are as small as they may be
+      if(marked.empty()) mark_widely(obstacles, all_axes); // culprits are as small as they may be
       plan.at_gaps = found.culprits;
       plan.similar = found.similar;
       plan.nearer_to_zero = found.culprits;
       plan.nearer_to_zero.insert(plan.nearer_to_zero.end(), obstacles.begin(), obstacles.end());
       break;
-    case Obstacle_kind::MANY:
-      plan.at_gaps = obstacles;
-      [[fallthrough]];
+    case Obstacle_kind::MANY: plan.at_gaps = obstacles; [[fallthrough]];
     case Obstacle_kind::FEW:
       const bool alone = obstacles.size() > cells_at_mesh / tuning.cells_to_split_alone;
       mark_widely(obstacles, alone ? 0 : obstacles.size() <= tuning.few_obstacles ? 1 : all_axes);

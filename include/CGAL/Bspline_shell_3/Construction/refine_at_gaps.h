@@ -29,7 +29,8 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
 {
   const std::array<double, 3> corner = cells.corner(c);
   const double width = cells.width(c), margin = width / 64, length = width - margin;
-  return Bbox_3(corner[0] + margin, corner[1] + margin, corner[2] + margin, corner[0] + length, corner[1] + length, corner[2] + length);
+  return Bbox_3(corner[0] + margin, corner[1] + margin, corner[2] + margin, corner[0] + length, corner[1] + length,
+                corner[2] + length);
 }
 
 } // namespace internal
@@ -37,25 +38,26 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells refined once where asked, and more often where the mesh has gaps that are far narrower than a cell: no field on cells
- * wider than a gap increases through both of its sides, so one level after the other would be tried in vain. Where the gap is not that narrow, levels
- * in between often do.
+ * \brief cells refined once where asked, and more often where the mesh has gaps that are far narrower than a cell: no
+ * field on cells wider than a gap increases through both of its sides, so one level after the other would be tried in
+ * vain. Where the gap is not that narrow, levels in between often do.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \tparam Limit a predicate of numbers of cells
  * \param cells to refine
  * \param marked leaves that are split
  * \param rings of cells around them that are split, too
- * \param obstacles those of them that are split again, until their parts are no wider than four gaps or `most_halvings` are reached
+ * \param obstacles those of them that are split again, until their parts are no wider than four gaps or `most_halvings`
+ *   are reached
  * \param most_halvings of these; at most five
  * \param gap of the mesh
  * \param clipped the mesh, cut by `cells`
  * \param is_too_many whether there must not be so many cells; splitting again ends before
  */
 template <typename ConcurrencyTag, typename Limit>
-Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked, int rings,
-                                const std::vector<Cell_hierarchy_3::Index>& obstacles, int most_halvings, const Local_gap_3& gap,
-                                const Clipped_mesh_3& clipped, const Limit& is_too_many)
+Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked,
+                                int rings, const std::vector<Cell_hierarchy_3::Index>& obstacles, int most_halvings,
+                                const Local_gap_3& gap, const Clipped_mesh_3& clipped, const Limit& is_too_many)
 {
   typedef Cell_hierarchy_3::Index Index;
   constexpr std::size_t chunk = 16;
@@ -74,7 +76,9 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
     for(std::size_t n = 0; n < obstacles.size(); ++n) {
       if(halvings[n] <= level) continue;
       const int target = cells.level(obstacles[n]) + level;
-      refined.visit_cells(internal::inner_box(cells, obstacles[n]), [&](Index c) { if(refined.level(c) <= target) again.push_back(c); });
+      refined.visit_cells(internal::inner_box(cells, obstacles[n]), [&](Index c) {
+        if(refined.level(c) <= target) again.push_back(c);
+      });
     }
     if(again.empty()) break;
     Cell_hierarchy_3 next = refined.refined(again, rings);

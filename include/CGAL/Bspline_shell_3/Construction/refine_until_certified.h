@@ -51,13 +51,15 @@ namespace Bspline_shells {
  *
  * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
  *
- * A round fits the energy on the present cells (`Fitted_field`). Where the field is too large on the mesh for the thickness asked for, or facets have
- * too small a slope, small changes mend both (`Mended_field`), unless that is in too many cells. Then thresholds are chosen (`Narrowed_thresholds`);
- * where the mesh needs them wider than they should be, the field is asked to increase. Where none of this helps, cells are refined
+ * A round fits the energy on the present cells (`Fitted_field`). Where the field is too large on the mesh for the
+ * thickness asked for, or facets have too small a slope, small changes mend both (`Mended_field`), unless that is in
+ * too many cells. Then thresholds are chosen (`Narrowed_thresholds`); where the mesh needs them wider than they should
+ * be, the field is asked to increase. Where none of this helps, cells are refined
  * (`plan_refinement()`). When nothing is found wanting, the certificate is asked.
  *
- * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on refined cells are fitted again,
- * and only what these change is examined again (`Examined_field`). If that does not help, all are fitted in the round after it.
+ * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on
+ * refined cells are fitted again, and only what these change is examined again (`Examined_field`). If that does not
+ * help, all are fitted in the round after it.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -79,18 +81,19 @@ public:
   Refinement_status operator()(Cell_hierarchy_3 cells)
   {
     m_budget.start();
-    for(std::size_t round = 1; ; ++round) {
+    for(std::size_t round = 1;; ++round) {
       const std::optional<Refinement_status> failure = fit(std::move(cells));
       if(failure) return *failure;
       Round_findings found = mend_and_choose_thresholds();
-      if(m_examined.thresholds().are_chosen() && plan(found).split.empty() && certify(found)) return Refinement_status::CERTIFIED;
+      if(m_examined.thresholds().are_chosen() && plan(found).split.empty() && certify(found))
+        return Refinement_status::CERTIFIED;
 
       const Refinement_plan next = plan(found);
       m_budget.round().marked_cells = next.split.size();
       const bool in_vain = next.split.empty() || m_history.is_in_vain();
       if(!in_vain) {
         cells = refined_cells(next);
-        m_limit = limit_of_round(cells.number_of_cells());        // before the memory is taken
+        m_limit = limit_of_round(cells.number_of_cells()); // before the memory is taken
         if(round >= m_problem.parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
       }
       if(in_vain || m_limit.resource != Refinement_resource::NONE) {
@@ -111,7 +114,8 @@ public:
   /// encloses the last field on each triangle, coarsely
   std::vector<Level_range> facet_ranges() const { return m_examined.facet_ranges(); }
 
-  /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses of the certificate
+  /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses
+  /// of the certificate
   std::vector<Refinement_obstacle> obstacles();
 
   /// how thick the shell of the last field is
@@ -138,14 +142,16 @@ private:
     return std::nullopt;
   }
 
-  // Changes the field where little of it is to be changed, and chooses thresholds for it. Returns what is still wanting.
+  // Changes the field where little of it is to be changed, and chooses thresholds for it. Returns what is still
+  // wanting.
   Round_findings mend_and_choose_thresholds()
   {
     Round_findings found;
     Mended mended(m_problem, m_fitted, m_examined, m_budget);
     m_problem.start(Shell_step::BOUNDS);
     m_examined.find_thick_cells(m_budget);
-    if(m_examined.thick_cells().size() > m_fitted.cells_at_mesh() / m_tuning.many_thick_at_first) found.thick_at_first = nearly_thick_cells();
+    if(m_examined.thick_cells().size() > m_fitted.cells_at_mesh() / m_tuning.many_thick_at_first)
+      found.thick_at_first = nearly_thick_cells();
     m_is_mended = !mended.are_many_thick() && mended.mend();
     m_budget.end_step(Refinement_budget::SLOPES);
     note(mended, found);
@@ -179,15 +185,16 @@ private:
     return cells;
   }
 
-  // Chooses thresholds. Where that is not enough, and if these places are few, the field is asked to increase along the direction that the facets
-  // nearby have in common.
+  // Chooses thresholds. Where that is not enough, and if these places are few, the field is asked to increase along the
+  // direction that the facets nearby have in common.
   void choose_thresholds(Mended& mended, Round_findings& found)
   {
     m_examined.thresholds().begin(*field(), m_problem.thickness);
     std::vector<Threshold_obstacle> obstacles = chosen_thresholds(Narrowing_limits().max_passes);
     std::size_t cells = cells_of(obstacles).size();
     double most = double(many_obstacles(m_fitted.cells_at_mesh(), m_tuning));
-    for(int exchange = 0; exchange < m_tuning.max_obstacle_exchanges && cells > 0 && double(cells) <= most; ++exchange) {
+    for(int exchange = 0; exchange < m_tuning.max_obstacle_exchanges && cells > 0 && double(cells) <= most;
+        ++exchange) {
       if(!plan(found).split.empty()) break;
       most = (std::min)(most, m_tuning.obstacles_left * double(cells));
       std::vector<Slope_condition> conditions = conditions_at(obstacles);
@@ -221,15 +228,15 @@ private:
     m_problem.oracle(points, distances.data());
     std::vector<Slope_condition> conditions;
     for(std::size_t n = 0; n < obstacles.size(); ++n) {
-      const auto condition = common_slope(*field(), m_fitted.clipped(), obstacles[n].cell, obstacles[n].point, std::abs(distances[n]),
-                                          m_problem.parameters.slope_fraction);
+      const auto condition = common_slope(*field(), m_fitted.clipped(), obstacles[n].cell, obstacles[n].point,
+                                          std::abs(distances[n]), m_problem.parameters.slope_fraction);
       if(condition) conditions.push_back(*condition);
     }
     return conditions;
   }
 
-  // Finds cells where the field is so large on the mesh that thresholds have no room at obstacles, or little: these would be the next ones. If places
-  // without are few, so are cells that are like them.
+  // Finds cells where the field is so large on the mesh that thresholds have no room at obstacles, or little: these
+  // would be the next ones. If places without are few, so are cells that are like them.
   void find_culprits(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().tight_places();
@@ -240,7 +247,8 @@ private:
     const Cell_hierarchy_3& cells = field()->cells();
     std::vector<Index> considerable;
     for(Index c : found.culprits)
-      if(cells.level(c) < cells.max_level() && ranges[c].largest_size() > m_tuning.considerable * m_problem.half_thickness(*field(), c))
+      if(cells.level(c) < cells.max_level()
+         && ranges[c].largest_size() > m_tuning.considerable * m_problem.half_thickness(*field(), c))
         considerable.push_back(c);
     found.similar = similar_cells(cells, ranges, considerable);
   }
@@ -269,11 +277,13 @@ private:
   Cell_hierarchy_3 refined_cells(const std::vector<Index>& split, const std::vector<Index>& at_gaps)
   {
     if(at_gaps.empty()) return field()->cells().refined(split, m_tuning.rings);
-    return refine_at_gaps<ConcurrencyTag>(field()->cells(), split, m_tuning.rings, at_gaps, m_tuning.max_halvings, m_problem.gap(), m_fitted.clipped(),
+    return refine_at_gaps<ConcurrencyTag>(field()->cells(), split, m_tuning.rings, at_gaps, m_tuning.max_halvings,
+                                          m_problem.gap(), m_fitted.clipped(),
                                           [&](std::size_t size) { return is_beyond_limits(size); });
   }
 
-  // Returns the limit that the next round would exceed with so many cells, if there is one. The number of points per cell is assumed to stay as it is.
+  // Returns the limit that the next round would exceed with so many cells, if there is one. The number of points per
+  // cell is assumed to stay as it is.
   Refinement_limit limit_of_round(std::size_t cells) const
   {
     const double points = double(cells) / double(field()->number_of_cells()) * double(field()->number_of_points());
@@ -284,8 +294,8 @@ private:
   // asks the certificate, and notes cells that keep the claims from being proved
   bool certify(Round_findings& found)
   {
-    m_examined.thresholds().forget_cover();       // the certificate finds out for itself
-    m_fitted.release_equations();                 // the field stays as it is now
+    m_examined.thresholds().forget_cover(); // the certificate finds out for itself
+    m_fitted.release_equations();           // the field stays as it is now
     m_certificate.emplace(*field(), inner(), outer());
     m_certificate->template verify<ConcurrencyTag>(m_problem.input);
     for(const Certificate_witness& w : m_certificate->witnesses())
@@ -302,7 +312,7 @@ private:
   {
     if(!m_examined.thresholds().are_chosen()) {
       constexpr int once = 1;
-      m_examined.find_thick_cells(m_budget);      // the field may have changed
+      m_examined.find_thick_cells(m_budget); // the field may have changed
       m_examined.thresholds().begin(*field(), m_problem.thickness);
       found.obstacles = chosen_thresholds(once);
     }
@@ -317,9 +327,9 @@ private:
   Refinement_history m_history;
   Refinement_budget m_budget;
   Refinement_limit m_limit;
-  bool m_is_mended = false;                         // whether the last field has the slopes asked for, but for some places
+  bool m_is_mended = false; // whether the last field has the slopes asked for, but for some places
   std::optional<Certificate> m_certificate;
-  std::vector<Threshold_obstacle> m_obstacles;      // of the last field
+  std::vector<Threshold_obstacle> m_obstacles; // of the last field
 };
 
 template <typename ConcurrencyTag>

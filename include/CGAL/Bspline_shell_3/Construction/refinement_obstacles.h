@@ -28,7 +28,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the mesh is like at the places that stand in the way of a proof, narrowest first; at most a thousand of them.
+ * \brief what the mesh is like at the places that stand in the way of a proof, narrowest first; at most a thousand of
+ * them.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  * \param cells of the field
@@ -37,11 +38,12 @@ namespace Bspline_shells {
  * \param places a point in each cell that has one
  */
 template <typename ConcurrencyTag>
-std::vector<Refinement_obstacle> refinement_obstacles(const Cell_hierarchy_3& cells, const Clipped_mesh_3& clipped, const Local_gap_3& gap,
-                                                      const std::map<Cell_hierarchy_3::Index, std::array<double, 3> >& places)
+std::vector<Refinement_obstacle> refinement_obstacles(
+  const Cell_hierarchy_3& cells, const Clipped_mesh_3& clipped, const Local_gap_3& gap,
+  const std::map<Cell_hierarchy_3::Index, std::array<double, 3> >& places)
 {
   constexpr std::size_t most = 1000, chunk = 16;
-  constexpr double far = 4;       // widths of a cell
+  constexpr double far = 4; // widths of a cell
   const std::vector<std::pair<Cell_hierarchy_3::Index, std::array<double, 3> > > list(places.begin(), places.end());
   std::vector<Refinement_obstacle> result(list.size());
   internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -56,7 +58,8 @@ std::vector<Refinement_obstacle> refinement_obstacles(const Cell_hierarchy_3& ce
       if(gap_in_front < widest) obstacle.gap = gap_in_front;
     }
   });
-  std::stable_sort(result.begin(), result.end(), [](const Refinement_obstacle& a, const Refinement_obstacle& b) { return a.gap < b.gap; });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Refinement_obstacle& a, const Refinement_obstacle& b) { return a.gap < b.gap; });
   if(result.size() > most) result.resize(most);
   return result;
 }

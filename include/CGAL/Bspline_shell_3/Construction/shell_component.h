@@ -24,8 +24,9 @@ namespace Bspline_shells {
  */
 struct Shell_component
 {
-  std::vector<char> cells;                    ///< whether a cell is in the cover; in the order of the field's cells
-  std::vector<std::uint32_t> border_cells;    ///< cells of the cover where the shell may run into the domain's boundary
+  std::vector<char> cells; ///< whether a cell is in the cover; in the order of the field's cells
+  /// cells of the cover where the shell may run into the domain's boundary
+  std::vector<std::uint32_t> border_cells;
 };
 
 /*!

@@ -21,8 +21,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells at the mesh that are connected to given ones by cells of the same size, with fields about as large on the mesh as in the given one, or
- * larger.
+ * \brief cells at the mesh that are connected to given ones by cells of the same size, with fields about as large on
+ * the mesh as in the given one, or larger.
  *
  * Next to cells that are refined without them, these would be the next ones.
  *
@@ -33,13 +33,20 @@ namespace Bspline_shells {
  *
  * \cgalHeading{Cost} linear in the number of all cells
  */
-inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3& cells, const std::vector<Level_range>& ranges,
+inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3& cells,
+                                                          const std::vector<Level_range>& ranges,
                                                           const std::vector<Cell_hierarchy_3::Index>& given)
 {
   typedef Cell_hierarchy_3::Index Index;
   constexpr double about = 0.7;
-  const auto largest = [&](Index c) { return (std::max)(-ranges[c].min, ranges[c].max); };      // less than zero where there is no mesh
-  enum : char { UNSEEN, GIVEN, PASSED };
+  // less than zero where there is no mesh
+  const auto largest = [&](Index c) { return (std::max)(-ranges[c].min, ranges[c].max); };
+  enum : char
+  {
+    UNSEEN,
+    GIVEN,
+    PASSED
+  };
   std::vector<char> state(cells.number_of_cells(), UNSEEN);
   for(Index c : given) state[c] = GIVEN;
   // smallest fields first: from there, all is reached that others would reach through the same cells
@@ -55,12 +62,13 @@ inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3
       front.pop_back();
       const std::array<double, 3> corner = cells.corner(from);
       const double width = cells.width(from);
-      cells.visit_cells(Bbox_3(corner[0], corner[1], corner[2], corner[0] + width, corner[1] + width, corner[2] + width), [&](Index c) {
-        if(state[c] == PASSED || cells.level(c) != cells.level(from) || !(largest(c) >= least)) return;
-        if(state[c] == UNSEEN) similar.push_back(c);
-        state[c] = PASSED;
-        front.push_back(c);
-      });
+      cells.visit_cells(
+        Bbox_3(corner[0], corner[1], corner[2], corner[0] + width, corner[1] + width, corner[2] + width), [&](Index c) {
+          if(state[c] == PASSED || cells.level(c) != cells.level(from) || !(largest(c) >= least)) return;
+          if(state[c] == UNSEEN) similar.push_back(c);
+          state[c] = PASSED;
+          front.push_back(c);
+        });
     }
   }
   std::sort(similar.begin(), similar.end());

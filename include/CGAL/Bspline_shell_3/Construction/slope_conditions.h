@@ -30,8 +30,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the slope that a field should have along the normal of each triangle: a part of what is possible at all three vertices
- * (`vertex_cone_margin()`), and zero at singular ones.
+ * \brief the slope that a field should have along the normal of each triangle: a part of what is possible at all three
+ * vertices (`vertex_cone_margin()`), and zero at singular ones.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  * \param input the mesh
@@ -41,7 +41,7 @@ template <typename ConcurrencyTag>
 std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
 {
   constexpr std::size_t chunk = 1024;
-  constexpr double singular = 1e-9;       // cone margins, of which rounding leaves nothing
+  constexpr double singular = 1e-9; // cone margins, of which rounding leaves nothing
   const auto& mesh = input.mesh();
   std::vector<double> margin(mesh.number_of_vertices(), 1);
   internal::for_each_chunk<ConcurrencyTag>(margin.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -63,8 +63,8 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief conditions for a field on a mesh (`Slope_enforcement`): in the middle of its pieces, and at the corners of those that are not small beside
- * their cells; in cells with many pieces, in the middle of some.
+ * \brief conditions for a field on a mesh (`Slope_enforcement`): in the middle of its pieces, and at the corners of
+ * those that are not small beside their cells; in cells with many pieces, in the middle of some.
  *
  * Across a cell a field hardly varies more than that; whoever needs to know finds the places where it is not enough.
  *
@@ -75,16 +75,17 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  * \tparam Size a function of cells
  * \param field gives the cells; its values are not looked at
  * \param clipped the mesh, cut by them
- * \param wanted the slope of a triangle in a cell (`wanted_slopes()`); no conditions where it is zero, as nothing helps at a singular vertex
+ * \param wanted the slope of a triangle in a cell (`wanted_slopes()`); no conditions where it is zero, as nothing helps
+ *   at a singular vertex
  * \param is_asked for which cells conditions are wanted
  * \param largest what \f$|f|\f$ may be on the mesh in a cell, in units of the width of root cells
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slope, typename Predicate, typename Size>
-std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted, const Predicate& is_asked,
-                                              const Size& largest)
+std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted,
+                                              const Predicate& is_asked, const Size& largest)
 {
   constexpr double small = 0.25;
-  constexpr std::size_t few = 8, most = 48;       // pieces in a cell
+  constexpr std::size_t few = 8, most = 48; // pieces in a cell
   constexpr std::size_t chunk = 1024;
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const auto is_small = [&](const Clipped_mesh_3::Piece& piece) {
@@ -94,11 +95,12 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
         low[a] = (std::min)(low[a], clipped.point(piece.first + v)[a]);
         high[a] = (std::max)(high[a], clipped.point(piece.first + v)[a]);
       }
-    return !((std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] }) > small * field.cells().width(piece.cell));
+    return !((std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] })
+             > small * field.cells().width(piece.cell));
   };
   // a cell belongs to the chunk that its first piece is in
   const auto first_of_cell = [&](std::size_t n) {
-    while(0 < n && n < pieces.size() && pieces[n-1].cell == pieces[n].cell) ++n;
+    while(0 < n && n < pieces.size() && pieces[n - 1].cell == pieces[n].cell) ++n;
     return n;
   };
   return internal::collect_from_chunks<ConcurrencyTag, Slope_condition>(
@@ -115,7 +117,8 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
           const double slope = wanted(c, piece.facet);
           if(!(slope > 0)) continue;
           const auto add = [&](const std::array<double, 3>& p) {
-            conditions.push_back({ c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), slope, size });
+            conditions.push_back(
+              { c, piece.facet, cell.local_coordinates(p), clipped.normal(piece.facet), slope, size });
           };
           std::array<double, 3> middle = {};
           for(std::uint32_t v = 0; v < piece.size; ++v)
@@ -131,7 +134,8 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a condition at a point beside a mesh, along the direction that the facets nearby have in common, if there is one.
+ * \brief a condition at a point beside a mesh, along the direction that the facets nearby have in common, if there is
+ * one.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  * \param field gives the cells; its values are not looked at
@@ -141,17 +145,20 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
  * \param fraction of the slope that is possible
  */
 template <typename Field>
-std::optional<Slope_condition> common_slope(const Field& field, const Clipped_mesh_3& clipped, typename Field::Cell_index c,
-                                            const std::array<double, 3>& point, double distance, double fraction)
+std::optional<Slope_condition> common_slope(const Field& field, const Clipped_mesh_3& clipped,
+                                            typename Field::Cell_index c, const std::array<double, 3>& point,
+                                            double distance, double fraction)
 {
   constexpr double least_margin = 0.01;
   const typename Field::Cell cell = field.cell(c);
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
-    const Bbox_3 box(point[0] - reach, point[1] - reach, point[2] - reach, point[0] + reach, point[1] + reach, point[2] + reach);
+    const Bbox_3 box(point[0] - reach, point[1] - reach, point[2] - reach, point[0] + reach, point[1] + reach,
+                     point[2] + reach);
     std::vector<std::uint32_t> facets;
     field.visit_cells(box, [&](typename Field::Cell_index n) {
-      auto piece = std::lower_bound(pieces.begin(), pieces.end(), n, [](const Clipped_mesh_3::Piece& p, std::uint32_t m) { return p.cell < m; });
+      auto piece = std::lower_bound(pieces.begin(), pieces.end(), n,
+                                    [](const Clipped_mesh_3::Piece& p, std::uint32_t m) { return p.cell < m; });
       for(; piece != pieces.end() && piece->cell == n; ++piece) {
         Bbox_3 b;
         for(std::uint32_t v = 0; v < piece->size; ++v) {
@@ -164,7 +171,8 @@ std::optional<Slope_condition> common_slope(const Field& field, const Clipped_me
     sort_unique(facets);
     if(facets.empty()) continue;
     std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> normals;
-    for(std::uint32_t f : facets) normals.emplace_back(clipped.normal(f)[0], clipped.normal(f)[1], clipped.normal(f)[2]);
+    for(std::uint32_t f : facets)
+      normals.emplace_back(clipped.normal(f)[0], clipped.normal(f)[1], clipped.normal(f)[2]);
     std::array<double, 3> axis = cone_axis(normals);
     const double margin = internal::norm(axis);
     if(!(margin > least_margin)) continue;

@@ -24,8 +24,10 @@ namespace Bspline_shells {
  *
  * \brief the slope that a field can be asked for on the mesh in cells with narrow walls or gaps.
  *
- * In cells of a width \f$h\f$ a field bends no more than about \f$1/h\f$. If it is zero on both sides of a wall of width \f$g < h\f$, it is like
- * \f$(x^2 - g^2/4) / h\f$ across, which has the slope \f$g/h\f$ on them. A quarter of that leaves room for what the field does along the wall.
+ * In cells of a width \f$h\f$ a field bends no more than about \f$1/h\f$. If it is zero on both sides of a wall of
+ * width \f$g < h\f$, it is like
+ * \f$(x^2 - g^2/4) / h\f$ across, which has the slope \f$g/h\f$ on them. A quarter of that leaves room for what the
+ *   field does along the wall.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \param cells the cells
@@ -35,8 +37,8 @@ namespace Bspline_shells {
  * \return for each of these; infinite where no gap is narrower than the cell
  */
 template <typename ConcurrencyTag>
-std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& asked, const Local_gap_3& gap,
-                                   const Clipped_mesh_3& clipped)
+std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& asked,
+                                   const Local_gap_3& gap, const Clipped_mesh_3& clipped)
 {
   constexpr std::size_t chunk = 16;
   constexpr double part = 0.25;

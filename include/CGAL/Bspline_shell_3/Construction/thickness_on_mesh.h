@@ -24,8 +24,9 @@ namespace Bspline_shells {
  */
 struct Thickness_on_mesh
 {
-  double largest = 0;             ///< difference of the thresholds
-  double narrowed_area = 0;       ///< part of the mesh's area, in cells where that is less than asked for by more than a hundredth
+  double largest = 0; ///< difference of the thresholds
+  /// part of the mesh's area, in cells where that is less than asked for by more than a hundredth
+  double narrowed_area = 0;
 };
 
 /*!
@@ -40,7 +41,8 @@ struct Thickness_on_mesh
  * \param asked the thickness asked for, user units
  */
 template <typename Threshold, typename Thickness>
-Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Threshold& inner, const Threshold& outer, const Thickness& asked)
+Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Threshold& inner, const Threshold& outer,
+                                    const Thickness& asked)
 {
   constexpr double narrower = 0.99;
   Thickness_on_mesh result;
@@ -50,7 +52,8 @@ Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Thresho
     double in_cell = 0;
     for(next = n; next < clipped.number_of_pieces() && clipped.pieces()[next].cell == c; ++next)
       in_cell += clipped.area(clipped.pieces()[next]);
-    const Level_range difference = Bspline_shells::difference(enclosed_value(outer.field().cell(c)), enclosed_value(inner.field().cell(c))).range();
+    const Level_range difference =
+      Bspline_shells::difference(enclosed_value(outer.field().cell(c)), enclosed_value(inner.field().cell(c))).range();
     result.largest = (std::max)(result.largest, difference.max);
     area += in_cell;
     if(difference.min < narrower * asked(c)) narrow_area += in_cell;

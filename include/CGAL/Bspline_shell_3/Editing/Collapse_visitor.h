@@ -20,8 +20,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief what a run of `CGAL::Surface_mesh_simplification::edge_collapse()` did: counts, and for every vertex of the mesh before the
- * vertex of the result into which it was collapsed.
+ * \brief what a run of `CGAL::Surface_mesh_simplification::edge_collapse()` did: counts, and for every vertex of the
+ * mesh before the vertex of the result into which it was collapsed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -31,9 +31,9 @@ class Collapse_history
 public:
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
-  std::size_t selected = 0;             ///< edges that were considered, with those considered again
-  std::size_t collapsed = 0;            ///< with those of length zero
-  std::size_t not_collapsable = 0;      ///< edges that failed the link condition or the filter
+  std::size_t selected = 0;        ///< edges that were considered, with those considered again
+  std::size_t collapsed = 0;       ///< with those of length zero
+  std::size_t not_collapsable = 0; ///< edges that failed the link condition or the filter
 
   /// the vertex into which `v` was collapsed, `v` itself if it is still there
   vertex_descriptor image(vertex_descriptor v) const
@@ -50,17 +50,18 @@ public:
   }
 
 private:
-  std::unordered_map<vertex_descriptor, vertex_descriptor> m_kept;      // a removed vertex is kept as a number or address only
+  // a removed vertex is kept as a number or address only
+  std::unordered_map<vertex_descriptor, vertex_descriptor> m_kept;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that writes the history of the run, and passes all
- * calls on, before it does its own work.
+ * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that writes the history of the run, and
+ * passes all calls on, before it does its own work.
  *
- * Visitors cannot stop a run; a model of `StopPredicate` can, and sees the number of edges before and now for each edge that is
- * considered. Copies share the history.
+ * Visitors cannot stop a run; a model of `StopPredicate` can, and sees the number of edges before and now for each edge
+ * that is considered. Copies share the history.
  *
  * \cgalModels `EdgeCollapseSimplificationVisitor`
  *
@@ -90,9 +91,15 @@ public:
   }
   void OnFinished(TriangleMesh& mesh) { m_base->OnFinished(mesh); }
   template <typename Profile>
-  void OnStopConditionReached(const Profile& profile) { m_base->OnStopConditionReached(profile); }
+  void OnStopConditionReached(const Profile& profile)
+  {
+    m_base->OnStopConditionReached(profile);
+  }
   template <typename Profile, typename OptionalCost>
-  void OnCollected(const Profile& profile, const OptionalCost& cost) { m_base->OnCollected(profile, cost); }
+  void OnCollected(const Profile& profile, const OptionalCost& cost)
+  {
+    m_base->OnCollected(profile, cost);
+  }
   template <typename Profile, typename OptionalCost>
   void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t initial, std::size_t current)
   {
@@ -100,7 +107,10 @@ public:
     ++m_history->selected;
   }
   template <typename Profile, typename OptionalPoint>
-  void OnCollapsing(const Profile& profile, const OptionalPoint& placement) { m_base->OnCollapsing(profile, placement); }
+  void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
+  {
+    m_base->OnCollapsing(profile, placement);
+  }
   template <typename Profile, typename Vertex>
   void OnCollapsed(const Profile& profile, const Vertex& v)
   {

@@ -13,13 +13,13 @@ namespace Bspline_shells {
 /// The reason why an edit ended: with the values from `SHELL` on, the target may not have been reached.
 enum class Edit_end
 {
-  NOT_EDITED,       ///< the mesh is as it was before: the status is the reason
-  TARGET,           ///< remeshing: all edges have about the length asked for
-  STOP_PREDICATE,   ///< simplification: the stop predicate ended it, as its target was reached, or to cancel
-  SHELL,            ///< the shell rejects at least one of the operations that would lead further
-  FILTER,           ///< the shell would allow more, but the caller's filter rejects it
-  MESH,             ///< nothing is rejected, but connectivity, constraints or frozen facets do not allow more
-  ITERATIONS        ///< remeshing: all iterations were done, and the shell rejected nothing in the last one
+  NOT_EDITED,     ///< the mesh is as it was before: the status is the reason
+  TARGET,         ///< remeshing: all edges have about the length asked for
+  STOP_PREDICATE, ///< simplification: the stop predicate ended it, as its target was reached, or to cancel
+  SHELL,          ///< the shell rejects at least one of the operations that would lead further
+  FILTER,         ///< the shell would allow more, but the caller's filter rejects it
+  MESH,           ///< nothing is rejected, but connectivity, constraints or frozen facets do not allow more
+  ITERATIONS      ///< remeshing: all iterations were done, and the shell rejected nothing in the last one
 };
 
 /// \ingroup PkgBsplineShell3Editing
@@ -27,20 +27,13 @@ enum class Edit_end
 inline const char* message(Edit_end end)
 {
   switch(end) {
-    case Edit_end::NOT_EDITED:
-      return "The mesh was not edited.";
-    case Edit_end::TARGET:
-      return "All edges have about the length asked for.";
-    case Edit_end::STOP_PREDICATE:
-      return "The stop predicate ended the edit.";
-    case Edit_end::SHELL:
-      return "The shell rejects what would lead further: ask for a thicker shell.";
-    case Edit_end::FILTER:
-      return "The filter allows no more.";
-    case Edit_end::MESH:
-      return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
-    case Edit_end::ITERATIONS:
-      return "All iterations were done: more of them may lead further.";
+    case Edit_end::NOT_EDITED: return "The mesh was not edited.";
+    case Edit_end::TARGET: return "All edges have about the length asked for.";
+    case Edit_end::STOP_PREDICATE: return "The stop predicate ended the edit.";
+    case Edit_end::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
+    case Edit_end::FILTER: return "The filter allows no more.";
+    case Edit_end::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
+    case Edit_end::ITERATIONS: return "All iterations were done: more of them may lead further.";
   }
   return "";
 }

@@ -28,22 +28,23 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Edit_end end = Edit_end::NOT_EDITED;          ///< why the edit ended, and so why a target was not reached
-  Invalid_parameter invalid_parameter;          ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
+  Edit_end end = Edit_end::NOT_EDITED; ///< why the edit ended, and so why a target was not reached
+  Invalid_parameter invalid_parameter; ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
   /// Facets and vertices where the mesh is not in the shell, before the edit. The vertex of a tip stands for the
   /// triangles that replace the tip in the shell.
   Offending_simplices offending_simplices;
-  /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit, ascending, and of the same
-  /// facets, in the same order, in that of the result. If the shell replaces tips of the mesh, the order is another
-  /// one: parts of a facet that was cut have its position, and triangles that replace a tip have `no_facet`.
+  /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit,
+  /// ascending, and of the same facets, in the same order, in that of the result. If the shell replaces tips of the
+  /// mesh, the order is another one: parts of a facet that was cut have its position, and triangles that replace a tip
+  /// have `no_facet`.
   std::vector<std::size_t> frozen_facets_before, frozen_facets;
-  static constexpr std::size_t no_facet = std::size_t(-1);      ///< an entry of `frozen_facets_before`
-  std::size_t facets_before = 0, facets = 0;    ///< of the mesh
-  std::size_t constrained_edges = 0;            ///< of the result; 0 if the mesh was not edited
-  Placement_statistics placements;              ///< all that were tried, by verdict
-  Certificate_report certificate;               ///< of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
-  /// whether the edit was undone, and done again with a proof for each facet: the first time, facets that an estimate cleared were accepted as
-  /// they were, and the certificate failed
+  static constexpr std::size_t no_facet = std::size_t(-1); ///< an entry of `frozen_facets_before`
+  std::size_t facets_before = 0, facets = 0;               ///< of the mesh
+  std::size_t constrained_edges = 0;                       ///< of the result; 0 if the mesh was not edited
+  Placement_statistics placements;                         ///< all that were tried, by verdict
+  Certificate_report certificate; ///< of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
+  /// whether the edit was undone, and done again with a proof for each facet: the first time, facets that an estimate
+  /// cleared were accepted as they were, and the certificate failed
   bool is_repeated = false;
   /// times of the first check, the edit, the certificate, and the location of vertices
   double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;

@@ -31,14 +31,14 @@ struct Edit_result : Report
   /// facet and barycentric coordinates: a `CGAL::Polygon_mesh_processing::Face_location`
   typedef std::pair<face_descriptor, std::array<double, 3> > Location;
 
-  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was collapsed, or which it
-  /// still is; empty if the mesh was not edited. It is always found, and costs next to nothing, but says nothing of places: vertices move when
-  /// edges are collapsed, and when they are relaxed.
+  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was
+  /// collapsed, or which it still is; empty if the mesh was not edited. It is always found, and costs next to nothing,
+  /// but says nothing of places: vertices move when edges are collapsed, and when they are relaxed.
   std::vector<vertex_descriptor> images;
 
-  /// with `locate_vertices(true)`: for each vertex that the mesh had, in the order of `vertices(mesh)`, where on the result the integral curve
-  /// through its former place leads, as `Shell_map_3` from the mesh before to the result would find it. The facet is null where none was
-  /// found. Empty if the mesh was not edited, or if not asked for.
+  /// with `locate_vertices(true)`: for each vertex that the mesh had, in the order of `vertices(mesh)`, where on the
+  /// result the integral curve through its former place leads, as `Shell_map_3` from the mesh before to the result
+  /// would find it. The facet is null where none was found. Empty if the mesh was not edited, or if not asked for.
   std::vector<Location> locations;
 };
 

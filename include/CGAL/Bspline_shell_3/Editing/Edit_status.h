@@ -10,13 +10,13 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
-/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` and `EDITED_EXCEPT_FROZEN` means that it is as it was
-/// before.
+/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` and `EDITED_EXCEPT_FROZEN`
+/// means that it is as it was before.
 enum class Edit_status
 {
   SUCCESS,               ///< the result is certified
-  EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; the others are proved to lie
-                         ///< in the shell and to face along the gradient
+  EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified;
+                         ///< the others are proved to lie in the shell and to face along the gradient
   NO_SHELL,              ///< there is no shell
   INVALID_PARAMETER,     ///< a parameter has a value that is not allowed (`Edit_report::invalid_parameter`)
   MEMORY_LIMIT_EXCEEDED, ///< the result, with what is needed to certify it, would need more memory than allowed
@@ -25,8 +25,8 @@ enum class Edit_status
   NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
   OPEN_MESH,             ///< the mesh has a border
   NOT_CLOSABLE,          ///< the mesh has the border of the shell, but also an edge of the shell's closing
-  NOT_IN_SHELL,          ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
-  NOT_CERTIFIED          ///< no facet was rejected to begin with, but the certificate of the result fails: the report says where
+  NOT_IN_SHELL, ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
+  NOT_CERTIFIED ///< no facet was rejected to begin with, but the certificate of the result fails: the report says where
 };
 
 /// \ingroup PkgBsplineShell3Editing
@@ -34,13 +34,12 @@ enum class Edit_status
 inline const char* message(Edit_status status)
 {
   switch(status) {
-    case Edit_status::SUCCESS:
-      return "The mesh was edited, and the result is certified.";
+    case Edit_status::SUCCESS: return "The mesh was edited, and the result is certified.";
     case Edit_status::EDITED_EXCEPT_FROZEN:
-      return "The mesh was edited except for the frozen facets, and is not certified: only its other facets are proved to lie in the shell and "
+      return "The mesh was edited except for the frozen facets, and is not certified: only its other facets are proved "
+             "to lie in the shell and "
              "to face along the gradient.";
-    case Edit_status::NO_SHELL:
-      return "There is no shell: its own status says why.";
+    case Edit_status::NO_SHELL: return "There is no shell: its own status says why.";
     case Edit_status::INVALID_PARAMETER:
       return "A parameter has a value that is not allowed: the report has its name and its bounds "
              "(CGAL::Bspline_shells::Invalid_parameter).";
@@ -48,20 +47,23 @@ inline const char* message(Edit_status status)
       return "The result would need more memory than allowed: ask for longer edges, or raise the limit (memory_limit).";
     case Edit_status::TIME_LIMIT_EXCEEDED:
       return "The time limit was reached before the result was certified: raise the limit (time_limit).";
-    case Edit_status::NOT_FINITE:
-      return "The mesh has vertices whose coordinates are infinite or not a number.";
+    case Edit_status::NOT_FINITE: return "The mesh has vertices whose coordinates are infinite or not a number.";
     case Edit_status::NOT_TRIANGULATED:
-      return "The mesh has no facets, or some that are no triangles: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
+      return "The mesh has no facets, or some that are no triangles: triangulate it "
+             "(CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Edit_status::OPEN_MESH:
       return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
     case Edit_status::NOT_CLOSABLE:
-      return "The mesh has the border of the shell, but also an edge of the shell's closing: edit a mesh without this edge.";
+      return "The mesh has the border of the shell, but also an edge of the shell's closing: edit a mesh without this "
+             "edge.";
     case Edit_status::NOT_IN_SHELL:
-      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the wrong way, "
+      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the "
+             "wrong way, "
              "or the facets at the listed vertices fold through themselves: edit "
              "a mesh for which the shell is certified, or leave these facets as they are (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
-      return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses have: ask for a "
+      return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses "
+             "have: ask for a "
              "certified shell of this mesh.";
   }
   return "";

@@ -20,24 +20,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell: a placement passes
- * only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
+ * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell: a
+ * placement passes only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
  *
- * With `Shell_facet_oracle_3`, a mesh whose facets lie in the shell and face along the gradient, and whose fans all wind once, stays
- * such a mesh:
- * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbor moves: the two facets there
- *   turn by less than a turn together, before and after, from the same vertex to the same vertex, and so by the same
- *   angle. At the two vertices opposite to the edge, three facets become two: what the fan turns can only get less, by full turns, and a
- *   fan of facets that all face the axis turns once at least.
- * - *Components* need no test: every facet that changes has a vertex of the link, which stays where it is, and so lies in the component
- *   of the shell that the vertex lies in.
+ * With `Shell_facet_oracle_3`, a mesh whose facets lie in the shell and face along the gradient, and whose fans all
+ * wind once, stays such a mesh:
+ * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbor moves:
+ *   the two facets there turn by less than a turn together, before and after, from the same vertex to the same vertex,
+ *   and so by the same angle. At the two vertices opposite to the edge, three facets become two: what the fan turns can
+ *   only get less, by full turns, and a fan of facets that all face the axis turns once at least.
+ * - *Components* need no test: every facet that changes has a vertex of the link, which stays where it is, and so lies
+ *   in the component of the shell that the vertex lies in.
  *
- * The last two claims of the certificate, one sheet and degree one, then stay as they are, too: `simplify_in_shell()` proves all
- * of them again.
+ * The last two claims of the certificate, one sheet and degree one, then stay as they are, too: `simplify_in_shell()`
+ * proves all of them again.
  *
- * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies serve one thread at a time.
- * The oracle
- * may serve several.
+ * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies
+ * serve one thread at a time. The oracle may serve several.
  *
  * \cgalModels `PlacementFilter`
  *
@@ -52,7 +51,7 @@ public:
   explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
     : m_oracle(&oracle), m_base_filter(base_filter), m_state(std::make_shared<State>())
   {}
-  explicit Shell_filter(const Oracle&&, const BaseFilter& = BaseFilter()) = delete;       // it would dangle
+  explicit Shell_filter(const Oracle&&, const BaseFilter& = BaseFilter()) = delete; // it would dangle
 
   /// the placement, or none if it is rejected
   template <typename Profile, typename OptionalPoint>

@@ -20,9 +20,9 @@ namespace Bspline_shells {
  */
 struct Simplification_report : Edit_report
 {
-  std::size_t selected = 0;       ///< edges that were considered, with those considered again
-  std::size_t collapsed = 0;      ///< with those of length zero
-  std::size_t retried = 0;        ///< edges for which another place was accepted than the first one
+  std::size_t selected = 0;  ///< edges that were considered, with those considered again
+  std::size_t collapsed = 0; ///< with those of length zero
+  std::size_t retried = 0;   ///< edges for which another place was accepted than the first one
 };
 
 } // namespace Bspline_shells

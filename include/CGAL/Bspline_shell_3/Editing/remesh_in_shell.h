@@ -45,73 +45,82 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief remeshes a mesh in a shell: edges get about the length asked for and facets become nearly equilateral, by operations after which
- * every facet still lies in the shell and faces along the gradient. The result is certified anew, so that it has no self-intersections, and the
- * integral curves map it one-to-one onto the mesh before.
+ * \brief remeshes a mesh in a shell: edges get about the length asked for and facets become nearly equilateral, by
+ * operations after which every facet still lies in the shell and faces along the gradient. The result is certified
+ * anew, so that it has no self-intersections, and the integral curves map it one-to-one onto the mesh before.
  *
- * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that are longer than 4/3 of the
- * target length, collapses those that are shorter than 4/5 of it, flips edges towards six edges at each vertex, and moves vertices within the tangent
- * plane towards the centroid of their neighbors; then, along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges
- * are flipped where that makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges are not
- * flipped. An operation that the shell forbids is left out, or done by a part.
+ * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that
+ * are longer than 4/3 of the target length, collapses those that are shorter than 4/5 of it, flips edges towards six
+ * edges at each vertex, and moves vertices within the tangent plane towards the centroid of their neighbors; then,
+ * along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges are flipped where that
+ * makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges
+ * are not flipped. An operation that the shell forbids is left out, or done by a part.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the moves of vertices;
- *         the result is the same
- * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
- *         predicates and `FT` = `double`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the
+ *   moves of vertices; the result is the same
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
+ *   a kernel with exact predicates and `FT` = `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
- *        edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, or `INVALID_PARAMETER`
- *        for a length that was asked for between the vertices of
- *        the mesh, it is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map
- *        of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the caller has
- *        of them are invalid. With all other statuses it was not touched, unless it has tips that `Bspline_shell_3::truncation()` replaces: such a
- *        mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in
- *        the shell. Constrained edges that lead to a tip end where it is cut.
- * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite, and such that
- *        there are less than 2^30 facets. `Edit_report::end` is the reason why edges may have other lengths in the end.
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell
+ *   was built for. If it is not edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, or
+ *   `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled again with what
+ *   it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map of constrained
+ *   edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the
+ *   caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
+ *   `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is
+ *   `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in the shell. Constrained edges that lead
+ *   to a tip end where it is cut.
+ * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite,
+ *   and such that there are less than 2^30 facets. `Edit_report::end` is the reason why edges may have other lengths in
+ *   the end.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
  *   - `number_of_iterations(unsigned int)`: default 3
  *   - `number_of_relaxation_steps(unsigned int)`: how often vertices are moved in each iteration; default 2
- *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay where they are. They are
- *     split, their halves being constrained, and collapsed along themselves where two of them meet.
+ *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices
+ *     stay where they are. They are split, their halves being constrained, and collapsed along themselves where two of
+ *     them meet.
  *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
- *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike that of `simplify_in_shell()`
- *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
- *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and none of their edges is flipped, split
- *     or collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
- *     `Edit_status::EDITED_EXCEPT_FROZEN`.
+ *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike
+ *     that of `simplify_in_shell()`
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the
+ *     shell and to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves
+ *     or is removed, and none of their edges is flipped, split or collapsed. So are the facets at a vertex whose facets
+ *     are all accepted, but whose fan does not wind once. The rest is edited; see `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
- *   - `memory_limit(double)`: bytes, about, that the mesh, the result and its certificate may take; default 4e9. They are estimated as 1200 for each
- *     facet of the mesh, and for each equilateral triangle of the size asked for that its area has room for; a `Surface_mesh` takes about a third of
- *     that. If they are more, the status is `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
+ *   - `memory_limit(double)`: bytes, about, that the mesh, the result and its certificate may take; default 4e9. They
+ *     are estimated as 1200 for each facet of the mesh, and for each equilateral triangle of the size asked for that
+ *     its area has room for; a `Surface_mesh` takes about a third of that. If they are more, the status is
+ *     `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
  *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
  *     default, time is not limited
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
- *     the map must take new vertices: those that close the mesh while it is edited.
+ *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
+ *     `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
+ *     edited.
  *
- * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage and frozen facets, facets are proved on the way only where
- * an estimate leaves them in doubt. If all has to be done again, `target_edge_length` is asked again, from the beginning, and the map of constrained
- * edges says what it said.
+ * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage and frozen facets, facets are
+ *   proved on the way only where an estimate leaves them in doubt. If all has to be done again, `target_edge_length` is
+ *   asked again, from the beginning, and the map of constrained edges says what it said.
  *
- * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex, and a move a projection. Vertices that share no
- * edge are moved at the same time, which takes most of the time; other operations follow each other. The certificate costs what it costs for any mesh
- * in the shell. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
+ * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex, and a move a
+ *   projection. Vertices that share no edge are moved at the same time, which takes most of the time; other operations
+ *   follow each other. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the
+ *   result's facets, and some microseconds a vertex and core.
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag,
-          typename TriangleMesh, typename Sizing, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Remeshing_result<TriangleMesh>
-remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspline_shell_3<Field, Threshold>& shell,
-                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Sizing, typename Field,
+          typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length,
+                                               const Bspline_shell_3<Field, Threshold>& shell,
+                                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
+  static_assert(std::is_same<typename Geom_traits::FT, double>::value,
+                "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
@@ -119,7 +128,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   typedef Bspline_shell_3<Field, Threshold> Shell;
   typedef Edit_status Status;
 
-  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_property_map(vertex_point, mesh));
   auto edge_is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                               Static_boolean_property_map<edge_descriptor, false>());
   const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
@@ -148,12 +158,14 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   for(auto v : vertices(mesh)) sizing(get(vpm, v));
   // Lengths in the wrong unit ask for more facets than have numbers, or than memory holds.
   constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
-  // At the peak, with the certificate, a Surface_mesh takes 360 bytes for each facet, a Polyhedron_3 840; located vertices add 280.
+  // At the peak, with the certificate, a Surface_mesh takes 360 bytes for each facet, a Polyhedron_3 840; located
+  // vertices add 280.
   constexpr double bytes_per_facet = 1200;
   double expected = 0;
   for(auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
-    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)), &r = get(vpm, target(next(h, mesh), mesh));
+    const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)),
+                &r = get(vpm, target(next(h, mesh), mesh));
     const double length = sizing(CGAL::centroid(p, q, r));
     expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
   }
@@ -163,7 +175,8 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   if(!(expected < most_facets))
     result.invalid_parameter.check("target_edge_length", shortest, { shortest * std::sqrt(expected / most_facets) });
   if(result.invalid_parameter) return ended(Status::INVALID_PARAMETER);
-  if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit)) return ended(Status::MEMORY_LIMIT_EXCEEDED);
+  if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit))
+    return ended(Status::MEMORY_LIMIT_EXCEEDED);
 
   const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
   const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
@@ -171,34 +184,35 @@ remesh_in_shell(TriangleMesh& mesh, const Sizing& target_edge_length, const Bspl
   const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
 
   constexpr bool may_repeat = true;
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
-                                                          [&](const auto& oracle, const auto& frozen, const auto& all) {
-    typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
-    typedef Shell_projection_3<Shell, TriangleMesh> Projection;
-    const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
-    const auto project = [&](const Point& p) -> Point {
-      const auto image = projection(p);
-      return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
-    };
-    internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>, decltype(edge_is_constrained),
-                             std::remove_cv_t<decltype(vertex_is_constrained)> >
-      remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all, result);
-    for(unsigned int i = 0; i < iterations && !result.invalid_parameter; ++i) {
+  return ended(internal::edit_under_proof<ConcurrencyTag>(
+    mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
+    [&](const auto& oracle, const auto& frozen, const auto& all) {
+      typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
+      typedef Shell_projection_3<Shell, TriangleMesh> Projection;
+      const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
+      const auto project = [&](const Point& p) -> Point {
+        const auto image = projection(p);
+        return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
+      };
+      internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>,
+                               decltype(edge_is_constrained), std::remove_cv_t<decltype(vertex_is_constrained)> >
+        remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all, result);
+      for(unsigned int i = 0; i < iterations && !result.invalid_parameter; ++i) {
+        remesher.flip_to_larger_angles();
+        remesher.split_long_edges();
+        remesher.collapse_short_edges();
+        remesher.flip_to_regular_valences();
+        for(unsigned int j = 0; j < relaxations; ++j)
+          if(do_project) remesher.template relax<ConcurrencyTag>(project);
+          else remesher.template relax<ConcurrencyTag>([](const Point& p) { return p; });
+      }
       remesher.flip_to_larger_angles();
-      remesher.split_long_edges();
-      remesher.collapse_short_edges();
-      remesher.flip_to_regular_valences();
-      for(unsigned int j = 0; j < relaxations; ++j)
-        if(do_project) remesher.template relax<ConcurrencyTag>(project);
-        else remesher.template relax<ConcurrencyTag>([](const Point& p) { return p; });
-    }
-    remesher.flip_to_larger_angles();
-    result.images = remesher.images();
-    if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
-      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
-    result.end = remesher.end();
-    return result.invalid_parameter ? Status::INVALID_PARAMETER : Status::SUCCESS;
-  }));
+      result.images = remesher.images();
+      if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
+        for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
+      result.end = remesher.end();
+      return result.invalid_parameter ? Status::INVALID_PARAMETER : Status::SUCCESS;
+    }));
 }
 
 } // namespace Bspline_shells

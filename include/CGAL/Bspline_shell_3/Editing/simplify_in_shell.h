@@ -53,7 +53,10 @@ public:
   explicit Facet_count_stop_predicate(std::size_t facets) : m_facets(facets) {}
 
   template <typename FT, typename Profile>
-  bool operator()(const FT&, const Profile&, std::size_t, std::size_t edges) const { return 2 * edges <= 3 * m_facets; }
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t edges) const
+  {
+    return 2 * edges <= 3 * m_facets;
+  }
 
 private:
   std::size_t m_facets;
@@ -69,7 +72,10 @@ private:
 struct Never_stop_predicate
 {
   template <typename FT, typename Profile>
-  bool operator()(const FT&, const Profile&, std::size_t, std::size_t) const { return false; }
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t) const
+  {
+    return false;
+  }
 };
 
 /*!
@@ -84,15 +90,15 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
 
 namespace internal {
 
-// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge satisfies the link
-// condition, placement and filter once for this edge, before any other.
+// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge
+// satisfies the link condition, placement and filter once for this edge, before any other.
 struct Collapse_state
 {
-  bool is_waiting = false;            // whether the selected edge has no placement yet
+  bool is_waiting = false; // whether the selected edge has no placement yet
   bool is_accepted = false;
   bool has_stopped = false;
   bool has_deferred = false;          // a place that was too expensive
-  Edit_end obstacle = Edit_end::MESH;         // why the selected edge has no place
+  Edit_end obstacle = Edit_end::MESH; // why the selected edge has no place
   double cost = 0;                    // cost of the selected edge
   double largest_cost = 0;            // largest cost of a collapsed edge
   double allowance = 1;               // by what factor other places than the policy's may cost more
@@ -100,19 +106,24 @@ struct Collapse_state
   std::size_t closing_facets = 0;
   std::size_t collapsed = 0, retried = 0;
 
-  // what stop predicates and visitors are told: three for each two facets of the mesh, as if those that close it were not there
-  std::size_t edges_without_closing(std::size_t edges) const { return closing_facets == 0 ? edges : 3 * (2 * edges / 3 - closing_facets) / 2; }
+  // what stop predicates and visitors are told: three for each two facets of the mesh, as if those that close it were
+  // not there
+  std::size_t edges_without_closing(std::size_t edges) const
+  {
+    return closing_facets == 0 ? edges : 3 * (2 * edges / 3 - closing_facets) / 2;
+  }
 };
 
-// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the edges before anyone is told.
+// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the
+// edges before anyone is told.
 template <typename TriangleMesh, typename Visitor, typename Rules>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
   typedef Collapse_visitor<TriangleMesh, Visitor> Base;
 public:
   Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
-    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state)
-    , m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
+    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state),
+      m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
   {}
 
   // why none of the edges that are left was collapsed: the shell is named before the filter
@@ -141,7 +152,7 @@ public:
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
-    m_state->obstacle = Edit_end::MESH;       // unless a place is rejected
+    m_state->obstacle = Edit_end::MESH; // unless a place is rejected
     m_state->cost = cost ? rounded(*cost) : 0;
   }
   template <typename Profile, typename OptionalPoint>
@@ -199,25 +210,31 @@ struct Continued_cost
   const Collapse_state* state;
 
   template <typename Profile, typename OptionalPoint>
-  auto operator()(const Profile& profile, const OptionalPoint& placement) const { return (*cost)(profile, placement); }
+  auto operator()(const Profile& profile, const OptionalPoint& placement) const
+  {
+    return (*cost)(profile, placement);
+  }
   template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
   void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
   {
     if(state->collapsed == 0) cost->initialize(mesh, vpm, traits);
   }
   template <typename Profile, typename Vertex>
-  void update_after_collapse(const Profile& profile, const Vertex& v) const { cost->update_after_collapse(profile, v); }
+  void update_after_collapse(const Profile& profile, const Vertex& v) const
+  {
+    cost->update_after_collapse(profile, v);
+  }
 };
 
-// For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several places that
-// passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow only some places, they take that of the
-// policy's; where they allow none, nothing is accepted.
+// For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several
+// places that passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow
+// only some places, they take that of the policy's; where they allow none, nothing is accepted.
 template <typename Cost, typename Placement, typename Filter, typename Oracle, typename Rules>
 class Retrying_placement
 {
 public:
-  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle, const Rules& rules,
-                     Collapse_state& state)
+  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Oracle& oracle,
+                     const Rules& rules, Collapse_state& state)
     : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_oracle(&oracle), m_rules(&rules), m_state(&state)
   {}
 
@@ -315,70 +332,82 @@ struct Accepted_filter
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief simplifies a mesh in a shell: by collapses of edges after which every facet still lies in the shell and faces along the
- * gradient. The result is certified anew, so that it has no self-intersections, and the integral curves map it one-to-one onto the mesh
- * before.
+ * \brief simplifies a mesh in a shell: by collapses of edges after which every facet still lies in the shell and faces
+ * along the gradient. The result is certified anew, so that it has no self-intersections, and the integral curves map
+ * it one-to-one onto the mesh before.
  *
- * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`. Where the place that the
- * policy asks for is rejected, others are tried, in the order of their costs: the ends and the middle of the edge, and the policy's
- * place and the middle, moved along the gradient to the level of the edge. An edge that is given up is considered again
- * when its neighborhood has changed. Edges of length zero are collapsed first, which changes no shape.
+ * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`.
+ * Where the place that the policy asks for is rejected, others are tried, in the order of their costs: the ends and the
+ * middle of the edge, and the policy's place and the middle, moved along the gradient to the level of the edge. An edge
+ * that is given up is considered again when its neighborhood has changed. Edges of length zero are collapsed first,
+ * which changes no shape.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
  *         the result is the same
- * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of a kernel with exact
- *         predicates and `FT` = `double`
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
+ *   a kernel with exact predicates and `FT` = `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell was built for. If it is not
- *        edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, it is filled again with
- *        what it was. Property maps of a `Surface_mesh` have the
- *        values that they had, then, and so has the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that
- *        descriptors and other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
- *        `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is `NOT_IN_SHELL`; so is
- *        one of which an estimate took all facets for facets in the shell. Constrained edges that lead to a tip end where it is cut.
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell
+ *   was built for. If it is not edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, it
+ *   is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has
+ *   the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and
+ *   other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips
+ *   that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is
+ *   `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in the shell. Constrained edges that lead
+ *   to a tip end where it is cut.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
- *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each edge that is considered,
- *     and so is the place to show progress, or to cancel: what has been done until then is certified and kept. By default, the mesh gets
- *     as coarse as the shell allows. If the target of a predicate is not reached, `Edit_report::end` is the reason.
+ *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each
+ *     edge that is considered, and so is the place to show progress, or to cancel: what has been done until then is
+ *     certified and kept. By default, the mesh gets as coarse as the shell allows. If the target of a predicate is not
+ *     reached, `Edit_report::end` is the reason.
  *   - `get_cost(C)`, `get_placement(P)`: models of `GetCost` and `GetPlacement`, both or none; by default
  *     `CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`. The other policies of \cgal will do.
- *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With `std::cref()` it is not copied.
- *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected edge, the calls are
- *     `OnSelected()`, the stop predicate, the filter once for each place that is tried, `OnCollapsing()` and `OnCollapsed()`, or
- *     `OnNonCollapsable()`. As places that are too expensive are put off, `OnCollected()` may be called more than once for an edge.
- *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they are
- *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed along themselves, as
- *     `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish in favor of one of its neighbors on them, while ends,
- *     and vertices where more of them meet, stay where they are. What is left of a polyline connects vertices that it had, and how many edges that
- *     are, `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds how far a
- *     polyline gets from the mesh, but not how far it moves along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero
- *     beside it stays as long as this one does.
- *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the shell and to face along the
- *     gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is removed, and edges with an end at one of these are
- *     not collapsed. So are the facets at a vertex whose facets are all accepted, but whose fan does not wind once. The rest is edited; see
+ *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With
+ *     `std::cref()` it is not copied.
+ *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected
+ *     edge, the calls are `OnSelected()`, the stop predicate, the filter once for each place that is tried,
+ *     `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. As places that are too expensive are put off,
+ *     `OnCollected()` may be called more than once for an edge.
+ *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where
+ *     they are
+ *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are
+ *     collapsed along themselves, as `remesh_in_shell()` does by default: a vertex where exactly two of them meet may
+ *     vanish in favor of one of its neighbors on them, while ends, and vertices where more of them meet, stay where
+ *     they are. What is left of a polyline connects vertices that it had, and how many edges that are,
+ *     `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`.
+ *     The shell bounds how far a polyline gets from the mesh, but not how far it moves along it: the costs, or a
+ *     `filter`, do. A constrained edge with an edge of length zero beside it stays as long as this one does.
+ *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the
+ *     shell and to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves
+ *     or is removed, and edges with an end at one of these are not collapsed. So are the facets at a vertex whose
+ *     facets are all accepted, but whose fan does not wind once. The rest is edited; see
  *     `Edit_status::EDITED_EXCEPT_FROZEN`.
  *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
  *     default, time is not limited. To keep what has been done until some time, use `stop`.
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is `Sequential_tag`. If the mesh is open,
- *     the map must take new vertices: those that close the mesh while it is edited.
+ *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
+ *     `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
+ *     edited.
  *
- * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from a few points leaves them in
- * doubt, as most of them vanish again. If the certificate fails, and not because of the shell itself, the mesh is filled again with what it was, and
- * simplified with a proof for each facet (`Edit_report::is_repeated`); a map of constrained edges says what it said, then. This is only done where it is
- * not seen: for a `Surface_mesh` without garbage, and without visitor, filter, frozen facets, and stop predicates other than
- * `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise all facets are proved at once. Costs are initialized for each run, as \cgal does.
+ * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from
+ *   a few points leaves them in doubt, as most of them vanish again. If the certificate fails, and not because of the
+ *   shell itself, the mesh is filled again with what it was, and simplified with a proof for each facet
+ *   (`Edit_report::is_repeated`); a map of constrained edges says what it said, then. This is only done where it is not
+ *   seen: for a `Surface_mesh` without garbage, and without visitor, filter, frozen facets, and stop predicates other
+ *   than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise all facets are proved at once. Costs are
+ *   initialized for each run, as \cgal does.
  *
- * \cgalHeading{Cost} a collapse costs some points at which the field is evaluated for each facet at one vertex, or the proofs for these facets, with a
- * bound for each cell that they pass through. The certificate costs what it costs for any mesh in the shell; a mesh that cannot be certified
- * costs two runs. Locations cost a tree of the result's facets, and some microseconds a vertex and core.
+ * \cgalHeading{Cost} a collapse costs some points at which the field is evaluated for each facet at one vertex, or the
+ *   proofs for these facets, with a bound for each cell that they pass through. The certificate costs what it costs for
+ *   any mesh in the shell; a mesh that cannot be certified costs two runs. Locations cost a tree of the result's
+ *   facets, and some microseconds a vertex and core.
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag,
-          typename TriangleMesh, typename Field, typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Simplification_result<TriangleMesh>
-simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& shell,
-                  const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Field,
+          typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
+                                                      const Bspline_shell_3<Field, Threshold>& shell,
+                                                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace SMS = Surface_mesh_simplification;
   namespace tags = parameter_tags;
@@ -388,18 +417,22 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
   using CGAL::parameters::is_default_parameter;
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  static_assert(std::is_same<typename Geom_traits::FT, double>::value, "The coordinates must be doubles: others would be rounded.");
+  static_assert(std::is_same<typename Geom_traits::FT, double>::value,
+                "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef Edit_status Status;
 
-  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_property_map(vertex_point, mesh));
   typedef std::decay_t<decltype(choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
-    get_parameter(np, internal_np::edge_is_constrained)))> Constrained;
+    get_parameter(np, internal_np::edge_is_constrained)))>
+    Constrained;
   const Constrained constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
     get_parameter(np, internal_np::edge_is_constrained));
   const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
   constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
-  constexpr bool may_merge = has_constraints && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value;
+  constexpr bool may_merge = has_constraints
+                             && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value;
   constexpr bool may_freeze = !is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value;
   typedef internal::Collapse_rules<TriangleMesh, Vertex_point_map, Constrained, may_merge> Rules;
 
@@ -414,68 +447,75 @@ simplify_in_shell(TriangleMesh& mesh, const Bspline_shell_3<Field, Threshold>& s
 
   auto&& visitor = internal::argument<SMS::internal::Dummy_visitor>(np, internal_np::visitor);
   // nobody sees a run that is undone; costs are initialized for each run
-  constexpr bool may_repeat =
-    is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
-    && (std::is_same<decltype(stop), const Never_stop_predicate>::value || std::is_same<decltype(stop), const Facet_count_stop_predicate>::value);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(mesh, vpm, constrained, shell, may_repeat, np, result,
-                                                          [&](const auto& oracle, auto& frozen, const auto& all) {
-    typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
-    SMS::internal::Dummy_filter default_filter;
-    const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
-    typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
-    typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
-    const Filter filter(oracle, std::cref(base_filter));
+  constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
+                              && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
+                              && (std::is_same<decltype(stop), const Never_stop_predicate>::value
+                                  || std::is_same<decltype(stop), const Facet_count_stop_predicate>::value);
+  return ended(internal::edit_under_proof<ConcurrencyTag>(
+    mesh, vpm, constrained, shell, may_repeat, np, result, [&](const auto& oracle, auto& frozen, const auto& all) {
+      typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
+      SMS::internal::Dummy_filter default_filter;
+      const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
+      typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
+      typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
+      const Filter filter(oracle, std::cref(base_filter));
 
-    Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true), frozen);
-    const auto kept = [&] {
-      if constexpr(has_constraints || may_freeze)
-        return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
-      else return constrained;
-    }();
+      Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true),
+                  frozen);
+      const auto kept = [&] {
+        if constexpr(has_constraints || may_freeze)
+          return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
+        else return constrained;
+      }();
 
-    internal::Collapse_state state;
-    state.closing_facets = frozen.number_of_closing_facets();
-    state.initial_edges = state.edges_without_closing(edges(mesh).size());
-    typedef std::remove_reference_t<decltype(visitor)> Visitor;
-    typedef Collapse_visitor<TriangleMesh, Visitor> History;
-    internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, mesh, rules, state);
-    const auto collapse = [&](const auto& cost, const auto& placement) {
-      typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
-      typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
-      typedef std::remove_cv_t<decltype(stop)> Stop;
-      const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Rules> retrying(cost, placement, filter, oracle, rules, state);
-      static_cast<History&>(history).OnStarted(mesh);
-      // Places that cost more than what is due wait for a later run.
-      for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
-        state.allowance = allowance;
-        state.has_deferred = false;
-        SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
-                           CGAL::parameters::vertex_point_map(vpm).edge_is_constrained_map(kept)
-                                            .get_cost(internal::Continued_cost<Cost>{ &cost, &state }).get_placement(retrying)
-                                            .filter(internal::Accepted_filter{ &state }).visitor(history));
-        if(state.has_stopped || !state.has_deferred) break;
+      internal::Collapse_state state;
+      state.closing_facets = frozen.number_of_closing_facets();
+      state.initial_edges = state.edges_without_closing(edges(mesh).size());
+      typedef std::remove_reference_t<decltype(visitor)> Visitor;
+      typedef Collapse_visitor<TriangleMesh, Visitor> History;
+      internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, mesh, rules, state);
+      const auto collapse = [&](const auto& cost, const auto& placement) {
+        typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
+        typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
+        typedef std::remove_cv_t<decltype(stop)> Stop;
+        const internal::Retrying_placement<Cost, Placement, Filter, Oracle, Rules> retrying(cost, placement, filter,
+                                                                                            oracle, rules, state);
+        static_cast<History&>(history).OnStarted(mesh);
+        // Places that cost more than what is due wait for a later run.
+        for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
+          state.allowance = allowance;
+          state.has_deferred = false;
+          SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
+                             CGAL::parameters::vertex_point_map(vpm)
+                               .edge_is_constrained_map(kept)
+                               .get_cost(internal::Continued_cost<Cost>{ &cost, &state })
+                               .get_placement(retrying)
+                               .filter(internal::Accepted_filter{ &state })
+                               .visitor(history));
+          if(state.has_stopped || !state.has_deferred) break;
+        }
+        static_cast<History&>(history).OnFinished(mesh);
+      };
+      constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
+      constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
+      static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+      if constexpr(has_cost) {
+        collapse(get_parameter_reference(np, internal_np::get_cost_policy),
+                 get_parameter_reference(np, internal_np::get_placement_policy));
+      } else {
+        const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
+        collapse(policies.get_cost(), policies.get_placement());
       }
-      static_cast<History&>(history).OnFinished(mesh);
-    };
-    constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
-    constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-    static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
-    if constexpr(has_cost) {
-      collapse(get_parameter_reference(np, internal_np::get_cost_policy), get_parameter_reference(np, internal_np::get_placement_policy));
-    } else {
-      const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
-      collapse(policies.get_cost(), policies.get_placement());
-    }
-    result.selected = history.history().selected;
-    result.collapsed = history.history().collapsed;
-    result.retried = state.retried;
-    result.end = history.end();
-    result.placements = filter.statistics();
-    if constexpr(has_constraints)
-      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(constrained, e) ? 1 : 0;
-    for(auto v : all) result.images.push_back(history.history().image(v));
-    return Status::SUCCESS;
-  }));
+      result.selected = history.history().selected;
+      result.collapsed = history.history().collapsed;
+      result.retried = state.retried;
+      result.end = history.end();
+      result.placements = filter.statistics();
+      if constexpr(has_constraints)
+        for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(constrained, e) ? 1 : 0;
+      for(auto v : all) result.images.push_back(history.history().image(v));
+      return Status::SUCCESS;
+    }));
 }
 
 } // namespace Bspline_shells

@@ -34,15 +34,15 @@ namespace Bspline_shells {
  *
  * \brief a piecewise tricubic \f$C^2\f$ function on cells of different sizes: truncated hierarchical B-splines.
  *
- * At every lattice point of level \f$l\f$ whose function acts on a leaf of level \f$l\f$ there is a coefficient. It is *free*
- * if the function acts on no coarser leaf; these are the unknowns of the field, and their functions are linearly
+ * At every lattice point of level \f$l\f$ whose function acts on a leaf of level \f$l\f$ there is a coefficient. It is
+ * *free* if the function acts on no coarser leaf; these are the unknowns of the field, and their functions are linearly
  * independent. Otherwise it *depends* on the coefficients of the level above, by the two-scale relation, so that the
- * function goes on as the coarser splines have it; the grading of `Cell_hierarchy_3` makes these free. On a leaf, the field
- * is the cubic of the 64 coefficients of its level. (In the language of the literature: the basis is truncated, the mesh
- * admissible of class two.)
+ * function goes on as the coarser splines have it; the grading of `Cell_hierarchy_3` makes these free. On a leaf, the
+ * field is the cubic of the 64 coefficients of its level. (In the language of the literature: the basis is truncated,
+ * the mesh admissible of class two.)
  *
- * The field is its free coefficients, which are `double`s. Copies share the cells. Const member functions may be called from several threads at
- * once.
+ * The field is its free coefficients, which are `double`s. Copies share the cells. Const member functions may be called
+ * from several threads at once.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -62,7 +62,8 @@ public:
   Hierarchical_bspline_field_3() = default;
 
   /// the zero function on the cells
-  explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells) : m_basis(std::make_shared<const Basis>(std::move(cells)))
+  explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells)
+    : m_basis(std::make_shared<const Basis>(std::move(cells)))
   {
     constexpr bool may_have_dependent = true;
     m_coefficients.setZero(Eigen::Index(number_of_coefficients()));
@@ -70,7 +71,8 @@ public:
     m_error_radius.assign(number_of_cells(), internal::conversion_radius(0, may_have_dependent));
   }
 
-  /// another function on the same cells, which both then share as copies do: of the free coefficients `x`, in user units
+  /// another function on the same cells, which both then share as copies do: of the free coefficients `x`, in user
+  /// units
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
@@ -99,13 +101,16 @@ public:
   }
   /// calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box
   template <typename Visitor>
-  bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return cells().visit_cells(box, visit); }
+  bool visit_cells(const Bbox_3& box, const Visitor& visit) const
+  {
+    return cells().visit_cells(box, visit);
+  }
   const Cell_hierarchy_3& cells() const { return m_basis->cells; }
   /// @}
 
   /// \name B-spline Coefficients
-  /// Free coefficients are the unknowns of a fit; they are numbered finest level first. Those at lattice points, free and
-  /// dependent ones, are numbered the same way.
+  /// Free coefficients are the unknowns of a fit; they are numbered finest level first. Those at lattice points, free
+  /// and dependent ones, are numbered the same way.
   /// @{
   std::size_t number_of_coefficients() const { return m_basis->point_of_coefficient.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
@@ -120,8 +125,8 @@ public:
   Cell_index coefficient_of_point(Cell_index n) const { return m_basis->coefficient_of_point[n]; }
   Cell_index point_of_coefficient(Cell_index n) const { return m_basis->point_of_coefficient[n]; }
 
-  /// calls `visit(n, weight)` for the free coefficients that the dependent one at a lattice point of a level is the weighted
-  /// sum of
+  /// calls `visit(n, weight)` for the free coefficients that the dependent one at a lattice point of a level is the
+  /// weighted sum of
   template <typename Visitor>
   void visit_parents(int level, const Lattice_3::Point& p, const Visitor& visit) const
   {
@@ -138,7 +143,10 @@ public:
     Eigen::VectorXd all(size);
     for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
       const Cell_index free = m_basis->coefficient_of_point[point];
-      if(free != npos) { all[point] = x[free]; return; }
+      if(free != npos) {
+        all[point] = x[free];
+        return;
+      }
       double sum = 0;
       visit_parents(l, points(l).point(n), [&](Cell_index parent, double weight) { sum += weight * x[parent]; });
       all[point] = sum;
@@ -154,7 +162,9 @@ public:
       for(Cell_index n = 0; n < points(l).size(); ++n) {
         const Cell_index point = first_point(l) + n, free = m_basis->coefficient_of_point[point];
         if(free != npos) x[free] += all[point];
-        else visit_parents(l, points(l).point(n), [&](Cell_index parent, double weight) { x[parent] += weight * all[point]; });
+        else
+          visit_parents(l, points(l).point(n),
+                        [&](Cell_index parent, double weight) { x[parent] += weight * all[point]; });
       }
     return x;
   }
@@ -167,12 +177,12 @@ public:
     std::array<Cell_index, 16> rows;
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j)
-        rows[4*k + j] = first_point(l) + points(l).index(p[0] - 1, p[1] + j - 1, p[2] + k - 1);
+        rows[4 * k + j] = first_point(l) + points(l).index(p[0] - 1, p[1] + j - 1, p[2] + k - 1);
     return rows;
   }
 
-  /// calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64 that act on a
-  /// leaf
+  /// calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64 that
+  /// act on a leaf
   template <typename Visitor>
   void visit_coefficients(Cell_index c, const Visitor& visit) const
   {
@@ -181,11 +191,14 @@ public:
     for(int n = 0; n < 64; ++n) {
       const Cell_index point = rows[n / 4] + n % 4, free = m_basis->coefficient_of_point[point];
       if(free != npos) visit(n, free, 1.);
-      else visit_parents(l, points(l).point(point - first_point(l)), [&](Cell_index parent, double weight) { visit(n, parent, weight); });
+      else
+        visit_parents(l, points(l).point(point - first_point(l)),
+                      [&](Cell_index parent, double weight) { visit(n, parent, weight); });
     }
   }
 
-  /// the open box on which the function of a free coefficient does not vanish, and what sticks out of the domain; rounded inwards
+  /// the open box on which the function of a free coefficient does not vanish, and what sticks out of the domain;
+  /// rounded inwards
   Bbox_3 support(Cell_index coefficient) const
   {
     const Cell_index point = m_basis->point_of_coefficient[coefficient];
@@ -221,17 +234,20 @@ public:
     const int l = cells().level(c);
     for(int n = 0; n < 64; ++n) {
       const Cell_index point = rows[n / 4] + n % 4, free = m_basis->coefficient_of_point[point];
-      if(free != npos) { b[n] = NT(m_coefficients[free]); continue; }
+      if(free != npos) {
+        b[n] = NT(m_coefficients[free]);
+        continue;
+      }
       b[n] = NT(0);
-      visit_parents(l, points(l).point(point - first_point(l)), [&](Cell_index parent, double weight) {
-        b[n] += NT(weight) * NT(m_coefficients[parent]);
-      });
+      visit_parents(l, points(l).point(point - first_point(l)),
+                    [&](Cell_index parent, double weight) { b[n] += NT(weight) * NT(m_coefficients[parent]); });
     }
     internal::to_bernstein(b.data());
     return b;
   }
 
-  /// replaces all free coefficients, in user units. \pre `x.size() == number_of_coefficients()`
+  /// replaces all free coefficients, in user units.
+  /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
@@ -246,7 +262,7 @@ public:
           largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
         });
     });
-    double* bernstein = new double[64 * number_of_cells()];     // as it is: several threads write to it, first and once
+    double* bernstein = new double[64 * number_of_cells()]; // as it is: several threads write to it, first and once
     m_bernstein.reset(bernstein);
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
@@ -272,8 +288,9 @@ private:
     const std::array<double, 3>& origin = cells().lattice().origin();
     const double width = cells().level_width(level);
     constexpr double half = 2 - 1e-6;
-    return Bbox_3(origin[0] + (p[0] - half) * width, origin[1] + (p[1] - half) * width, origin[2] + (p[2] - half) * width,
-                  origin[0] + (p[0] + half) * width, origin[1] + (p[1] + half) * width, origin[2] + (p[2] + half) * width);
+    return Bbox_3(origin[0] + (p[0] - half) * width, origin[1] + (p[1] - half) * width,
+                  origin[2] + (p[2] - half) * width, origin[0] + (p[0] + half) * width,
+                  origin[1] + (p[1] + half) * width, origin[2] + (p[2] + half) * width);
   }
 
   // cells and functions; the same for all fields on them
@@ -337,13 +354,14 @@ private:
     }
     // thresholds are constant in most cells
     if(!std::all_of(b + 1, b + 64, [b](double x) { return x == b[0]; })) internal::to_bernstein(b);
-    for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]);      // sums may overflow
-    m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free) : std::numeric_limits<double>::infinity();
+    for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]); // sums may overflow
+    m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free)
+                               : std::numeric_limits<double>::infinity();
   }
 
   std::shared_ptr<const Basis> m_basis = std::make_shared<const Basis>();
-  Eigen::VectorXd m_coefficients;       // free ones
-  std::shared_ptr<const double[]> m_bernstein;      // 64 of each leaf; copies share them
+  Eigen::VectorXd m_coefficients;              // free ones
+  std::shared_ptr<const double[]> m_bernstein; // 64 of each leaf; copies share them
   std::vector<double> m_error_radius;
 };
 

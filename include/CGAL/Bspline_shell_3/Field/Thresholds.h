@@ -34,17 +34,26 @@ public:
   static constexpr bool is_constant = true;
 
   explicit Constant_threshold(double level = 0) : m_level(level) {}
-  double level() const { return m_level; }      ///< in units of the field
+  double level() const { return m_level; } ///< in units of the field
   bool operator==(const Constant_threshold& other) const { return m_level == other.m_level; }
 
   /// whether the threshold is tricubic on the leaf cells of a field: always
   template <typename Field>
-  bool has_cells_of(const Field&) const { return true; }
+  bool has_cells_of(const Field&) const
+  {
+    return true;
+  }
 
   template <typename Point_3>
-  double value(const Point_3&) const { return m_level; }
+  double value(const Point_3&) const
+  {
+    return m_level;
+  }
   template <typename Point_3>
-  double value(const Point_3&, std::uint32_t /* cell */) const { return m_level; }
+  double value(const Point_3&, std::uint32_t /* cell */) const
+  {
+    return m_level;
+  }
 
   /// encloses it on a leaf cell
   Level_range range(std::uint32_t /* cell */) const { return { m_level, m_level }; }
@@ -76,7 +85,7 @@ class Spline_threshold
 public:
   static constexpr bool is_constant = false;
 
-  Spline_threshold() = default;       ///< none
+  Spline_threshold() = default; ///< none
   /// \pre `field` has the cells, under the same numbers, of the field that it is a threshold of: `has_cells_of()`
   explicit Spline_threshold(Field field) : m_data(std::make_shared<const Data>(std::move(field))) {}
 

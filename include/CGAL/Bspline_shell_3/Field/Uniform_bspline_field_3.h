@@ -39,8 +39,7 @@ namespace Bspline_shells {
  * \tparam GeomTraits a kernel with `FT` = `double`
  */
 template <typename GeomTraits = Exact_predicates_inexact_constructions_kernel>
-class Uniform_bspline_field_3
-  : public internal::Field_evaluation<Uniform_bspline_field_3<GeomTraits>, GeomTraits>
+class Uniform_bspline_field_3 : public internal::Field_evaluation<Uniform_bspline_field_3<GeomTraits>, GeomTraits>
 {
   typedef internal::Field_evaluation<Uniform_bspline_field_3, GeomTraits> Base;
 public:
@@ -84,7 +83,10 @@ public:
   }
   /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
   template <typename Visitor>
-  bool visit_cells(const Bbox_3& box, const Visitor& visit) const { return m_cells.visit_cells(box, visit); }
+  bool visit_cells(const Bbox_3& box, const Visitor& visit) const
+  {
+    return m_cells.visit_cells(box, visit);
+  }
   const Cell_complex_3& cells() const { return m_cells; }
   /// @}
 
@@ -97,7 +99,8 @@ public:
   const Lattice_set_3& functions() const { return m_functions; }
 
   /// \name As a Hierarchy
-  /// of one level, as a fit sees it: every lattice point has a coefficient of its own (see `Hierarchical_bspline_field_3`)
+  /// of one level, as a fit sees it: every lattice point has a coefficient of its own (see
+  /// `Hierarchical_bspline_field_3`)
   /// @{
   int number_of_levels() const { return 1; }
   std::size_t number_of_points() const { return m_functions.size(); }
@@ -115,8 +118,7 @@ public:
     const Lattice_3::Point& p = m_cells.lattice_point(c);
     std::array<Cell_index, 16> rows;
     for(int k = 0; k < 4; ++k)
-      for(int j = 0; j < 4; ++j)
-        rows[4*k + j] = m_functions.index(p[0] - 1, p[1] + j - 1, p[2] + k - 1);
+      for(int j = 0; j < 4; ++j) rows[4 * k + j] = m_functions.index(p[0] - 1, p[1] + j - 1, p[2] + k - 1);
     return rows;
   }
 
@@ -126,7 +128,7 @@ public:
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
     std::array<double, 64> local;
     for(int r = 0; r < 16; ++r)
-      for(int i = 0; i < 4; ++i) local[4*r + i] = m_coefficients[rows[r] + i];
+      for(int i = 0; i < 4; ++i) local[4 * r + i] = m_coefficients[rows[r] + i];
     return local;
   }
 
@@ -141,7 +143,8 @@ public:
     return b;
   }
 
-  /// replaces all coefficients, in user units. \pre `x.size() == number_of_coefficients()`
+  /// replaces all coefficients, in user units.
+  /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
@@ -166,7 +169,7 @@ private:
     }
     const std::array<double, 64> b = bernstein_coefficients<double>(c);
     std::copy(b.begin(), b.end(), m_bernstein.begin() + 64 * std::size_t(c));
-    for(double x : b) finite = finite && std::isfinite(x);      // sums may overflow
+    for(double x : b) finite = finite && std::isfinite(x); // sums may overflow
     m_error_radius[c] = finite ? internal::conversion_radius(largest, false) : std::numeric_limits<double>::infinity();
   }
 

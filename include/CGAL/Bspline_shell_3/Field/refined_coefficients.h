@@ -16,8 +16,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// the coefficient at a point of a level of the uniform spline that a field is on any of its leaves of that level or a coarser one on which the
-// function of the point acts
+// the coefficient at a point of a level of the uniform spline that a field is on any of its leaves of that level or a
+// coarser one on which the function of the point acts
 template <typename Field>
 double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level, const Lattice_point& p)
 {
@@ -26,7 +26,8 @@ double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level,
     if(n != Field::npos) return all[field.first_point(level) + n];
   }
   double sum = 0;
-  visit_parent_points(p, [&](const Lattice_point& q, double weight) { sum += weight * coefficient_at(field, all, level - 1, q); });
+  visit_parent_points(
+    p, [&](const Lattice_point& q, double weight) { sum += weight * coefficient_at(field, all, level - 1, q); });
   return sum;
 }
 
@@ -35,8 +36,8 @@ double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level,
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief the free coefficients, on finer cells, of the same function. On leaves that both fields have, and whose coefficients depend on the same free
- * ones in both, the function is the same `double`s.
+ * \brief the free coefficients, on finer cells, of the same function. On leaves that both fields have, and whose
+ * coefficients depend on the same free ones in both, the function is the same `double`s.
  *
  * Linear in the size of the fields.
  *

@@ -51,8 +51,8 @@ public:
 
   FT operator()(const Point_3& p) const { return m_at(p); }
 
-  /// the distances of points of which successive ones are near each other. That of a mesh is found faster, then: the closest facet of one
-  /// point is where the search for the next one starts.
+  /// the distances of points of which successive ones are near each other. That of a mesh is found faster, then: the
+  /// closest facet of one point is where the search for the next one starts.
   /// \param[out] distances one for each point
   void operator()(const std::vector<Point_3>& points, double* distances) const { m_along(points, distances); }
 

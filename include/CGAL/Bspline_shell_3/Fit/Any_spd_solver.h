@@ -25,8 +25,8 @@ namespace Bspline_shells {
  *
  * Solutions are checked: if a solver returns `SUCCESS`, but its solution has another size than the right-hand side or a
  * relative residual \f$|b - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. Zeros have a
- * residual of 1. With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance is
- * larger. A check costs about as much as one iteration of conjugate gradients.
+ * residual of 1. With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance
+ * is larger. A check costs about as much as one iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`
  */
@@ -45,7 +45,7 @@ public:
   Any_spd_solver(Solver& solver, bool is_checked = true)
     : Any_spd_solver(solver, is_checked, std::make_shared<const Matrix*>(nullptr))
   {}
-  Any_spd_solver(Any_spd_solver&) = default;        // not the template
+  Any_spd_solver(Any_spd_solver&) = default; // not the template
   Any_spd_solver(const Any_spd_solver&) = default;
 
   /// \name Operations

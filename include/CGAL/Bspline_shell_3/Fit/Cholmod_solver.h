@@ -35,7 +35,7 @@ public:
 
   Cholmod_solver()
   {
-    m_solver.cholmod().print = 0;      // its messages would go to the standard output
+    m_solver.cholmod().print = 0; // its messages would go to the standard output
   }
 
   /// a copy has no matrix
@@ -65,8 +65,8 @@ public:
     return Solver_status::SUCCESS;
   }
 
-  std::size_t iterations() const { return 1; }               ///< one solve
-  double residual() const { return m_residual; }             ///< of the last `solve()`, relative
+  std::size_t iterations() const { return 1; }   ///< one solve
+  double residual() const { return m_residual; } ///< of the last `solve()`, relative
 
 private:
   Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> m_solver;

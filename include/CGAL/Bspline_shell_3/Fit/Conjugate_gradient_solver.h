@@ -27,9 +27,9 @@ namespace Bspline_shells {
  *
  * \brief conjugate gradients (Eigen) with an additive Schwarz preconditioner; the default solver.
  *
- * The preconditioner solves on overlapping blocks of neighboring functions, and reaches in tens of iterations what takes
- * thousands with the diagonal. With the default tolerance the extrema of the field on the mesh agree with those of a
- * direct solve to about 1 % of the shell's thickness. The result does not depend on the number of threads.
+ * The preconditioner solves on overlapping blocks of neighboring functions, and reaches in tens of iterations what
+ * takes thousands with the diagonal. With the default tolerance the extrema of the field on the mesh agree with those
+ * of a direct solve to about 1 % of the shell's thickness. The result does not depend on the number of threads.
  *
  * \cgalModels `SPDSolver`
  *
@@ -77,14 +77,16 @@ public:
     return m_solver.info() == Eigen::Success ? Solver_status::SUCCESS : Solver_status::NOT_CONVERGED;
   }
 
-  std::size_t iterations() const { return m_iterations; }   ///< of the last `solve()`
-  double residual() const { return m_residual; }                            ///< of the last `solve()`, relative
+  std::size_t iterations() const { return m_iterations; } ///< of the last `solve()`
+  double residual() const { return m_residual; }          ///< of the last `solve()`, relative
 
 private:
   typedef internal::Symmetric_matrix<ConcurrencyTag> Symmetric_matrix;
 
   std::optional<Symmetric_matrix> m_matrix;
-  Eigen::ConjugateGradient<Symmetric_matrix, Eigen::Lower | Eigen::Upper, internal::Schwarz_preconditioner<ConcurrencyTag> > m_solver;
+  Eigen::ConjugateGradient<Symmetric_matrix, Eigen::Lower | Eigen::Upper,
+                           internal::Schwarz_preconditioner<ConcurrencyTag> >
+    m_solver;
   std::size_t m_iterations = 0;
   double m_residual = 0;
 };

@@ -37,15 +37,16 @@ namespace Bspline_shells {
  *
  * \brief the paper's energy of a field, as a function of its coefficients.
  *
- * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all sizes
- * count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$ cells
- * per unit, the energy divided by the squared width is
+ * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all
+ * sizes count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$
+ * cells per unit, the energy divided by the squared width is
  * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2
- *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det H_F|
- *     + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
+ *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det
+ *     H_F| + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
  * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
- * \f$D_c\f$ is the linear function next to the samples in the cell of \f$p\f$, and \f$a_i\f$ the middle of the support of \f$B_i\f$.
- * Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of cells.
+ * \f$D_c\f$ is the linear function next to the samples in the cell of \f$p\f$, and \f$a_i\f$ the middle of the support
+ *   of \f$B_i\f$. Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of
+ *   cells.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  */
@@ -68,12 +69,11 @@ public:
   /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
   /// \param gamma number of cells per unit of length of the paper
   /// \param weights of the terms
-  /// \pre field, samples and clipped mesh outlive this object; the field has all cells that the clipped mesh has pieces in,
-  /// and at most `max_number_of_unknowns` coefficients
-  Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped,
-             double gamma, const Energy_weights& weights)
-    : m_field(field), m_samples(samples), m_clipped(clipped)
-    , m_weights(weights), m_gamma(gamma), m_colors(field)
+  /// \pre field, samples and clipped mesh outlive this object; the field has all cells that the clipped mesh has pieces
+  ///   in, and at most `max_number_of_unknowns` coefficients
+  Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped, double gamma,
+             const Energy_weights& weights)
+    : m_field(field), m_samples(samples), m_clipped(clipped), m_weights(weights), m_gamma(gamma), m_colors(field)
   {
     for(int s = 0; s < Distance_samples::per_cell; ++s)
       for(int a = 0; a < 3; ++a) {
@@ -114,7 +114,10 @@ public:
       const std::array<double, 64> local = gather(points, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
         const double f = sample_value(local, s) / scale(c);
-        if(f >= eps1 && f <= eps2) { m_hessian_domain[c] = 1; break; }
+        if(f >= eps1 && f <= eps2) {
+          m_hessian_domain[c] = 1;
+          break;
+        }
       }
     }
   }
@@ -125,7 +128,7 @@ public:
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
     const Vector points = m_field.extend(x);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-      if(m_first_piece[c] == m_first_piece[c+1]) continue;
+      if(m_first_piece[c] == m_first_piece[c + 1]) continue;
       const std::array<double, 64> local = gather(points, c);
       for_each_surface_point(c, [&](const std::array<double, 3>& t, double, std::uint32_t) {
         const double f = internal::contract(local.data(), Cubic_bspline<>::values(t[0]), Cubic_bspline<>::values(t[1]),
@@ -137,8 +140,8 @@ public:
     return range;
   }
 
-  /// A field near the signed distance: each coefficient is the mean of what the leaves of its level around it extend to the middle of its function.
-  /// On cells of one size, these minimize the term `COEFFICIENTS`.
+  /// A field near the signed distance: each coefficient is the mean of what the leaves of its level around it extend to
+  /// the middle of its function. On cells of one size, these minimize the term `COEFFICIENTS`.
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
@@ -178,8 +181,8 @@ public:
   double value(const Vector& x) const
   {
     double sum = 0;
-    for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
-                             Energy_term::NORMAL, Energy_term::COEFFICIENTS })
+    for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE,
+                             Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL, Energy_term::COEFFICIENTS })
       if(weight(term) > 0) sum += value<ConcurrencyTag>(term, x);
     return sum;
   }
@@ -192,7 +195,9 @@ public:
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
       Local_vector local = Local_vector::Zero();
       visit_residuals(term, points, c, [&](double residual, double w, const auto& row) {
-        const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0 ? 1. : residual < 0 ? -1. : 0.)
+        const double slope = term == Energy_term::SINGULAR_HESSIAN ? (residual > 0   ? 1.
+                                                                      : residual < 0 ? -1.
+                                                                                     : 0.)
                                                                    : 2 * residual;
         local += weight(term) * w * slope * row();
       });
@@ -218,8 +223,8 @@ public:
     });
   }
 
-  /// The same for some unknowns, while the others keep the values that they have in `x`: entries of \f$A\f$ and \f$b\f$ for others are zero. Costs what
-  /// the cells cost that these act on.
+  /// The same for some unknowns, while the others keep the values that they have in `x`: entries of \f$A\f$ and \f$b\f$
+  /// for others are zero. Costs what the cells cost that these act on.
   template <typename ConcurrencyTag>
   void assemble(const Fitted_part& part, const Vector& x, Matrix& A, Vector& b) const
   {
@@ -256,7 +261,8 @@ public:
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
         Local_vector row;
         const double det = hessian_determinant(local, s, &row);
-        const double w = weight(Energy_term::SINGULAR_HESSIAN) / Distance_samples::per_cell / (std::max)(std::abs(det), eta);
+        const double w = weight(Energy_term::SINGULAR_HESSIAN) / Distance_samples::per_cell
+                         / (std::max)(std::abs(det), eta);
         // det(x + d) ~ det + row . d = row . (x + d) - 2 det, as the determinant is cubic
         rows.col(s) = std::sqrt(w) * row;
         rhs += w * 2 * det * row;
@@ -297,24 +303,26 @@ private:
   {
     m_first_piece.assign(m_field.number_of_cells() + 1, 0);
     for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) ++m_first_piece[piece.cell + 1];
-    for(std::size_t c = 0; c + 1 < m_first_piece.size(); ++c) m_first_piece[c+1] += m_first_piece[c];
+    for(std::size_t c = 0; c + 1 < m_first_piece.size(); ++c) m_first_piece[c + 1] += m_first_piece[c];
   }
 
-  // calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a cell
+  // calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a
+  // cell
   template <typename Function>
   void for_each_surface_point(Cell_index c, const Function& f) const
   {
     const double width = m_field.cells().width(c);
     const std::array<double, 3> corner = m_field.cells().corner(c);
     std::vector<std::array<double, 3> > polygon;
-    for(std::size_t n = m_first_piece[c]; n < m_first_piece[c+1]; ++n) {
+    for(std::size_t n = m_first_piece[c]; n < m_first_piece[c + 1]; ++n) {
       const Clipped_mesh_3::Piece& piece = m_clipped.pieces()[n];
       polygon.clear();
       for(std::size_t v = piece.first; v < piece.first + piece.size; ++v) {
         const Clipped_mesh_3::Point& p = m_clipped.point(v);
         polygon.push_back({ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width });
       }
-      internal::for_each_quadrature_point(polygon, [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
+      internal::for_each_quadrature_point(polygon,
+                                          [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
     }
   }
 
@@ -324,13 +332,14 @@ private:
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j) {
         const double yz = y[j] * z[k];
-        for(int i = 0; i < 4; ++i) v[16*k + 4*j + i] = yz * x[i];
+        for(int i = 0; i < 4; ++i) v[16 * k + 4 * j + i] = yz * x[i];
       }
     return v;
   }
 
   // the derivatives of all 64 functions along a direction
-  static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis, const std::array<double, 3>& direction)
+  static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis,
+                                      const std::array<double, 3>& direction)
   {
     const auto& b = basis[0];
     const auto& d = basis[1];
@@ -339,7 +348,7 @@ private:
       for(int j = 0; j < 4; ++j) {
         const double with_dx = direction[0] * b[1][j] * b[2][k];
         const double with_b = direction[1] * d[1][j] * b[2][k] + direction[2] * b[1][j] * d[2][k];
-        for(int i = 0; i < 4; ++i) row[16*k + 4*j + i] = with_dx * d[0][i] + with_b * b[0][i];
+        for(int i = 0; i < 4; ++i) row[16 * k + 4 * j + i] = with_dx * d[0][i] + with_b * b[0][i];
       }
     return row;
   }
@@ -363,7 +372,7 @@ private:
     const double s = scale(c);
     std::array<double, 64> local;
     for(int r = 0; r < 16; ++r)
-      for(int i = 0; i < 4; ++i) local[4*r + i] = s * points[rows[r] + i];
+      for(int i = 0; i < 4; ++i) local[4 * r + i] = s * points[rows[r] + i];
     return local;
   }
 
@@ -373,7 +382,7 @@ private:
     const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
     const double s = scale(c);
     for(int r = 0; r < 16; ++r)
-      for(int i = 0; i < 4; ++i) points[rows[r] + i] += s * local[4*r + i];
+      for(int i = 0; i < 4; ++i) points[rows[r] + i] += s * local[4 * r + i];
   }
 
   double surface_factor(Cell_index c) const { return m_surface_factors.empty() ? 1 : double(m_surface_factors[c]); }
@@ -391,14 +400,15 @@ private:
     const internal::Basis_jet<double, 3>& basis = m_sample_basis[s];
     const std::array<double, 6> h = internal::second_order_jet<double>(local.data(), basis).hessian;
     const double xx = h[0], yy = h[1], zz = h[2], xy = h[3], xz = h[4], yz = h[5];
-    const double cxx = yy*zz - yz*yz, cyy = xx*zz - xz*xz, czz = xx*yy - xy*xy;
-    const double cxy = xz*yz - xy*zz, cxz = xy*yz - xz*yy, cyz = xy*xz - xx*yz;
+    const double cxx = yy * zz - yz * yz, cyy = xx * zz - xz * xz, czz = xx * yy - xy * xy;
+    const double cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy, cyz = xy * xz - xx * yz;
     if(row != nullptr)
       *row = cxx * outer(basis[2][0], basis[0][1], basis[0][2]) + cyy * outer(basis[0][0], basis[2][1], basis[0][2])
-           + czz * outer(basis[0][0], basis[0][1], basis[2][2])
-           + 2*cxy * outer(basis[1][0], basis[1][1], basis[0][2]) + 2*cxz * outer(basis[1][0], basis[0][1], basis[1][2])
-           + 2*cyz * outer(basis[0][0], basis[1][1], basis[1][2]);
-    return xx*cxx + xy*cxy + xz*cxz;
+             + czz * outer(basis[0][0], basis[0][1], basis[2][2])
+             + 2 * cxy * outer(basis[1][0], basis[1][1], basis[0][2])
+             + 2 * cxz * outer(basis[1][0], basis[0][1], basis[1][2])
+             + 2 * cyz * outer(basis[0][0], basis[1][1], basis[1][2]);
+    return xx * cxx + xy * cxy + xz * cxz;
   }
 
   // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the residual's derivative by the
@@ -418,13 +428,14 @@ private:
       case Energy_term::COEFFICIENTS: {
         const std::array<double, 64> local = gather(points, c);
         const Local_vector extended = extended_samples(c);
-        for(int n = 0; n < 64; ++n) visit(local[n] - extended[n], m_share[n], [&]() { return Local_vector(Local_vector::Unit(n)); });
+        for(int n = 0; n < 64; ++n)
+          visit(local[n] - extended[n], m_share[n], [&]() { return Local_vector(Local_vector::Unit(n)); });
         return;
       }
       case Energy_term::SURFACE:
       case Energy_term::ANGLE:
       case Energy_term::NORMAL: {
-        if(m_first_piece[c] == m_first_piece[c+1]) return;
+        if(m_first_piece[c] == m_first_piece[c + 1]) return;
         const std::array<double, 64> local = gather(points, c);
         for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
           internal::Basis_jet<double, 2> basis;
@@ -464,8 +475,8 @@ private:
     }
   }
 
-  // The signed distance at the middles of the supports of the 64 functions, in cell units: that of the linear function next to the samples, which
-  // are at the corners of a cube with sides of one half.
+  // The signed distance at the middles of the supports of the 64 functions, in cell units: that of the linear function
+  // next to the samples, which are at the corners of a cube with sides of one half.
   Local_vector extended_samples(Cell_index c) const
   {
     constexpr int n = Distance_samples::per_cell;
@@ -479,7 +490,8 @@ private:
     Local_vector extended;
     for(int k = 0; k < 4; ++k)
       for(int j = 0; j < 4; ++j)
-        for(int i = 0; i < 4; ++i) extended[16*k + 4*j + i] = mean + slope[0] * (i - 1.5) + slope[1] * (j - 1.5) + slope[2] * (k - 1.5);
+        for(int i = 0; i < 4; ++i)
+          extended[16 * k + 4 * j + i] = mean + slope[0] * (i - 1.5) + slope[1] * (j - 1.5) + slope[2] * (k - 1.5);
     return extended;
   }
 
@@ -498,13 +510,13 @@ private:
   void sample_right_hand_side(Cell_index c, Local_vector& rhs) const
   {
     rhs.setZero();
-    for(int s = 0; s < Distance_samples::per_cell; ++s)
-      rhs += sample(c, s) * sample_row(s);
+    for(int s = 0; s < Distance_samples::per_cell; ++s) rhs += sample(c, s) * sample_row(s);
     const double w = weight(Energy_term::COEFFICIENTS);
     if(w > 0) rhs += w * m_share.cwiseProduct(extended_samples(c));
   }
 
-  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
+  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u .
+  // grad)^2 + mu (v . grad)^2
   void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
   {
     constexpr int batch = 24;
@@ -553,10 +565,10 @@ private:
   double m_gamma;
   internal::Cell_colors<Field> m_colors;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
-  Local_vector m_share;                       // of the 64 functions in the samples of a cell
-  std::vector<std::size_t> m_first_piece;     // of each cell, and the end
-  std::vector<char> m_hessian_domain;         // by cell, or empty
-  std::vector<float> m_surface_factors;       // by cell, or empty
+  Local_vector m_share;                   // of the 64 functions in the samples of a cell
+  std::vector<std::size_t> m_first_piece; // of each cell, and the end
+  std::vector<char> m_hessian_domain;     // by cell, or empty
+  std::vector<float> m_surface_factors;   // by cell, or empty
 };
 
 } // namespace Bspline_shells

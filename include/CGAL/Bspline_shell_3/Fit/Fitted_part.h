@@ -22,10 +22,10 @@ namespace Bspline_shells {
  */
 struct Fitted_part
 {
-  std::vector<char> coefficients;         ///< by free coefficient: whether it is one of them
-  std::vector<char> points;               ///< by point: whether its coefficient is one of them, or depends on one
-  std::vector<char> cells;                ///< by cell: whether one of them acts on it
-  std::size_t number_of_cells = 0;        ///< on which one of them acts
+  std::vector<char> coefficients;  ///< by free coefficient: whether it is one of them
+  std::vector<char> points;        ///< by point: whether its coefficient is one of them, or depends on one
+  std::vector<char> cells;         ///< by cell: whether one of them acts on it
+  std::size_t number_of_cells = 0; ///< on which one of them acts
 
   Fitted_part() = default;
 
@@ -35,7 +35,8 @@ struct Fitted_part
   /// \param chosen the cells
   template <typename Field>
   Fitted_part(const Field& field, const std::vector<std::uint32_t>& chosen)
-    : coefficients(field.number_of_coefficients(), 0), points(field.number_of_points(), 0), cells(field.number_of_cells(), 0)
+    : coefficients(field.number_of_coefficients(), 0), points(field.number_of_points(), 0),
+      cells(field.number_of_cells(), 0)
   {
     typedef typename Field::Cell_index Index;
     for(Index c : chosen)
@@ -51,11 +52,14 @@ struct Fitted_part
       for(Index n = 0; n < field.points(l).size(); ++n) {
         const Index point = field.first_point(l) + n, u = field.coefficient_of_point(point);
         points[point] = u != Field::npos ? coefficients[u] : 0;
-        if(u == Field::npos) field.visit_parents(l, field.points(l).point(n), [&](Index parent, double) { points[point] |= coefficients[parent]; });
+        if(u == Field::npos)
+          field.visit_parents(l, field.points(l).point(n),
+                              [&](Index parent, double) { points[point] |= coefficients[parent]; });
       }
     for(Index c = 0; c < field.number_of_cells(); ++c) {
       const std::array<Index, 16> rows = field.coefficient_rows(c);
-      cells[c] = std::any_of(rows.begin(), rows.end(), [&](Index r) { return points[r] || points[r+1] || points[r+2] || points[r+3]; });
+      cells[c] = std::any_of(rows.begin(), rows.end(),
+                             [&](Index r) { return points[r] || points[r + 1] || points[r + 2] || points[r + 3]; });
       number_of_cells += std::size_t(cells[c]);
     }
   }

@@ -38,17 +38,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the condition that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that it is
- * near zero there.
+ * \brief the condition that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that
+ * it is near zero there.
  */
 struct Slope_condition
 {
-  std::uint32_t cell;                   ///< leaf cell of the field
-  std::uint32_t facet;                  ///< whose normal the direction is, for reports
-  std::array<double, 3> position;       ///< in the cell, in [0, 1]^3
-  std::array<double, 3> direction;      ///< unit vector
-  double least;                         ///< \f$\delta\f$, per user unit
-  double largest = std::numeric_limits<double>::infinity();   ///< that \f$|f|\f$ may be there, in units of the width of root cells
+  std::uint32_t cell;              ///< leaf cell of the field
+  std::uint32_t facet;             ///< whose normal the direction is, for reports
+  std::array<double, 3> position;  ///< in the cell, in [0, 1]^3
+  std::array<double, 3> direction; ///< unit vector
+  double least;                    ///< \f$\delta\f$, per user unit
+  /// that \f$|f|\f$ may be there, in units of the width of root cells
+  double largest = std::numeric_limits<double>::infinity();
 };
 
 /*!
@@ -58,27 +59,30 @@ struct Slope_condition
  */
 struct Slope_report
 {
-  std::size_t violated_before = 0;            ///< cells with a violated condition
-  std::size_t patches = 0;                    ///< systems that were solved
-  bool enforced = true;                       ///< `false` if there were too many
-  std::vector<std::uint32_t> violated_cells;  ///< at the end: cells with a condition that no small change of the field meets
+  std::size_t violated_before = 0; ///< cells with a violated condition
+  std::size_t patches = 0;         ///< systems that were solved
+  bool enforced = true;            ///< `false` if there were too many
+  /// at the end: cells with a condition that no small change of the field meets
+  std::vector<std::uint32_t> violated_cells;
   std::vector<std::uint32_t> violated_facets; ///< of the worst condition in each of them
-  std::vector<std::uint32_t> changed_cells;   ///< where the field is another one, among those with conditions; ascending
+  /// where the field is another one, among those with conditions; ascending
+  std::vector<std::uint32_t> changed_cells;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief changes the minimizer of a quadratic energy, where conditions on its slope or its size are violated, to the best
- * one that meets them.
+ * \brief changes the minimizer of a quadratic energy, where conditions on its slope or its size are violated, to the
+ * best one that meets them.
  *
- * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and its
- * neighbors are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is minimized over
- * them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound
- * makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing
- * diverges. The program starts with the violated conditions; those that its solution violates are added until there is none.
- * Patches are solved one after the other, worst first, in a few sweeps, and at once where their functions are apart; as most wait for another one, each
- * is solved by several threads. A cell whose patch did not help is not tried again, unless conditions are added.
+ * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and
+ * its neighbors are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is
+ * minimized over them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for
+ * each condition. The bound makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$
+ * and stay violated, and nothing diverges. The program starts with the violated conditions; those that its solution
+ * violates are added until there is none. Patches are solved one after the other, worst first, in a few sweeps, and at
+ * once where their functions are apart; as most wait for another one, each is solved by several threads. A cell whose
+ * patch did not help is not tried again, unless conditions are added.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -92,7 +96,8 @@ class Slope_enforcement
 
 public:
   /// \param field gives cells and functions; its coefficients are not looked at
-  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty keep their values
+  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty keep
+  ///   their values
   /// \param b right-hand side
   /// \pre all of them outlive this object; functions with an entry in common have supports that meet
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
@@ -107,7 +112,8 @@ public:
   void insert(std::vector<Slope_condition> conditions)
   {
     const auto by_cell = [](const Slope_condition& a, const Slope_condition& b) { return a.cell < b.cell; };
-    if(!std::is_sorted(conditions.begin(), conditions.end(), by_cell)) std::stable_sort(conditions.begin(), conditions.end(), by_cell);
+    if(!std::is_sorted(conditions.begin(), conditions.end(), by_cell))
+      std::stable_sort(conditions.begin(), conditions.end(), by_cell);
     for(const Slope_condition& c : conditions) {
       m_hopeless[c.cell] = 0;
       m_is_known[c.cell] = 0;
@@ -122,30 +128,31 @@ public:
     m_points.resize(0);
     m_first.assign(m_field.number_of_cells() + 1, 0);
     for(const Slope_condition& c : m_conditions) ++m_first[c.cell + 1];
-    for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c+1] += m_first[c];
+    for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c + 1] += m_first[c];
   }
 
-  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); those that the last call left, if there
-  /// was one
-  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are they if
-  /// a sweep leaves most of many.
+  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); those that the last call left,
+  ///   if there was one
+  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are
+  ///   they if a sweep leaves most of many.
   template <typename ConcurrencyTag = Sequential_tag>
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
     Slope_report report;
     if(m_points.size() == 0) m_points = m_field.template extend<ConcurrencyTag>(x);
     m_changed.assign(m_field.number_of_cells(), 0);
-    std::size_t violated_before = 0;        // the sweep
+    std::size_t violated_before = 0; // the sweep
     for(int sweep = 0; sweep < max_sweeps; ++sweep) {
       find_slacks<ConcurrencyTag>();
-      std::vector<std::pair<double, Index> > violated;      // worst first
+      std::vector<std::pair<double, Index> > violated; // worst first
       for(Index c = 0; c < m_field.number_of_cells(); ++c) {
         if(m_least_slack[c] < 0) violated.emplace_back(m_least_slack[c], c);
       }
       if(sweep == 0) report.violated_before = violated.size();
       if(violated.empty()) break;
-      const bool too_many = sweep == 0 ? violated.size() > most_violated
-                                       : violated.size() > few && double(violated.size()) > progress * double(violated_before);
+      const bool too_many = sweep == 0
+                              ? violated.size() > most_violated
+                              : violated.size() > few && double(violated.size()) > progress * double(violated_before);
       violated_before = violated.size();
       if(too_many) {
         report.enforced = false;
@@ -167,21 +174,21 @@ public:
 
 private:
   static constexpr int max_sweeps = 3;
-  static constexpr std::size_t few = 64;                // violated cells that are left, whatever the progress of a sweep
-  static constexpr double progress = 0.7;               // largest share of violations that a sweep may leave
-  static constexpr std::size_t max_unknowns = 500;      // in a patch
+  static constexpr std::size_t few = 64;           // violated cells that are left, whatever the progress of a sweep
+  static constexpr double progress = 0.7;          // largest share of violations that a sweep may leave
+  static constexpr std::size_t max_unknowns = 500; // in a patch
   static constexpr int max_exchanges = 8;
   static constexpr std::size_t max_rows = 160, max_new_rows = 32;
-  static constexpr double helps = 0.5;                  // largest share of a violation that a useful patch leaves
-  static constexpr double largest_multiplier = 1e2;     // the weights make one near ten
-  static constexpr double excess = 0.05;                // part by which a solution is to exceed what is wanted, as it is not exact
+  static constexpr double helps = 0.5;              // largest share of a violation that a useful patch leaves
+  static constexpr double largest_multiplier = 1e2; // the weights make one near ten
+  static constexpr double excess = 0.05; // part by which a solution is to exceed what is wanted, as it is not exact
   static constexpr int max_dual_sweeps = 100;
-  static constexpr double dual_tolerance = 1e-4;        // of slopes
-  static constexpr std::size_t cells_at_once = 8, columns_at_once = 16;         // for a thread
+  static constexpr double dual_tolerance = 1e-4;                        // of slopes
+  static constexpr std::size_t cells_at_once = 8, columns_at_once = 16; // for a thread
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
 
-  bool has_equation(Index u) const { return m_A.outerIndexPtr()[u] != m_A.outerIndexPtr()[u+1]; }
+  bool has_equation(Index u) const { return m_A.outerIndexPtr()[u] != m_A.outerIndexPtr()[u + 1]; }
 
   // A condition bounds three numbers from below: the slope, the value, and minus the value.
   static constexpr int numbers = 3;
@@ -204,7 +211,8 @@ private:
         const double with_slope = s * d[0] * value[1][j] * value[2][k];
         const double with_value = s * (d[1] * slope[1][j] * value[2][k] + d[2] * value[1][j] * slope[2][k]);
         for(int i = 0; i < 4; ++i)
-          row[16*k + 4*j + i] = number == 0 ? with_slope * slope[0][i] + with_value * value[0][i] : of_value * value[0][i];
+          row[16 * k + 4 * j + i] = number == 0 ? with_slope * slope[0][i] + with_value * value[0][i]
+                                                : of_value * value[0][i];
       }
     return row;
   }
@@ -222,8 +230,8 @@ private:
     return { scale(condition.cell) * internal::dot(g, d), jet.value, -jet.value };
   }
 
-  // what 64 coefficients change of these numbers in a cell, at most: values lie in the hull of the coefficients, and first derivatives in that of their
-  // differences
+  // what 64 coefficients change of these numbers in a cell, at most: values lie in the hull of the coefficients, and
+  // first derivatives in that of their differences
   static Slacks largest_changes(const double* local, double scale)
   {
     double value = 0, squared = 0;
@@ -237,17 +245,20 @@ private:
     return { scale * std::sqrt(squared), value, value };
   }
 
-  static double bound(const Slope_condition& condition, int number) { return number == 0 ? condition.least : -condition.largest; }
+  static double bound(const Slope_condition& condition, int number)
+  {
+    return number == 0 ? condition.least : -condition.largest;
+  }
 
   // calls visit(condition, slacks), by how much the numbers exceed their bounds, for the conditions in a cell
   template <typename Visitor>
   void visit_slacks(Index c, const Visitor& visit) const
   {
-    if(m_first[c] == m_first[c+1]) return;
+    if(m_first[c] == m_first[c + 1]) return;
     const std::array<Index, 16> rows = m_field.coefficient_rows(c);
     std::array<double, 64> local;
     for(int n = 0; n < 64; ++n) local[n] = m_points[rows[n / 4] + n % 4];
-    for(std::size_t n = m_first[c]; n < m_first[c+1]; ++n) {
+    for(std::size_t n = m_first[c]; n < m_first[c + 1]; ++n) {
       Slacks slacks = evaluate(m_conditions[n], local.data());
       for(int k = 0; k < numbers; ++k) slacks[k] -= bound(m_conditions[n], k);
       visit(n, slacks);
@@ -280,12 +291,16 @@ private:
   // a cell that unknowns of a patch act on, and how they do
   struct Patch_cell
   {
-    struct Entry { int n, place; double weight; };
+    struct Entry
+    {
+      int n, place;
+      double weight;
+    };
 
     Index cell;
     std::vector<Entry> entries;
-    std::vector<Slacks> before;                         // by condition, made when they are needed
-    std::vector<std::array<char, numbers> > used;       // in the program
+    std::vector<Slacks> before;                   // by condition, made when they are needed
+    std::vector<std::array<char, numbers> > used; // in the program
 
     // of its 64 coefficients
     std::array<double, 64> change(const Vector& step) const
@@ -303,9 +318,9 @@ private:
   struct Patch
   {
     Index center;
-    std::vector<int> unknowns;      // ascending
-    Bbox_3 reach;                   // of their functions
-    Vector step;                    // of the unknowns; empty if the patch was not solved
+    std::vector<int> unknowns; // ascending
+    Bbox_3 reach;              // of their functions
+    Vector step;               // of the unknowns; empty if the patch was not solved
 
     // of a coefficient among the unknowns, or -1: then another patch may be writing its place
     int place(Index u, const Places& places) const
@@ -315,33 +330,37 @@ private:
     }
   };
 
-  // Solves the patches of cells one after the other, those at once that have nothing to do with each other. Returns how many were solved.
+  // Solves the patches of cells one after the other, those at once that have nothing to do with each other. Returns how
+  // many were solved.
   template <typename ConcurrencyTag>
   std::size_t solve_patches(const std::vector<std::pair<double, Index> >& cells, Vector& x)
   {
-    constexpr std::size_t window = 64;      // patches that are looked at
+    constexpr std::size_t window = 64; // patches that are looked at
     std::size_t solved = 0;
     Places places(std::size_t(x.size()));
     std::list<Patch> waiting;
     std::vector<Patch*> batch;
     std::vector<Bbox_3> reaches;
-    for(std::size_t next = 0; next < cells.size() || !waiting.empty(); ) {
+    for(std::size_t next = 0; next < cells.size() || !waiting.empty();) {
       batch.clear();
       for(; next < cells.size() && waiting.size() < window; ++next)
         if(!m_hopeless[cells[next].second]) {
           waiting.push_back({ cells[next].second, {}, {}, {} });
           batch.push_back(&waiting.back());
         }
-      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { find_unknowns(*batch[n]); });
+      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1,
+                                               [&](std::size_t n, std::size_t) { find_unknowns(*batch[n]); });
       // those that no earlier one reaches, done or not: the order is kept where it makes a difference
       batch.clear();
       reaches.clear();
       for(Patch& p : waiting) {
-        const bool is_free = std::none_of(reaches.begin(), reaches.end(), [&](const Bbox_3& r) { return do_overlap(r, p.reach); });
+        const bool is_free = std::none_of(reaches.begin(), reaches.end(),
+                                          [&](const Bbox_3& r) { return do_overlap(r, p.reach); });
         reaches.push_back(p.reach);
         if(is_free) batch.push_back(&p);
       }
-      internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1, [&](std::size_t n, std::size_t) { solve_patch<ConcurrencyTag>(*batch[n], x, places); });
+      internal::for_each_chunk<ConcurrencyTag>(
+        batch.size(), 1, [&](std::size_t n, std::size_t) { solve_patch<ConcurrencyTag>(*batch[n], x, places); });
       for(const Patch* p : batch) {
         if(p->step.size() > 0) ++solved;
         for(Eigen::Index n = 0; n < p->step.size(); ++n) x[p->unknowns[std::size_t(n)]] += p->step[n];
@@ -356,16 +375,15 @@ private:
   {
     const Bbox_3 b = m_field.cell(patch.center).bbox();
     const double margin = 0.5 * m_field.cells().width(patch.center);
-    const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin, b.zmax() + margin);
+    const Bbox_3 core(b.xmin() - margin, b.ymin() - margin, b.zmin() - margin, b.xmax() + margin, b.ymax() + margin,
+                      b.zmax() + margin);
     std::vector<int>& unknowns = patch.unknowns;
     const auto free_coefficients = [&](Index c) {
       m_field.visit_coefficients(c, [&](int, Index u, double) {
         if(has_equation(u)) unknowns.push_back(int(u));
       });
     };
-    const auto make_unique = [&] {
-      sort_unique(unknowns);
-    };
+    const auto make_unique = [&] { sort_unique(unknowns); };
     m_field.visit_cells(core, free_coefficients);
     make_unique();
     if(unknowns.size() > max_unknowns) {
@@ -377,15 +395,16 @@ private:
     for(int u : unknowns) patch.reach += m_field.support(Index(u));
   }
 
-  // Finds the step, if the cell still needs one, and what it means for the cells with conditions. Where reaches are apart, so is all that this reads and
-  // writes: a cell lies in the support of each function that acts on it.
+  // Finds the step, if the cell still needs one, and what it means for the cells with conditions. Where reaches are
+  // apart, so is all that this reads and writes: a cell lies in the support of each function that acts on it.
   template <typename ConcurrencyTag>
   void solve_patch(Patch& patch, const Vector& x, Places& places)
   {
     const double slack_before = least_slack(patch.center).first;
     if(!(slack_before < 0) || patch.unknowns.empty()) return;
     const std::vector<int>& unknowns = patch.unknowns;
-    for(std::size_t n = 0; n < unknowns.size(); ++n) places[std::size_t(unknowns[n])].store(int(n), std::memory_order_relaxed);
+    for(std::size_t n = 0; n < unknowns.size(); ++n)
+      places[std::size_t(unknowns[n])].store(int(n), std::memory_order_relaxed);
     std::vector<Patch_cell> cells = cells_with_conditions<ConcurrencyTag>(patch, places);
     Eigen::MatrixXd H;
     Vector r;
@@ -415,23 +434,25 @@ private:
   std::vector<Patch_cell> cells_with_conditions(const Patch& patch, const Places& places)
   {
     std::vector<Index> near;
-    m_field.visit_cells(patch.reach, [&](Index c) { if(m_first[c] < m_first[c+1]) near.push_back(c); });
-    return internal::collect_from_chunks<ConcurrencyTag, Patch_cell>(near.size(), cells_at_once,
-                                                                     [&](std::size_t begin, std::size_t end, std::vector<Patch_cell>& found) {
-      for(std::size_t m = begin; m < end; ++m) {
-        const Index c = near[m];
-        Patch_cell cell;
-        cell.cell = c;
-        m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
-          const int p = patch.place(u, places);
-          if(p >= 0) cell.entries.push_back({ n, p, weight });
-        });
-        if(cell.entries.empty()) continue;
-        if(!m_is_known[c]) m_least_slack[c] = least_slack(c).first;
-        m_is_known[c] = 1;
-        found.push_back(std::move(cell));
-      }
+    m_field.visit_cells(patch.reach, [&](Index c) {
+      if(m_first[c] < m_first[c + 1]) near.push_back(c);
     });
+    return internal::collect_from_chunks<ConcurrencyTag, Patch_cell>(
+      near.size(), cells_at_once, [&](std::size_t begin, std::size_t end, std::vector<Patch_cell>& found) {
+        for(std::size_t m = begin; m < end; ++m) {
+          const Index c = near[m];
+          Patch_cell cell;
+          cell.cell = c;
+          m_field.visit_coefficients(c, [&](int n, Index u, double weight) {
+            const int p = patch.place(u, places);
+            if(p >= 0) cell.entries.push_back({ n, p, weight });
+          });
+          if(cell.entries.empty()) continue;
+          if(!m_is_known[c]) m_least_slack[c] = least_slack(c).first;
+          m_is_known[c] = 1;
+          found.push_back(std::move(cell));
+        }
+      });
   }
 
   // the unknowns' part of the matrix, its lower triangle, and of the residual
@@ -465,13 +486,17 @@ private:
   struct Violation
   {
     double slack;
-    std::size_t cell, condition;                // among the cells of the patch, and all conditions
+    std::size_t cell, condition; // among the cells of the patch, and all conditions
     int number;
-    bool operator<(const Violation& o) const { return std::tie(slack, condition, number) < std::tie(o.slack, o.condition, o.number); }
+    bool operator<(const Violation& o) const
+    {
+      return std::tie(slack, condition, number) < std::tie(o.slack, o.condition, o.number);
+    }
   };
 
   // what a step of the unknowns violates in cells, and is not in the program
-  void find_violations(std::vector<Patch_cell>& cells, std::size_t begin, std::size_t end, const Vector& step, std::vector<Violation>& violated) const
+  void find_violations(std::vector<Patch_cell>& cells, std::size_t begin, std::size_t end, const Vector& step,
+                       std::vector<Violation>& violated) const
   {
     for(std::size_t c = begin; c < end; ++c) {
       Patch_cell& cell = cells[c];
@@ -489,7 +514,8 @@ private:
         if(before[0] >= largest[0] && before[1] >= largest[1] && before[2] >= largest[2]) continue;
         const Slacks changes = evaluate(m_conditions[first + n], change.data());
         for(int k = 0; k < numbers; ++k)
-          if(!cell.used[n][k] && before[k] + changes[k] < 0) violated.push_back({ before[k] + changes[k], c, first + n, k });
+          if(!cell.used[n][k] && before[k] + changes[k] < 0)
+            violated.push_back({ before[k] + changes[k], c, first + n, k });
       }
     }
   }
@@ -501,13 +527,16 @@ private:
     const Eigen::Index size = r.size();
     const Vector free = factor.matrixL().solve(r);
     Vector step = factor.matrixU().solve(free);
-    Eigen::MatrixXd W(size, 0);                   // L^-1 G^T, for the conditions G in the program
-    Eigen::MatrixXd K(0, 0);                      // W^T W
-    Vector wanted(0), multipliers(0);             // of G x, beyond what x has
+    Eigen::MatrixXd W(size, 0);       // L^-1 G^T, for the conditions G in the program
+    Eigen::MatrixXd K(0, 0);          // W^T W
+    Vector wanted(0), multipliers(0); // of G x, beyond what x has
     for(int exchange = 0; exchange < max_exchanges; ++exchange) {
-      std::vector<Violation> violated = internal::collect_from_chunks<ConcurrencyTag, Violation>(cells.size(), cells_at_once,
-        [&](std::size_t begin, std::size_t end, std::vector<Violation>& found) { find_violations(cells, begin, end, step, found); });
-      const std::size_t more = (std::min)({ violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
+      std::vector<Violation> violated = internal::collect_from_chunks<ConcurrencyTag, Violation>(
+        cells.size(), cells_at_once, [&](std::size_t begin, std::size_t end, std::vector<Violation>& found) {
+          find_violations(cells, begin, end, step, found);
+        });
+      const std::size_t more = (std::min)(
+        { violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
       if(more == 0) break;
       std::partial_sort(violated.begin(), violated.begin() + std::ptrdiff_t(more), violated.end());
       const Eigen::Index old = W.cols();
@@ -559,10 +588,10 @@ private:
   const Field& m_field;
   const Matrix& m_A;
   const Vector& m_b;
-  std::vector<Slope_condition> m_conditions;                // by cell
-  std::vector<std::size_t> m_first;                         // condition of each cell
+  std::vector<Slope_condition> m_conditions; // by cell
+  std::vector<std::size_t> m_first;          // condition of each cell
   Vector m_points;
-  std::vector<char> m_hopeless, m_changed, m_is_known;      // of a cell: the last one, whether its least slack is
+  std::vector<char> m_hopeless, m_changed, m_is_known; // of a cell: the last one, whether its least slack is
   std::vector<double> m_least_slack;
 };
 

@@ -48,7 +48,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
   typedef typename Fit_energy<Field>::Matrix Matrix;
   constexpr std::size_t max_steps = 10;
   constexpr double least_decrease = 1e-2;
-  constexpr double eta = 1e-3;       // determinants below are as good as zero: curvatures of a tenth per cell
+  constexpr double eta = 1e-3; // determinants below are as good as zero: curvatures of a tenth per cell
 
   Fit_report report;
   Real_timer timer;
@@ -97,8 +97,8 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
       if(!(before - after > least_decrease * before)) break;
     }
   }
-  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE, Energy_term::SINGULAR_HESSIAN,
-                           Energy_term::NORMAL, Energy_term::COEFFICIENTS })
+  for(Energy_term term : { Energy_term::DISTANCE, Energy_term::SURFACE, Energy_term::ANGLE,
+                           Energy_term::SINGULAR_HESSIAN, Energy_term::NORMAL, Energy_term::COEFFICIENTS })
     report.energy[std::size_t(term)] = energy.template value<ConcurrencyTag>(term, x);
   field.template set_coefficients<ConcurrencyTag>(x * field.cells().lattice().spacing());
   return report;

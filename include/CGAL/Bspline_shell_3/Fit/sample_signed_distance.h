@@ -36,7 +36,8 @@ struct Distance_samples
   {
     const std::array<double, 3> corner = cells.corner(c);
     const double width = cells.width(c);
-    return Point_3(corner[0] + position(s, 0) * width, corner[1] + position(s, 1) * width, corner[2] + position(s, 2) * width);
+    return Point_3(corner[0] + position(s, 0) * width, corner[1] + position(s, 1) * width,
+                   corner[2] + position(s, 2) * width);
   }
 };
 
@@ -49,7 +50,8 @@ struct Distance_samples
  * \param oracle any model of `SignedDistanceOracle_3`
  */
 template <typename ConcurrencyTag, typename Cells>
-std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells, const std::vector<std::uint32_t>& of_cells)
+std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells,
+                                           const std::vector<std::uint32_t>& of_cells)
 {
   constexpr std::size_t n = Distance_samples::per_cell, chunk = 64;
   typedef Any_signed_distance_3::Point_3 Point_3;
@@ -85,14 +87,16 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
  * \return the other leaves
  */
 template <typename ConcurrencyTag>
-std::vector<std::uint32_t> update_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells,
-                                                  std::vector<double>& samples)
+std::vector<std::uint32_t> update_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& before,
+                                                  const Cell_hierarchy_3& cells, std::vector<double>& samples)
 {
   constexpr std::size_t n = Distance_samples::per_cell;
   std::vector<std::uint32_t> fresh;
   std::vector<double> updated(cells.number_of_cells() * n);
   for(std::uint32_t c = 0; c < cells.number_of_cells(); ++c) {
-    const std::uint32_t old = cells.level(c) < before.number_of_levels() ? before.leaf(cells.level(c), cells.lattice_point(c)) : Cell_hierarchy_3::npos;
+    const std::uint32_t old = cells.level(c) < before.number_of_levels()
+                                ? before.leaf(cells.level(c), cells.lattice_point(c))
+                                : Cell_hierarchy_3::npos;
     if(old == Cell_hierarchy_3::npos) fresh.push_back(c);
     else std::copy_n(&samples[old * n], n, &updated[c * n]);
   }

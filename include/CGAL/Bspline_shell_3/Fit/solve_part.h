@@ -23,7 +23,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief solves equations that only some unknowns have, while the others keep their values (`Fit_energy::assemble()` of a part).
+ * \brief solves equations that only some unknowns have, while the others keep their values (`Fit_energy::assemble()` of
+ * a part).
  *
  * \param solver any model of `SPDSolver`; gets the system of these unknowns alone
  * \param lower lower triangle of the matrix of all unknowns; rows and columns of the others are empty
@@ -32,8 +33,9 @@ namespace Bspline_shells {
  * \param blocks of all unknowns
  * \param[in,out] x where the iteration starts, and the solution
  */
-inline Solver_status solve_part(const Any_spd_solver& solver, const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b,
-                                const std::vector<char>& chosen, const Unknown_blocks& blocks, Eigen::VectorXd& x)
+inline Solver_status solve_part(const Any_spd_solver& solver, const Eigen::SparseMatrix<double>& lower,
+                                const Eigen::VectorXd& b, const std::vector<char>& chosen, const Unknown_blocks& blocks,
+                                Eigen::VectorXd& x)
 {
   typedef Eigen::SparseMatrix<double> Matrix;
   std::vector<Eigen::Index> unknowns;

@@ -17,12 +17,12 @@ namespace Bspline_shells {
 enum class Shell_file_status
 {
   SUCCESS,
-  CANNOT_OPEN,               ///< there is no such file, or it must not be read
-  CANNOT_WRITE,              ///< the file cannot be made, or not completed
-  NOT_A_SHELL,               ///< the file is something else, or what is to be written is no shell
-  VERSION_NOT_SUPPORTED,     ///< the file is of another version
-  OTHER_KIND,                ///< the file holds a shell with another kind of field or of thresholds
-  DAMAGED                    ///< the file was cut off or altered, or contradicts itself
+  CANNOT_OPEN,           ///< there is no such file, or it must not be read
+  CANNOT_WRITE,          ///< the file cannot be made, or not completed
+  NOT_A_SHELL,           ///< the file is something else, or what is to be written is no shell
+  VERSION_NOT_SUPPORTED, ///< the file is of another version
+  OTHER_KIND,            ///< the file holds a shell with another kind of field or of thresholds
+  DAMAGED                ///< the file was cut off or altered, or contradicts itself
 };
 
 /// \ingroup PkgBsplineShell3IO
@@ -30,10 +30,8 @@ enum class Shell_file_status
 inline const char* message(Shell_file_status status)
 {
   switch(status) {
-    case Shell_file_status::SUCCESS:
-      return "The file was read or written.";
-    case Shell_file_status::CANNOT_OPEN:
-      return "The file cannot be read: check its path and permissions.";
+    case Shell_file_status::SUCCESS: return "The file was read or written.";
+    case Shell_file_status::CANNOT_OPEN: return "The file cannot be read: check its path and permissions.";
     case Shell_file_status::CANNOT_WRITE:
       return "The file cannot be written: check its folder, permissions and the free space.";
     case Shell_file_status::NOT_A_SHELL:
@@ -53,7 +51,11 @@ inline const char* message(Shell_file_status status)
  *
  * \brief how numbers are written: as they are, which is short and fast, or as text that people can read.
  */
-enum class Shell_format { BINARY, ASCII };
+enum class Shell_format
+{
+  BINARY,
+  ASCII
+};
 
 } // namespace Bspline_shells
 } // namespace CGAL

@@ -23,8 +23,8 @@ namespace internal {
 
 // the unsigned integer of the size of T, which has 1, 4 or 8 bytes
 template <typename T>
-using Bits_of = std::conditional_t<sizeof(T) == 8, std::uint64_t,
-                                   std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t> >;
+using Bits_of =
+  std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t> >;
 
 // a number as bytes, the least significant first, whatever the machine's order
 template <typename T>
@@ -44,7 +44,8 @@ T from_little_endian(const char* bytes)
   typedef Bits_of<T> Bits;
   static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes");
   Bits bits = 0;
-  for(std::size_t n = 0; n < sizeof(T); ++n) bits = Bits(bits | (Bits(static_cast<unsigned char>(bytes[n])) << (8 * n)));
+  for(std::size_t n = 0; n < sizeof(T); ++n)
+    bits = Bits(bits | (Bits(static_cast<unsigned char>(bytes[n])) << (8 * n)));
   T x;
   std::memcpy(&x, &bits, sizeof(T));
   return x;
@@ -64,7 +65,10 @@ public:
   void add(const std::string& text) { add(text.data(), text.size()); }
   /// the little-endian bytes of a number
   template <typename T, typename = std::enable_if_t<std::is_arithmetic<T>::value> >
-  void add(T x) { add(internal::to_little_endian(x).data(), sizeof(T)); }
+  void add(T x)
+  {
+    add(internal::to_little_endian(x).data(), sizeof(T));
+  }
 
   /// of all bytes that were added so far
   std::uint64_t value() const { return m_crc.checksum(); }

@@ -32,8 +32,8 @@ namespace Bspline_shells {
  *
  * \param file its name
  * \param[out] soup what was read, if the status is `SUCCESS`; otherwise it is left as it is
- * \param[out] offenders positions of points with coordinates that are infinite or not a number; positions of facets with
- *        points that do not exist; and the line, of a text
+ * \param[out] offenders positions of points with coordinates that are infinite or not a number; positions of facets
+ *   with points that do not exist; and the line, of a text
  * \return `SUCCESS`; `MISSING_FILE`, `UNREADABLE_FILE`, `UNSUPPORTED_FILE`, `EMPTY_FILE`, `MALFORMED_FILE` or
  *         `TRIANGLE_STRIPS` if the file cannot be read; `EMPTY_MESH` if it has no polygon; `NOT_FINITE`
  */
@@ -47,8 +47,9 @@ Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Off
 template <typename PolygonMesh>
 void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
 {
-  typedef typename boost::property_traits<
-    typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type Point_3;
+  typedef
+    typename boost::property_traits< typename boost::property_map<PolygonMesh, CGAL::vertex_point_t>::type>::value_type
+      Point_3;
   std::vector<Point_3> points;
   points.reserve(soup.points.size());
   for(const auto& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
@@ -63,13 +64,14 @@ void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
  *
  * \brief reads a surface mesh and says what is wrong with it, if it is none.
  *
- * The formats are those of `read_polygon_soup()`. Vertices at equal positions are identified (STL files have no shared vertices), and facets are turned
- * round where they do not agree with their neighbors; nothing else is repaired.
+ * The formats are those of `read_polygon_soup()`. Vertices at equal positions are identified (STL files have no shared
+ * vertices), and facets are turned round where they do not agree with their neighbors; nothing else is repaired.
  *
  * \tparam PolygonMesh a model of `MutableFaceGraph` whose points have a constructor from three `double` coordinates
  * \param file its name
  * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
- * \param[out] offenders positions of facets and vertices in the file, ascending; of vertices at equal positions, the first
+ * \param[out] offenders positions of facets and vertices in the file, ascending; of vertices at equal positions, the
+ *   first
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
@@ -95,8 +97,8 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief reads a surface mesh as `read_polygon_mesh()` does, and triangulates its facets (`triangulate_polygon()`): maps and edits are of triangle
- * meshes.
+ * \brief reads a surface mesh as `read_polygon_mesh()` does, and triangulates its facets (`triangulate_polygon()`):
+ * maps and edits are of triangle meshes.
  */
 template <typename TriangleMesh>
 Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Offending_simplices& offenders)
@@ -123,7 +125,8 @@ Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh)
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 namespace internal {
-extern template void assign_soup(const Polygon_soup&, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>&);
+extern template void assign_soup(const Polygon_soup&,
+                                 Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>&);
 }
 #endif
 
@@ -131,7 +134,7 @@ extern template void assign_soup(const Polygon_soup&, Surface_mesh<Exact_predica
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/IO/read_polygon_mesh_impl.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_IO_READ_POLYGON_MESH_H

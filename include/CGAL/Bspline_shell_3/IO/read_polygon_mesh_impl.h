@@ -48,7 +48,8 @@ inline Shell_status read_file(const std::string& file, std::string& text)
 inline std::string extension_of(const std::string& file)
 {
   std::string extension = std::filesystem::path(file).extension().string();
-  for(char& c : extension) if(c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  for(char& c : extension)
+    if(c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
   return extension;
 }
 
@@ -58,14 +59,17 @@ inline Shell_status read_polygons(const std::string& file, Polygon_soup& soup, s
   std::string text;
   const Shell_status status = read_file(file, text);
   if(status == Shell_status::MISSING_FILE || status == Shell_status::UNREADABLE_FILE) return status;
-  Shell_status (*read)(Text_soup&) = extension == ".off" ? read_OFF : extension == ".ply" ? read_PLY
-                                   : extension == ".stl" ? read_STL : extension == ".obj" ? read_OBJ
-                                   : extension == ".ts" ? read_GOCAD : nullptr;
+  Shell_status (*read)(Text_soup&) = extension == ".off"   ? read_OFF
+                                     : extension == ".ply" ? read_PLY
+                                     : extension == ".stl" ? read_STL
+                                     : extension == ".obj" ? read_OBJ
+                                     : extension == ".ts"  ? read_GOCAD
+                                                           : nullptr;
   if(read == nullptr) return Shell_status::UNSUPPORTED_FILE;
   if(status != Shell_status::SUCCESS) return status;
 
   const bool is_binary = extension == ".stl" && is_binary_STL(text);
-  if(!is_binary && text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);       // byte order mark
+  if(!is_binary && text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3); // byte order mark
   if(extension == ".obj") join_continued_lines(text);
   Text_soup result(text);
   const Shell_status outcome = read(result);
@@ -76,8 +80,8 @@ inline Shell_status read_polygons(const std::string& file, Polygon_soup& soup, s
 
 } // namespace internal
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status
-read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders)
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status read_polygon_soup(const std::string& file, Polygon_soup& soup,
+                                                           Offending_simplices& offenders)
 {
   offenders = Offending_simplices();
   Polygon_soup found;
@@ -86,26 +90,33 @@ read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplic
     if(status != Shell_status::SUCCESS) return status;
   } catch(const std::bad_alloc&) {
     throw;
-  } catch(const std::exception&) {       // some of CGAL's readers throw on broken files
+  } catch(const std::exception&) { // some of CGAL's readers throw on broken files
     return Shell_status::MALFORMED_FILE;
   }
   for(std::size_t f = 0; f < found.polygons.size(); ++f)
     for(std::size_t v : found.polygons[f])
-      if(v >= found.points.size()) { offenders.facets.push_back(f); break; }
+      if(v >= found.points.size()) {
+        offenders.facets.push_back(f);
+        break;
+      }
   if(!offenders.facets.empty()) return Shell_status::MALFORMED_FILE;
   for(std::size_t v = 0; v < found.points.size(); ++v)
     for(int a = 0; a < 3; ++a)
-      if(!std::isfinite(found.points[v][a])) { offenders.vertices.push_back(v); break; }
+      if(!std::isfinite(found.points[v][a])) {
+        offenders.vertices.push_back(v);
+        break;
+      }
   if(!offenders.vertices.empty()) return Shell_status::NOT_FINITE;
   if(found.polygons.empty()) return Shell_status::EMPTY_MESH;
-  if(internal::extension_of(file) == ".stl") internal::merge_points(found);       // the format has no shared points
+  if(internal::extension_of(file) == ".stl") internal::merge_points(found); // the format has no shared points
   soup = std::move(found);
   return Shell_status::SUCCESS;
 }
 
 namespace internal {
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders)
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup,
+                                                            Offending_simplices& offenders)
 {
   const Shell_status status = read_polygon_soup(file, soup, offenders);
   if(status != Shell_status::SUCCESS) return status;

@@ -36,16 +36,20 @@ namespace internal {
 // What a file says. All of it may be wrong.
 struct Shell_file_content
 {
-  struct Position { int level; Lattice_point point; };
+  struct Position
+  {
+    int level;
+    Lattice_point point;
+  };
 
   Shell_kind kind;
   double unit = 0;
-  Level_range levels;                         // zero and the thickness if thresholds vary
+  Level_range levels; // zero and the thickness if thresholds vary
   std::size_t triangles = 0, components = 0;
   std::array<double, 3> origin = {};
   double spacing = 0;
-  std::vector<Position> functions;            // text only: in a binary file, they follow from the cells
-  std::vector<std::vector<double> > splines;  // coefficients of the field, of the inner and the outer threshold
+  std::vector<Position> functions;           // text only: in a binary file, they follow from the cells
+  std::vector<std::vector<double> > splines; // coefficients of the field, of the inner and the outer threshold
   std::vector<Position> leaves;
   std::vector<char> marks;
   std::vector<Level_range> facet_ranges;
@@ -148,13 +152,26 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   const std::string_view thresholds = in.line();
   content.kind.has_spline_thresholds = Words(thresholds).word("thickness").number(content.levels.max).are_complete();
   if(content.kind.has_spline_thresholds) content.levels.min = 0;
-  else if(!Words(thresholds).word("levels").number(content.levels.min).number(content.levels.max).are_complete()) return damaged;
-  if(!Words(in.line()).word("triangles").number(content.triangles)
-                      .word("components").number(content.components).are_complete()) return damaged;
+  else if(!Words(thresholds).word("levels").number(content.levels.min).number(content.levels.max).are_complete())
+    return damaged;
+  if(!Words(in.line())
+        .word("triangles")
+        .number(content.triangles)
+        .word("components")
+        .number(content.components)
+        .are_complete())
+    return damaged;
   const std::string_view field = in.line();
   content.kind.is_hierarchical = Words(field).word("field").word("hierarchical").are_as_expected();
-  if(!Words(field).word("field").word(content.kind.field_name()).number(content.origin[0]).number(content.origin[1])
-                  .number(content.origin[2]).number(content.spacing).are_complete()) return damaged;
+  if(!Words(field)
+        .word("field")
+        .word(content.kind.field_name())
+        .number(content.origin[0])
+        .number(content.origin[1])
+        .number(content.origin[2])
+        .number(content.spacing)
+        .are_complete())
+    return damaged;
 
   const auto position = [&](Words& words) {
     Shell_file_content::Position p = { 0, {} };
@@ -225,7 +242,7 @@ template <typename Field>
 std::optional<Field> make_field(const Shell_file_content& content)
 {
   if(content.leaves.empty() || content.leaves.size() >= Field::npos) return std::nullopt;
-  std::vector<std::vector<std::uint64_t> > keys;       // of each level
+  std::vector<std::vector<std::uint64_t> > keys; // of each level
   for(const Shell_file_content::Position& leaf : content.leaves) {
     const std::size_t level = std::size_t(leaf.level);
     if(leaf.level < 0 || leaf.level > largest_file_level || level + 1 < keys.size()) return std::nullopt;
@@ -270,7 +287,8 @@ bool make_shell(Shell_file_content& content, Shell& shell)
   }
   const auto spline = [&](std::size_t n) {
     Field f = *field;
-    f.set_coefficients(Eigen::Map<const Eigen::VectorXd>(content.splines[n].data(), Eigen::Index(content.splines[n].size())));
+    f.set_coefficients(
+      Eigen::Map<const Eigen::VectorXd>(content.splines[n].data(), Eigen::Index(content.splines[n].size())));
     return f;
   };
 
@@ -283,7 +301,8 @@ bool make_shell(Shell_file_content& content, Shell& shell)
   report.cells = field->number_of_cells();
   report.unknowns = field->number_of_coefficients();
   const auto between = [&](Threshold inner, Threshold outer) {
-    return Shell(spline(0), std::move(inner), std::move(outer), std::move(content.marks), std::move(content.facet_ranges), report);
+    return Shell(spline(0), std::move(inner), std::move(outer), std::move(content.marks),
+                 std::move(content.facet_ranges), report);
   };
   Shell made;
   if constexpr(Threshold::is_constant) made = between(Threshold(content.levels.min), Threshold(content.levels.max));
@@ -292,9 +311,9 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     made = between(Threshold(spline(1)), Threshold(spline(2)));
   }
   if(content.has_closing())
-    made.set_closing(std::make_shared<const Shell_closing_3>(
-      std::move(content.closing_points), std::size_t(content.border_points), std::move(content.closing_triangles),
-      std::move(content.closing_kinds)));
+    made.set_closing(
+      std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
+                                              std::move(content.closing_triangles), std::move(content.closing_kinds)));
   made.set_truncation(std::move(content.truncation));
   made.set_path_candidates(std::move(content.paths));
   if(!is_shell(made)) return false;
@@ -309,9 +328,9 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  *
  * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, thresholds, facet ranges, closing and truncation are those that were written, bit by bit. Nothing that was cut off or altered is
- * taken for a shell: every file has a checksum, and its parts must agree. A damaged file costs no more time and
- * memory than an intact one of its length.
+ * The field, cells, thresholds, facet ranges, closing and truncation are those that were written, bit by bit. Nothing
+ * that was cut off or altered is taken for a shell: every file has a checksum, and its parts must agree. A damaged file
+ * costs no more time and memory than an intact one of its length.
  *
  * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
  * built for or another mesh in it. The file's paths through the components of the shell are candidates, which every
@@ -321,10 +340,10 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
- * \param in a stream, opened with `std::ios::binary`, which must end where the shell ends. It is read past its locale and
- * flags; the status tells how it went.
- * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma, thickness and the
- * numbers of triangles, components, cells and unknowns are known.
+ * \param in a stream, opened with `std::ios::binary`, which must end where the shell ends. It is read past its locale
+ *   and flags; the status tells how it went.
+ * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma,
+ *   thickness and the numbers of triangles, components, cells and unknowns are known.
  */
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>& shell)
@@ -336,7 +355,8 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>
   if(input.starts_with(internal::binary_shell_magic)) status = internal::read_binary_shell(input, content);
   else if(input.starts_with(internal::ASCII_shell_magic)) status = internal::read_ASCII_shell(input, content);
   if(status != Shell_file_status::SUCCESS) return status;
-  if(!(content.kind == internal::Shell_kind::of<Bspline_shell_3<Field, Threshold> >())) return Shell_file_status::OTHER_KIND;
+  if(!(content.kind == internal::Shell_kind::of<Bspline_shell_3<Field, Threshold> >()))
+    return Shell_file_status::OTHER_KIND;
   return internal::make_shell(content, shell) ? status : Shell_file_status::DAMAGED;
 }
 
@@ -346,7 +366,7 @@ template <typename Field, typename Threshold>
 Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Field, Threshold>& shell)
 {
   std::ifstream in(file, std::ios::binary);
-  if(in) in.peek();       // a folder can be opened, but not read
+  if(in) in.peek(); // a folder can be opened, but not read
   return in.bad() ? Shell_file_status::CANNOT_OPEN : read_shell(in, shell);
 }
 

@@ -30,23 +30,22 @@ namespace internal {
 
 // The control points i + 4j + 16k of a cell in the order of VTK's hexahedra of degree three since file version 2.2:
 // corners, edges, faces, interior.
-constexpr int VTK_control_points[64] = {
-  0, 3, 15, 12,  48, 51, 63, 60,
-  1, 2, 7, 11, 13, 14, 4, 8,  49, 50, 55, 59, 61, 62, 52, 56,  16, 32, 19, 35, 31, 47, 28, 44,
-  20, 24, 36, 40,  23, 27, 39, 43,  17, 18, 33, 34,  29, 30, 45, 46,  5, 6, 9, 10,  53, 54, 57, 58,
-  21, 22, 25, 26, 37, 38, 41, 42
-};
+constexpr int VTK_control_points[64] = { 0,  3,  15, 12, 48, 51, 63, 60, 1,  2,  7,  11, 13, 14, 4,  8,
+                                         49, 50, 55, 59, 61, 62, 52, 56, 16, 32, 19, 35, 31, 47, 28, 44,
+                                         20, 24, 36, 40, 23, 27, 39, 43, 17, 18, 33, 34, 29, 30, 45, 46,
+                                         5,  6,  9,  10, 53, 54, 57, 58, 21, 22, 25, 26, 37, 38, 41, 42 };
 
-// Numbers the control points of some cells of a field. What neighbors of one size have in common gets one number: the Bernstein
-// coefficients there are the same double in each of the cells, as they come from the same coefficients in the same way.
+// Numbers the control points of some cells of a field. What neighbors of one size have in common gets one number: the
+// Bernstein coefficients there are the same double in each of the cells, as they come from the same coefficients in the
+// same way.
 template <typename Field>
 class Control_points
 {
   typedef typename Field::Cell_index Index;
 public:
   Control_points(const Field& field, const std::vector<Index>& cells)
-    : m_field(field), m_cells(cells), m_position(field.number_of_cells(), none), m_owned(cells.size())
-    , m_first(cells.size() + 1, 0)
+    : m_field(field), m_cells(cells), m_position(field.number_of_cells(), none), m_owned(cells.size()),
+      m_first(cells.size() + 1, 0)
   {
     for(std::size_t c = 0; c < cells.size(); ++c) m_position[cells[c]] = c;
     for(std::size_t c = 0; c < cells.size(); ++c) {
@@ -93,8 +92,12 @@ public:
 
 private:
   static constexpr std::size_t none = std::size_t(-1);
-  typedef std::array<std::size_t, 27> Neighbors;       // positions of the cell and those of its size around it, or none
-  struct Place { std::size_t cell; int point; };
+  typedef std::array<std::size_t, 27> Neighbors; // positions of the cell and those of its size around it, or none
+  struct Place
+  {
+    std::size_t cell;
+    int point;
+  };
 
   Neighbors neighbors_of(std::size_t c) const
   {
@@ -134,9 +137,9 @@ private:
   const Field& m_field;
   const std::vector<Index>& m_cells;
   const std::array<std::vector<Place>, 64> m_places = places();
-  std::vector<std::size_t> m_position;         // of a cell of the field among the cells
-  std::vector<std::bitset<64> > m_owned;       // points that no earlier cell has
-  std::vector<std::size_t> m_first;            // number of the first of them
+  std::vector<std::size_t> m_position;   // of a cell of the field among the cells
+  std::vector<std::bitset<64> > m_owned; // points that no earlier cell has
+  std::vector<std::size_t> m_first;      // number of the first of them
 };
 
 // An XML file of VTK: first the description of the arrays, with their numbers in text files, then their bytes in binary
@@ -148,7 +151,10 @@ public:
 
   void text(std::string_view text) { m_out.text(text); }
   template <typename T>
-  void decimal(T x) { m_out.decimal(x); }
+  void decimal(T x)
+  {
+    m_out.decimal(x);
+  }
 
   // the description of an array of `size` numbers; `values(put)` calls put(x) for each
   template <typename T, typename Values>
@@ -196,23 +202,33 @@ template <typename Field>
 using VTU_splines = std::vector<std::pair<const char*, const Field*> >;
 
 template <typename Field>
-Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines, const std::vector<typename Field::Cell_index>& cells,
-                            const Level_range* levels, Shell_format format)
+Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines,
+                            const std::vector<typename Field::Cell_index>& cells, const Level_range* levels,
+                            Shell_format format)
 {
   typedef typename Field::Cell_index Index;
   const Control_points<Field> points(*splines.front().second, cells);
 
   const auto positions = [&](const auto& put) {
-    points.visit_points([&](Index c, int n) { for(double x : points.position(c, n)) put(x); });
+    points.visit_points([&](Index c, int n) {
+      for(double x : points.position(c, n)) put(x);
+    });
   };
   const auto values = [&](const Field& spline) {
-    return [&](const auto& put) { points.visit_points([&](Index c, int n) { put(spline.cell(c).coefficients()[n]); }); };
+    return
+      [&](const auto& put) { points.visit_points([&](Index c, int n) { put(spline.cell(c).coefficients()[n]); }); };
   };
   const auto connectivity = [&](const auto& put) { points.visit_cells([&](std::size_t n) { put(std::int64_t(n)); }); };
-  const auto offsets = [&](const auto& put) { for(std::size_t c = 1; c <= cells.size(); ++c) put(std::int64_t(64 * c)); };
+  const auto offsets = [&](const auto& put) {
+    for(std::size_t c = 1; c <= cells.size(); ++c) put(std::int64_t(64 * c));
+  };
   constexpr int VTK_Bezier_hexahedron = 79;
-  const auto types = [&](const auto& put) { for(std::size_t c = 0; c < cells.size(); ++c) put(VTK_Bezier_hexahedron); };
-  const auto degrees = [&](const auto& put) { for(std::size_t n = 0; n < 3 * cells.size(); ++n) put(3); };
+  const auto types = [&](const auto& put) {
+    for(std::size_t c = 0; c < cells.size(); ++c) put(VTK_Bezier_hexahedron);
+  };
+  const auto degrees = [&](const auto& put) {
+    for(std::size_t n = 0; n < 3 * cells.size(); ++n) put(3);
+  };
 
   VTU_output vtu(out, format);
   vtu.text("<?xml version=\"1.0\"?>\n"
@@ -263,8 +279,9 @@ Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines
  * degree three, whose point data `f` are the Bernstein coefficients. VTK's interpolation is \f$f\f$ itself, not a
  * linear approximation of it.
  *
- * Cells of one size share the control points that they have in common. Where small cells meet larger ones, the grid has hanging
- * nodes; as \f$f\f$ is the same function on both sides, it has no gaps there but those of VTK's approximation of cells.
+ * Cells of one size share the control points that they have in common. Where small cells meet larger ones, the grid has
+ * hanging nodes; as \f$f\f$ is the same function on both sides, it has no gaps there but those of VTK's approximation
+ * of cells.
  *
  * To see it in ParaView, raise "Nonlinear Subdivision Level" of the representation, or apply the filter "Tessellate".
  * ParaView 5.10 (VTK 9.1) or newer is needed.
@@ -284,8 +301,8 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, Shell_format 
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// The same for the cells that a shell may meet (`Bspline_shell_3::shell_cells()`). Constant thresholds are the file's field
-/// data `levels`; others are point data `inner` and `outer`, Bernstein coefficients as those of `f`.
+/// The same for the cells that a shell may meet (`Bspline_shell_3::shell_cells()`). Constant thresholds are the file's
+/// field data `levels`; others are point data `inner` and `outer`, Bernstein coefficients as those of `f`.
 /// \return `NOT_A_SHELL` if there is no shell; then nothing is written
 template <typename Field, typename Threshold>
 Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
@@ -299,14 +316,18 @@ Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Thre
     const Level_range levels = { shell.inner_level(), shell.outer_level() };
     return internal::write_VTU<Field>(out, { { "f", &shell.field() } }, cells, &levels, format);
   } else
-    return internal::write_VTU<Field>(out, { { "f", &shell.field() }, { "inner", &shell.inner_threshold().field() },
-                                             { "outer", &shell.outer_threshold().field() } }, cells, nullptr, format);
+    return internal::write_VTU<Field>(out,
+                                      { { "f", &shell.field() },
+                                        { "inner", &shell.inner_threshold().field() },
+                                        { "outer", &shell.outer_threshold().field() } },
+                                      cells, nullptr, format);
 }
 
 /// \ingroup PkgBsplineShell3IO
 /// The same for a field or a shell to a file, which is there and complete, or as it was before (`write_file()`).
 template <typename Field_or_shell>
-Shell_file_status write_VTU(const std::string& file, const Field_or_shell& field, Shell_format format = Shell_format::BINARY)
+Shell_file_status write_VTU(const std::string& file, const Field_or_shell& field,
+                            Shell_format format = Shell_format::BINARY)
 {
   Shell_file_status status = Shell_file_status::CANNOT_WRITE;
   const bool written = write_file(file, [&](std::ostream& out) {

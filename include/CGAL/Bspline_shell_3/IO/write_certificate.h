@@ -23,8 +23,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief the checksum by which a certificate names a mesh: of the coordinates of all vertices, and of the vertex numbers of all
- * triangles.
+ * \brief the checksum by which a certificate names a mesh: of the coordinates of all vertices, and of the vertex
+ * numbers of all triangles.
  *
  * \param mesh without removed elements
  */
@@ -42,8 +42,8 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes what proves the claims of a certificate, for an independent program to check: the boxes of the cover with their
- * directions or centers, and the paths that are counted. See \ref BsplineShell3FileFormats.
+ * \brief writes what proves the claims of a certificate, for an independent program to check: the boxes of the cover
+ * with their directions or centers, and the paths that are counted. See \ref BsplineShell3FileFormats.
  *
  * It names the shell's text file by its checksum. `certify()` may replace the paths in it: write the shell
  * (`write_shell()`) after that. It also names the certificate's examined mesh, which the caller writes
@@ -76,7 +76,8 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
   const std::vector<Cover_box>& boxes = certificate.cover() ? certificate.cover()->boxes() : no_boxes;
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].cell < boxes[b].cell; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return boxes[a].cell < boxes[b].cell; });
   output.text("\nboxes");
   word(boxes.size());
   output.text("\n");
@@ -94,7 +95,8 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     }
     output.text("\n");
   }
-  // Files number components by the examined mesh, of which they tell; certificates by the user's. A seed is at the first facet of its component.
+  // Files number components by the examined mesh, of which they tell; certificates by the user's. A seed is at the
+  // first facet of its component.
   const auto& seeds = certificate.seeds();
   constexpr std::size_t none = std::size_t(-1);
   std::vector<std::size_t> component_of_seed(mesh.number_of_vertices(), none), number(seeds.size(), none), component;
@@ -118,7 +120,8 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
   output.text("\npaths");
   std::vector<Crossing_path> paths = certificate.paths();
   for(Crossing_path& path : paths) path.component = number[path.component];
-  std::sort(paths.begin(), paths.end(), [](const Crossing_path& a, const Crossing_path& b) { return a.component < b.component; });
+  std::sort(paths.begin(), paths.end(),
+            [](const Crossing_path& a, const Crossing_path& b) { return a.component < b.component; });
   word(paths.size());
   output.text("\n");
   for(const Crossing_path& path : paths) {

@@ -223,9 +223,8 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
                               Shell_format format)
 {
   if(!internal::is_shell(shell)) return Shell_file_status::NOT_A_SHELL;
-  const bool written = write_file(file, [&](std::ostream& out) {
-    return write_shell(out, shell, format) == Shell_file_status::SUCCESS;
-  });
+  const bool written = write_file(
+    file, [&](std::ostream& out) { return write_shell(out, shell, format) == Shell_file_status::SUCCESS; });
   return written ? Shell_file_status::SUCCESS : Shell_file_status::CANNOT_WRITE;
 }
 
@@ -237,12 +236,13 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
 {
   const std::string extension = ".txt";
   const bool is_text = file.size() >= extension.size()
-                    && file.compare(file.size() - extension.size(), extension.size(), extension) == 0;
+                       && file.compare(file.size() - extension.size(), extension.size(), extension) == 0;
   return write_shell(file, shell, is_text ? Shell_format::ASCII : Shell_format::BINARY);
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// the checksum in the last line of the shell's text file, by which other files name the shell. \pre there is a shell
+/// the checksum in the last line of the shell's text file, by which other files name the shell.
+/// \pre there is a shell
 template <typename Field, typename Threshold>
 std::uint64_t shell_checksum(const Bspline_shell_3<Field, Threshold>& shell)
 {

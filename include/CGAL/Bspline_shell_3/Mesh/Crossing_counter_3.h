@@ -25,9 +25,11 @@ namespace Bspline_shells {
  *
  * \brief counts, exactly, how often a segment passes through a mesh from the back of its facets to their front.
  *
- * The mesh is closed; otherwise the count means nothing. Const member functions may be called from several threads at once.
+ * The mesh is closed; otherwise the count means nothing. Const member functions may be called from several threads at
+ * once.
  *
- * \cgalHeading{Cost} the first segments are compared with all facets, which is less work than a tree of them; when there are more, the tree is built.
+ * \cgalHeading{Cost} the first segments are compared with all facets, which is less work than a tree of them; when
+ *   there are more, the tree is built.
  */
 class Crossing_counter_3
 {
@@ -38,11 +40,13 @@ public:
 
   /// \pre `mesh` outlives this object
   explicit Crossing_counter_3(const Triangle_mesh& mesh);
-  explicit Crossing_counter_3(const Triangle_mesh&&) = delete;       // it would dangle
+  explicit Crossing_counter_3(const Triangle_mesh&&) = delete; // it would dangle
 
-  /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1 if it
-  /// goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its ends lies on: take another segment.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for a comparison with all facets; the result is the same
+  /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1
+  /// if it goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its
+  /// ends lies on: take another segment.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for a comparison with all
+  ///   facets; the result is the same
   template <typename ConcurrencyTag = Sequential_tag>
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;
 
@@ -55,7 +59,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_CROSSING_COUNTER_3_H

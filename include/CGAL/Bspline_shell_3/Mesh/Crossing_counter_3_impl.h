@@ -48,7 +48,8 @@ public:
             const Face_index f(static_cast<Triangle_mesh::size_type>(n));
             if(m_mesh.is_removed(f)) continue;
             const std::array<Point_3, 3> t = corners(f);
-            if(do_overlap(box, t[0].bbox() + t[1].bbox() + t[2].bbox()) && do_intersect(segment, Kernel::Triangle_3(t[0], t[1], t[2])))
+            if(do_overlap(box, t[0].bbox() + t[1].bbox() + t[2].bbox())
+               && do_intersect(segment, Kernel::Triangle_3(t[0], t[1], t[2])))
               met.push_back(f);
           }
         });
@@ -66,24 +67,27 @@ public:
   std::array<Point_3, 3> corners(Face_index f) const
   {
     const auto h = m_mesh.halfedge(f);
-    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))) };
+    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+             m_mesh.point(m_mesh.target(m_mesh.next(h))) };
   }
 
 private:
-  static constexpr std::size_t most_scans = 32;       // a tree takes about as long
+  static constexpr std::size_t most_scans = 32; // a tree takes about as long
   const Triangle_mesh& m_mesh;
-  mutable std::atomic<std::size_t> m_queries{0};
+  mutable std::atomic<std::size_t> m_queries{ 0 };
   mutable std::once_flag m_is_built;
   mutable std::unique_ptr<Tree> m_tree;
 };
 
-CGAL_BSPLINE_SHELL_3_INLINE Crossing_counter_3::Crossing_counter_3(const Triangle_mesh& mesh) : m_facets(std::make_shared<const Facets>(mesh)) {}
+CGAL_BSPLINE_SHELL_3_INLINE Crossing_counter_3::Crossing_counter_3(const Triangle_mesh& mesh)
+  : m_facets(std::make_shared<const Facets>(mesh))
+{}
 
 template <typename ConcurrencyTag>
-std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > >
-Crossing_counter_3::crossings(const Point_3& p, const Point_3& q) const
+std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings(
+  const Point_3& p, const Point_3& q) const
 {
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   std::vector<std::pair<Face_index, int> > crossed;
   for(Face_index f : m_facets->met<ConcurrencyTag>(p, q)) {
     const std::array<Point_3, 3> t = m_facets->corners(f);

@@ -39,8 +39,8 @@ class Crossing_counter_3;
  * \brief a user's mesh as the package works on it: triangles with `double` coordinates, each with its facet of origin,
  * checked for all that a shell needs.
  *
- * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one. Its elements are numbered along the way through
- * space, so that what passes over them stays in the processor's cache.
+ * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one. Its elements are
+ * numbered along the way through space, so that what passes over them stays in the processor's cache.
  */
 class Input_mesh_3
 {
@@ -54,7 +54,7 @@ public:
   {
     bool self_intersections = false;
     bool singular_vertices = false;
-    bool orientation = false;          // components that bound no volume together; `faces_outwards()` means nothing then
+    bool orientation = false; // components that bound no volume together; `faces_outwards()` means nothing then
   };
 
   /// what closes an open mesh, or why nothing does, and the facets to blame
@@ -62,7 +62,7 @@ public:
   {
     Shell_status status = Shell_status::NOT_CLOSABLE;
     std::vector<Face_index> offending_facets;
-    std::shared_ptr<const Shell_closing_3> closing;     // not null on success
+    std::shared_ptr<const Shell_closing_3> closing; // not null on success
   };
   /// closes an open triangle mesh that has no degenerate facets and whose vertices have one fan each
   typedef std::function<Closed(const Triangle_mesh&)> Closer;
@@ -79,8 +79,8 @@ public:
     };
   }
 
-  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no self-intersections; null if there are
-  /// none. Components and orientation are not known yet.
+  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no
+  /// self-intersections; null if there are none. Components and orientation are not known yet.
   typedef std::function<std::shared_ptr<const Shell_truncation_3>(const Input_mesh_3&)> Truncator;
 
   /// a truncator that has one answer; none, if that is null
@@ -101,10 +101,10 @@ public:
   /// \param closer asked if the mesh is open; without it, open meshes are refused
   /// \param truncator asked for vertices that are to be truncated; without it, there are none
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
-  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated, const Closer& closer = Closer(),
-                     const Truncator& truncator = Truncator())
+  Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated,
+                     const Closer& closer = Closer(), const Truncator& truncator = Truncator())
   {
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
     m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
     Shell_status status = copy<ConcurrencyTag>(mesh, vpm);
@@ -123,12 +123,13 @@ public:
   /// what `build()` returned; without `SUCCESS` there is no mesh
   Shell_status status() const { return m_status; }
   const Triangle_mesh& mesh() const { return m_mesh; }
-  /// what closes the user's mesh: its triangles come after those of the mesh, and count as its facets; null if the mesh itself is closed
+  /// what closes the user's mesh: its triangles come after those of the mesh, and count as its facets; null if the mesh
+  /// itself is closed
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
   /// what replaces tips of the user's mesh, and is part of this one; null if there is nothing
   const std::shared_ptr<const Shell_truncation_3>& truncation() const { return m_truncation; }
-  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have the numbers that follow, and
-  /// then those of the discs that replace tips: `part_of_facet()`.
+  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have
+  /// the numbers that follow, and then those of the discs that replace tips: `part_of_facet()`.
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
   /// the part of the surface that a facet of origin belongs to
   Surface_part part_of_facet(std::size_t facet) const
@@ -137,23 +138,22 @@ public:
     const std::size_t closing = m_closing ? m_closing->triangles().size() : 0;
     return facet - m_user_facets < closing ? Surface_part::CLOSING : Surface_part::DISC;
   }
-  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }      ///< with those of the closing, and of discs
+  /// with those of the closing, and of discs
+  std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }
   /// smallest box around the facets
   Bbox_3 bbox() const { return m_bbox; }
   /// length of the longest side of the box: the paper's unit
-  double unit() const
-  {
-    return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
-  }
+  double unit() const { return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() }); }
   std::size_t number_of_components() const { return m_components; }
-  /// the connected component that has a triangle; components are numbered in the order of their first facets of the user's mesh
+  /// the connected component that has a triangle; components are numbered in the order of their first facets of the
+  /// user's mesh
   std::size_t component(Face_index f) const { return m_component[f]; }
-  /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether its
-  /// volume is positive.
+  /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether
+  /// its volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the numbers that follow, and then
-  /// those that replace truncated ones.
+  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the
+  /// numbers that follow, and then those that replace truncated ones.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
   /// whether a vertex is one of the user's mesh
   bool is_of_user(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v] < m_user_vertices; }
@@ -161,7 +161,8 @@ public:
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
   {
     Triangle_mesh::Halfedge_index h = m_mesh.halfedge(f);
-    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))) };
+    return { m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+             m_mesh.point(m_mesh.target(m_mesh.next(h))) };
   }
 
 private:
@@ -190,7 +191,8 @@ private:
   template <typename ConcurrencyTag>
   Shell_status check_orientation();
   template <typename ConcurrencyTag>
-  std::optional<std::vector<std::size_t> > components_around_front(Face_index f, const Crossing_counter_3& counter) const;
+  std::optional<std::vector<std::size_t> > components_around_front(Face_index f,
+                                                                   const Crossing_counter_3& counter) const;
   Shell_status check_volume();
   template <typename ConcurrencyTag>
   Shell_status check_vertices();
@@ -202,7 +204,7 @@ private:
   Shell_status m_status = Shell_status::NOT_BUILT;
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
-  std::vector<char> m_is_embedded;      // for each vertex, whether its fan certainly is; empty if that is not known
+  std::vector<char> m_is_embedded; // for each vertex, whether its fan certainly is; empty if that is not known
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
   std::size_t m_user_facets = 0, m_user_vertices = 0;
@@ -230,7 +232,8 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
 
   if(!internal::triangulated_size(mesh).has_numbers()) return Shell_status::TOO_MANY_FACETS;
   m_number_of_vertices = m_user_vertices = points.size();
-  internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, std::move(points), m_mesh);
+  internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, std::move(points),
+                                                                                        m_mesh);
   m_origin = std::move(origin.faces);
   m_vertex_origin = std::move(origin.vertices);
   m_number_of_facets = m_user_facets = m_origin.size();
@@ -241,15 +244,15 @@ Shell_status Input_mesh_3::copy(const FaceGraph& mesh, VertexPointMap vpm)
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
-extern template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(const Input_mesh_3::Triangle_mesh&,
-                                                boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
+extern template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(
+  const Input_mesh_3::Triangle_mesh&, boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
 #endif
 
 } // namespace Bspline_shells
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_INPUT_MESH_3_H

@@ -71,7 +71,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_fans()
 {
   std::vector<Triangle_mesh::Halfedge_index> pinched;
   Polygon_mesh_processing::non_manifold_vertices(m_mesh, std::back_inserter(pinched));
-  std::vector<std::size_t> vertices;      // there is a halfedge for each fan
+  std::vector<std::size_t> vertices; // there is a halfedge for each fan
   for(auto h : pinched) vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
   return vertices.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NON_MANIFOLD, vertices);
 }
@@ -110,7 +110,7 @@ template <typename ConcurrencyTag>
 bool Input_mesh_3::is_surface()
 {
   const bool is = check_range() == Shell_status::SUCCESS && CGAL::is_closed(m_mesh) && CGAL::is_triangle_mesh(m_mesh)
-               && check_fans() == Shell_status::SUCCESS && check_areas<ConcurrencyTag>() == Shell_status::SUCCESS;
+                  && check_fans() == Shell_status::SUCCESS && check_areas<ConcurrencyTag>() == Shell_status::SUCCESS;
   m_offenders = Offending_simplices();
   return is;
 }
@@ -126,14 +126,16 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_range() const
   return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
 }
 
-// Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing about the tips: they are tested.
+// Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing
+// about the tips: they are tested.
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_defects& tolerated)
 {
   std::shared_ptr<const Shell_truncation_3> truncation = truncator(*this);
   if(!truncation || !truncation->is_valid()) return Shell_status::SUCCESS;
   const auto in_mesh = truncation->match(m_mesh, m_mesh.points());
-  if(std::all_of(in_mesh.begin(), in_mesh.end(), [](auto h) { return h == Triangle_mesh::null_halfedge(); })) return Shell_status::SUCCESS;
+  if(std::all_of(in_mesh.begin(), in_mesh.end(), [](auto h) { return h == Triangle_mesh::null_halfedge(); }))
+    return Shell_status::SUCCESS;
   if(tolerated.self_intersections) {
     const Shell_status status = check_intersections<ConcurrencyTag>();
     if(status != Shell_status::SUCCESS) return status;
@@ -162,7 +164,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   if(!truncated) return refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
   for(std::size_t n = 0; n < truncated->facets.size(); ++n) {
     const Face_index f = truncated->facets[n];
-    if(f == Triangle_mesh::null_face()) continue;      // the mesh does not have its patch
+    if(f == Triangle_mesh::null_face()) continue; // the mesh does not have its patch
     const bool is_core = truncation->disc_of_new_facet(n) == Shell_truncation_3::npos;
     origin[f] = is_core ? origin_of_cut[truncation->cores()[n].facet] : m_number_of_facets++;
   }
@@ -179,7 +181,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   m_mesh.remove_property_map(origin);
   m_mesh.remove_property_map(vertex_origin);
   m_truncation = std::move(truncation);
-  m_is_embedded.clear();      // of the mesh before
+  m_is_embedded.clear(); // of the mesh before
   return is_surface<ConcurrencyTag>() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
 }
 
@@ -203,7 +205,8 @@ Shell_status Input_mesh_3::check_areas()
   std::vector<std::size_t> degenerate = internal::collect_from_chunks<ConcurrencyTag, std::size_t>(
     m_mesh.number_of_faces(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
       for(std::size_t n = begin; n < end; ++n)
-        if(Polygon_mesh_processing::is_degenerate_triangle_face(Face_index(static_cast<unsigned int>(n)), m_mesh)) found.push_back(m_origin[n]);
+        if(Polygon_mesh_processing::is_degenerate_triangle_face(Face_index(static_cast<unsigned int>(n)), m_mesh))
+          found.push_back(m_origin[n]);
     });
   if(!degenerate.empty()) return refuse_facets(Shell_status::DEGENERATE_FACET, degenerate);
   return Shell_status::SUCCESS;
@@ -212,7 +215,7 @@ Shell_status Input_mesh_3::check_areas()
 // false for a polygon of two edges
 CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
 {
-  std::vector<Triangle_mesh::Halfedge_index> halfedges;      // to the vertices of the polygon
+  std::vector<Triangle_mesh::Halfedge_index> halfedges; // to the vertices of the polygon
   std::vector<Kernel::Point_3> points;
   for(auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
     halfedges.push_back(h);
@@ -220,7 +223,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
   }
   if(points.size() < 3) return false;
   std::vector<std::array<std::size_t, 3> > triangles = triangulate_polygon(points);
-  triangles.pop_back();       // what is left of the polygon
+  triangles.pop_back(); // what is left of the polygon
   for(const auto& t : triangles) {
     const Triangle_mesh::Halfedge_index across = CGAL::Euler::split_face(halfedges[t[0]], halfedges[t[2]], m_mesh);
     halfedges[t[2]] = across;
@@ -247,8 +250,9 @@ Shell_status Input_mesh_3::check_intersections()
   return with_closing.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::NOT_CLOSABLE, with_closing);
 }
 
-// All components must be oriented as the boundary of one volume, or all the other way round. A short segment through one facet of each component ends
-// next to it in front; from there, the facets crossed on the way out tell which components the point is in. Pre: components do not intersect.
+// All components must be oriented as the boundary of one volume, or all the other way round. A short segment through
+// one facet of each component ends next to it in front; from there, the facets crossed on the way out tell which
+// components the point is in. Pre: components do not intersect.
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_orientation()
 {
@@ -278,18 +282,19 @@ Shell_status Input_mesh_3::check_orientation()
   return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
 }
 
-// The components that have a point within them: one in front of a facet, with nothing between. Nothing if rounding leaves no such point near
-// the middle of the facet.
+// The components that have a point within them: one in front of a facet, with nothing between. Nothing if rounding
+// leaves no such point near the middle of the facet.
 template <typename ConcurrencyTag>
-std::optional<std::vector<std::size_t> >
-Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& counter) const
+std::optional<std::vector<std::size_t> > Input_mesh_3::components_around_front(Face_index f,
+                                                                               const Crossing_counter_3& counter) const
 {
   const auto t = triangle(f);
   const std::array<double, 3> n = facet_normal(t[0], t[1], t[2]).direction;
-  const Kernel::Vector_3 normal(n[0], n[1], n[2]);      // its largest component is near one
+  const Kernel::Vector_3 normal(n[0], n[1], n[2]); // its largest component is near one
   const Kernel::Point_3 middle = CGAL::centroid(t[0], t[1], t[2]);
-  const double size = std::sqrt((std::max)({ (t[1] - t[0]).squared_length(), (t[2] - t[1]).squared_length(), (t[0] - t[2]).squared_length() }));
-  for(int halvings = 4; ; halvings *= 2) {
+  const double size = std::sqrt(
+    (std::max)({ (t[1] - t[0]).squared_length(), (t[2] - t[1]).squared_length(), (t[0] - t[2]).squared_length() }));
+  for(int halvings = 4;; halvings *= 2) {
     const double step = std::ldexp(size, -halvings);
     const Kernel::Point_3 front = middle + step * normal;
     if(front == middle) return std::nullopt;
@@ -297,8 +302,9 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
     if(!through || through->size() != 1 || (*through)[0] != std::make_pair(f, 1)) continue;
     // Ways out, until one touches no edge; none is special to any mesh.
     const double reach = 8 * unit();
-    for(const Kernel::Vector_3& way : { Kernel::Vector_3(0.531, 0.677, 0.509), Kernel::Vector_3(-0.732, 0.417, 0.539),
-                                        Kernel::Vector_3(0.389, -0.811, 0.437), Kernel::Vector_3(0.467, 0.353, -0.811) }) {
+    for(const Kernel::Vector_3& way :
+        { Kernel::Vector_3(0.531, 0.677, 0.509), Kernel::Vector_3(-0.732, 0.417, 0.539),
+          Kernel::Vector_3(0.389, -0.811, 0.437), Kernel::Vector_3(0.467, 0.353, -0.811) }) {
       const auto out = counter.crossings<ConcurrencyTag>(front, front + reach * way);
       if(!out) continue;
       std::vector<std::size_t> crossed, around;
@@ -315,14 +321,16 @@ Input_mesh_3::components_around_front(Face_index f, const Crossing_counter_3& co
 
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
 {
-  std::vector<Face_index> triangle(m_number_of_facets);       // one of each facet of the user's mesh, in whose order components are numbered
+  // one of each facet of the user's mesh, in whose order components are numbered
+  std::vector<Face_index> triangle(m_number_of_facets);
   for(Face_index f : m_mesh.faces()) triangle[m_origin[f]] = f;
   constexpr std::size_t unknown = std::size_t(-1);
   m_component.assign(m_mesh.number_of_faces(), unknown);
   m_components = 0;
   std::vector<Face_index> stack;
   for(Face_index first : triangle) {
-    if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;      // facets may have been cut off as a whole
+    // facets may have been cut off as a whole
+    if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;
     m_component[first] = m_components;
     stack.push_back(first);
     while(!stack.empty()) {
@@ -370,7 +378,8 @@ Shell_status Input_mesh_3::check_vertices()
     m_mesh.number_of_vertices(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
       for(std::size_t n = begin; n < end; ++n) {
         const Triangle_mesh::Vertex_index v(static_cast<unsigned int>(n));
-        const bool is_regular = (!m_is_embedded.empty() && m_is_embedded[n]) || m_mesh.is_isolated(v) || vertex_cone(m_mesh, v);
+        const bool is_regular = (!m_is_embedded.empty() && m_is_embedded[n]) || m_mesh.is_isolated(v)
+                                || vertex_cone(m_mesh, v);
         if(!is_regular) found.push_back(m_vertex_origin[n]);
       }
     });
@@ -378,7 +387,8 @@ Shell_status Input_mesh_3::check_vertices()
 }
 
 // Only facets of the user's mesh are listed. If there are none, its closing is to blame, or its truncation.
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_status status, std::vector<std::size_t>& facets)
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_status status,
+                                                                     std::vector<std::size_t>& facets)
 {
   sort_unique(facets);
   if(!facets.empty() && facets.front() >= m_user_facets)
@@ -389,7 +399,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_statu
   return status;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_vertices(Shell_status status, std::vector<std::size_t>& vertices)
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_vertices(Shell_status status,
+                                                                       std::vector<std::size_t>& vertices)
 {
   sort_unique(vertices);
   if(!vertices.empty() && vertices.front() >= m_user_vertices) {

@@ -24,13 +24,14 @@ namespace Bspline_shells {
  *
  * \brief the local gap of a mesh: how thick its walls are, and how far it is from itself across narrow gaps.
  *
- * At a point of a facet, on one of its two sides, the gap is the diameter of the largest ball that touches the facet there and has
- * in its interior no point of a facet that faces the other way: one whose normal makes an angle of more than 120 degrees with that of
- * the facet. Behind the facet the gap is the thickness of the wall, and in front the distance to the next part of the mesh.
- * Facets that share a vertex with the facet are left out: the gap of a fold is zero at its edge.
+ * At a point of a facet, on one of its two sides, the gap is the diameter of the largest ball that touches the facet
+ * there and has in its interior no point of a facet that faces the other way: one whose normal makes an angle of more
+ * than 120 degrees with that of the facet. Behind the facet the gap is the thickness of the wall, and in front the
+ * distance to the next part of the mesh. Facets that share a vertex with the facet are left out: the gap of a fold is
+ * zero at its edge.
  *
- * Gaps are computed in `double`s; each is one that some ball has, up to rounding. Const member functions may be called from several
- * threads at once. A query takes logarithmic time where few facets are nearer than the gap.
+ * Gaps are computed in `double`s; each is one that some ball has, up to rounding. Const member functions may be called
+ * from several threads at once. A query takes logarithmic time where few facets are nearer than the gap.
  */
 class Local_gap_3
 {
@@ -65,7 +66,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Local_gap_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_LOCAL_GAP_3_H

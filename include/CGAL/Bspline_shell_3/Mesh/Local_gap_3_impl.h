@@ -30,7 +30,8 @@ class Local_gap_3::Facets
 {
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Triangle_3> Triangles;
-  typedef internal::AABB_traits_3<Kernel, internal::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> > Traits;
+  typedef internal::AABB_traits_3<Kernel, internal::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> >
+    Traits;
 
 public:
   explicit Facets(const Input_mesh_3& input)
@@ -44,7 +45,8 @@ public:
       for(double& x : n) x /= length;
       m_normals.push_back(n);
       const auto h = mesh.halfedge(f);
-      m_vertices.push_back({ std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h))) });
+      m_vertices.push_back(
+        { std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h))) });
     }
     m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
     m_tree.build();
@@ -64,10 +66,13 @@ public:
   }
 
 private:
-  static constexpr double facing_away = -0.5;       // cosine of the angle between normals
+  static constexpr double facing_away = -0.5; // cosine of the angle between normals
 
   template <typename P>
-  static Kernel::Point_3 kernel_point(const P& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+  static Kernel::Point_3 kernel_point(const P& p)
+  {
+    return Kernel::Point_3(p[0], p[1], p[2]);
+  }
   static Point coordinates(const Kernel::Point_3& p) { return { p.x(), p.y(), p.z() }; }
 
   // what is looked for, how it is found in a tree, and the least gap so far
@@ -77,8 +82,8 @@ private:
     std::size_t facet;
     const Point* corners;
     std::size_t size;
-    Point direction;        // unit, towards the side
-    Bbox_3 box;             // of the corners
+    Point direction; // unit, towards the side
+    Bbox_3 box;      // of the corners
     double gap;
 
     Query(const Facets& facets, std::size_t facet, const Point* corners, std::size_t size, Sign side, double most)
@@ -109,13 +114,16 @@ private:
       const std::size_t other = std::size_t(primitive.id() - facets.m_triangles.cbegin());
       if(!(internal::dot(facets.m_normals[facet], facets.m_normals[other]) < facing_away)) return;
       for(std::size_t v : facets.m_vertices[facet])
-        if(std::find(facets.m_vertices[other].begin(), facets.m_vertices[other].end(), v) != facets.m_vertices[other].end()) return;
+        if(std::find(facets.m_vertices[other].begin(), facets.m_vertices[other].end(), v)
+           != facets.m_vertices[other].end())
+          return;
       narrow(facets.m_triangles[other]);
     }
 
-    // The diameter of the ball that touches the polygon at p and has q on its boundary is |q - p|^2 / h, with h the height of q above the
-    // polygon's plane. A ball of diameter D that touches the polygon meets the triangle in its interior if and only if the polygon, moved by
-    // D / 2, is nearer to it than D / 2; the two points next to each other then give a smaller diameter (Dinkelbach's method for fractions).
+    // The diameter of the ball that touches the polygon at p and has q on its boundary is |q - p|^2 / h, with h the
+    // height of q above the polygon's plane. A ball of diameter D that touches the polygon meets the triangle in its
+    // interior if and only if the polygon, moved by D / 2, is nearer to it than D / 2; the two points next to each
+    // other then give a smaller diameter (Dinkelbach's method for fractions).
     void narrow(const Kernel::Triangle_3& triangle)
     {
       constexpr int max_steps = 64;
@@ -137,7 +145,10 @@ private:
       }
     }
 
-    double height_of(const Kernel::Vector_3& d) const { return d.x() * direction[0] + d.y() * direction[1] + d.z() * direction[2]; }
+    double height_of(const Kernel::Vector_3& d) const
+    {
+      return d.x() * direction[0] + d.y() * direction[1] + d.z() * direction[2];
+    }
 
     // from the polygon's point to the triangle's, of those that are next to each other when the polygon is moved
     Kernel::Vector_3 from_next(const Kernel::Triangle_3& triangle, double shift) const
@@ -153,33 +164,35 @@ private:
       };
       const auto corner = [&](std::size_t n) { return kernel_point(corners[n % size]) + moved; };
       const auto consider_on_polygon = [&](const Kernel::Point_3& q) {
-        for(std::size_t n = 1; n + 1 < size; ++n) consider(closest({ corner(0), corner(n), corner(n+1) }, q), q);
+        for(std::size_t n = 1; n + 1 < size; ++n) consider(closest({ corner(0), corner(n), corner(n + 1) }, q), q);
       };
       for(std::size_t n = 0; n < size; ++n) consider(corner(n), closest(triangle, corner(n)));
       for(int i = 0; i < 3; ++i) consider_on_polygon(triangle[i]);
       // where one passes through the other: an edge of one meets the other's plane there
       for(int i = 0; i < 3; ++i) {
-        const double h = height_of(triangle[i] - corner(0)), k = height_of(triangle[i+1] - corner(0));
-        if(h * k < 0) consider_on_polygon(triangle[i] + h / (h - k) * (triangle[i+1] - triangle[i]));
+        const double h = height_of(triangle[i] - corner(0)), k = height_of(triangle[i + 1] - corner(0));
+        if(h * k < 0) consider_on_polygon(triangle[i] + h / (h - k) * (triangle[i + 1] - triangle[i]));
       }
       const Kernel::Vector_3 normal = cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
       for(std::size_t n = 0; n < size; ++n) {
-        const double h = (corner(n) - triangle[0]) * normal, k = (corner(n+1) - triangle[0]) * normal;
+        const double h = (corner(n) - triangle[0]) * normal, k = (corner(n + 1) - triangle[0]) * normal;
         if(h * k >= 0) continue;
-        const Kernel::Point_3 p = corner(n) + h / (h - k) * (corner(n+1) - corner(n));
+        const Kernel::Point_3 p = corner(n) + h / (h - k) * (corner(n + 1) - corner(n));
         consider(p, closest(triangle, p));
       }
       for(std::size_t n = 0; n < size; ++n)
         for(int i = 0; i < 3; ++i) {
-          const auto [s, t] = closest_of_lines(corner(n), corner(n+1), triangle[i], triangle[i+1]);
+          const auto [s, t] = closest_of_lines(corner(n), corner(n + 1), triangle[i], triangle[i + 1]);
           // where one is at an end, vertices have been considered
-          if(s > 0 && s < 1 && t > 0 && t < 1) consider(corner(n) + s * (corner(n+1) - corner(n)), triangle[i] + t * (triangle[i+1] - triangle[i]));
+          if(s > 0 && s < 1 && t > 0 && t < 1)
+            consider(corner(n) + s * (corner(n + 1) - corner(n)), triangle[i] + t * (triangle[i + 1] - triangle[i]));
         }
       return result;
     }
 
     // parameters; none in the segments if the lines are parallel
-    static std::array<double, 2> closest_of_lines(const Kernel::Point_3& p, const Kernel::Point_3& q, const Kernel::Point_3& r, const Kernel::Point_3& s)
+    static std::array<double, 2> closest_of_lines(const Kernel::Point_3& p, const Kernel::Point_3& q,
+                                                  const Kernel::Point_3& r, const Kernel::Point_3& s)
     {
       const Kernel::Vector_3 u = q - p, v = s - r, w = p - r;
       const double a = u * u, b = u * v, c = v * v, d = u * w, e = v * w, determinant = a * c - b * b;
@@ -203,7 +216,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Local_gap_3::Local_gap_3(const Input_mesh_3& input)
   : m_facets(std::make_shared<const Facets>(input))
 {}
 
-CGAL_BSPLINE_SHELL_3_INLINE double Local_gap_3::operator()(Face_index facet, const Point* corners, std::size_t size, Sign side, double most) const
+CGAL_BSPLINE_SHELL_3_INLINE double Local_gap_3::operator()(Face_index facet, const Point* corners, std::size_t size,
+                                                           Sign side, double most) const
 {
   return m_facets->gap(std::size_t(facet), corners, size, side, most);
 }

@@ -23,10 +23,10 @@ namespace Bspline_shells {
  * \brief the signed distance to a closed mesh: negative behind the facets.
  *
  * The distance is computed with an AABB tree in `double`s; the sign of single points comes from
- * `CGAL::Side_of_triangle_mesh`, whose predicates are exact. For many points near each other there is a faster way, which
- * tells the side from the closest point: by the normal of the facet, edge or vertex that it lies on, weighted by angles (J. A.
- * Baerentzen, H. Aanaes: Signed distance computation using the angle weighted pseudonormal, 2005). Const member functions may
- * be called from several threads at once.
+ * `CGAL::Side_of_triangle_mesh`, whose predicates are exact. For many points near each other there is a faster way,
+ * which tells the side from the closest point: by the normal of the facet, edge or vertex that it lies on, weighted by
+ * angles (J. A. Baerentzen, H. Aanaes: Signed distance computation using the angle weighted pseudonormal, 2005). Const
+ * member functions may be called from several threads at once.
  *
  * \cgalModels `SignedDistanceOracle_3`
  */
@@ -36,11 +36,14 @@ public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef double FT;
   /// the facet that the search for the closest point starts from; the first one by default
-  struct Hint { std::size_t triangle = 0; };
+  struct Hint
+  {
+    std::size_t triangle = 0;
+  };
 
   /// \pre `input` is built, and outlives the oracle
   explicit Mesh_signed_distance_3(const Input_mesh_3& input);
-  explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete;       // it would dangle
+  explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete; // it would dangle
 
   /// the signed distance
   FT operator()(const Point_3& p) const { return sign(p) * distance(p); }
@@ -49,8 +52,8 @@ public:
   /// the distance without its sign
   FT distance(const Point_3& p) const;
 
-  /// the signed distance; the search starts from `hint`, which becomes the closest facet. Fast if the last point was near. Where the mesh
-  /// intersects itself, the side is that of the closest facet.
+  /// the signed distance; the search starts from `hint`, which becomes the closest facet. Fast if the last point was
+  /// near. Where the mesh intersects itself, the side is that of the closest facet.
   FT signed_distance(const Point_3& p, Hint& hint) const;
 
 private:
@@ -62,7 +65,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_MESH_SIGNED_DISTANCE_3_H

@@ -29,7 +29,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// `Simple_cartesian<double>`, with a faster closest point on a triangle: barycentric coordinates tell which edges see the point.
+// `Simple_cartesian<double>`, with a faster closest point on a triangle: barycentric coordinates tell which edges see
+// the point.
 struct Distance_kernel : Simple_cartesian<double>
 {
   struct Construct_projected_point_3
@@ -44,12 +45,15 @@ struct Distance_kernel : Simple_cartesian<double>
       for(int i = 0; i < 3; ++i) {
         const Vector_3 away = p - t[i];
         if(cross_product(edge[i], away) * normal > 0) continue;
-        is_outside = true;      // or on the edge; or the triangle has no area
+        is_outside = true; // or on the edge; or the triangle has no area
         const double length = edge[i].squared_length();
         const double along = length > 0 ? (std::min)((std::max)(edge[i] * away / length, 0.), 1.) : 0.;
         const Point_3 q = along == 1 ? t[(i + 1) % 3] : t[i] + along * edge[i];
         const double squared = (p - q).squared_length();
-        if(squared < least) { least = squared; closest = q; }
+        if(squared < least) {
+          least = squared;
+          closest = q;
+        }
       }
       return is_outside ? closest : p - ((p - t[0]) * normal / normal.squared_length()) * normal;
     }
@@ -65,18 +69,21 @@ class Mesh_signed_distance_3::Trees
   typedef Exact_predicates_inexact_constructions_kernel Exact_side_kernel;
   typedef internal::Distance_kernel Distance_kernel;
   typedef std::vector<Distance_kernel::Triangle_3> Triangles;
-  typedef internal::AABB_traits_3<Distance_kernel, internal::AABB_triangle_primitive_3<Distance_kernel, Triangles::const_iterator> > Traits;
+  typedef internal::AABB_traits_3<Distance_kernel,
+                                  internal::AABB_triangle_primitive_3<Distance_kernel, Triangles::const_iterator> >
+    Traits;
   typedef AABB_tree<Traits> Distance_tree;
   typedef Side_of_triangle_mesh<Input_mesh_3::Triangle_mesh, Exact_side_kernel> Side_of_mesh;
-  typedef AABB_tree<internal::AABB_traits_3<Exact_side_kernel, AABB_face_graph_triangle_primitive<Input_mesh_3::Triangle_mesh> > >
+  typedef AABB_tree<
+    internal::AABB_traits_3<Exact_side_kernel, AABB_face_graph_triangle_primitive<Input_mesh_3::Triangle_mesh> > >
     Side_tree;
 
 public:
-  explicit Trees(const Input_mesh_3& input)
-    : m_mesh(input.mesh()), m_flip(!input.faces_outwards())
+  explicit Trees(const Input_mesh_3& input) : m_mesh(input.mesh()), m_flip(!input.faces_outwards())
   {
     for(int a = 0; a < 3; ++a)
-      m_largest_coordinate = (std::max)({ m_largest_coordinate, std::abs((input.bbox().min)(a)), std::abs((input.bbox().max)(a)) });
+      m_largest_coordinate = (std::max)(
+        { m_largest_coordinate, std::abs((input.bbox().min)(a)), std::abs((input.bbox().max)(a)) });
     m_triangles.reserve(m_mesh.number_of_faces());
     for(auto f : m_mesh.faces()) {
       const auto t = input.triangle(f);
@@ -89,7 +96,7 @@ public:
 
   int sign(const Point_3& p) const
   {
-    std::call_once(m_side_is_built, [&] {      // few are in doubt, and often none
+    std::call_once(m_side_is_built, [&] { // few are in doubt, and often none
       m_side_tree = std::make_unique<Side_tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
       m_side_tree->build();
       m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
@@ -99,21 +106,20 @@ public:
     return (side == ON_BOUNDED_SIDE) != m_flip ? -1 : 1;
   }
 
-  FT distance(const Point_3& p) const
-  {
-    return std::sqrt(m_distance_tree->squared_distance(to_distance(p)));
-  }
+  FT distance(const Point_3& p) const { return std::sqrt(m_distance_tree->squared_distance(to_distance(p))); }
 
   FT signed_distance(const Point_3& p, Hint& hint) const
   {
     const Distance_kernel::Point_3 q = to_distance(p);
-    const Distance_tree::Point_and_primitive_id closest = m_distance_tree->closest_point_and_primitive(q, descend(q, hint.triangle));
+    const Distance_tree::Point_and_primitive_id closest = m_distance_tree->closest_point_and_primitive(
+      q, descend(q, hint.triangle));
     hint.triangle = std::size_t(closest.second - m_triangles.cbegin());
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
-    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on. Whether the closest point is on an edge is
-    // known up to `rounding()`, below a tenth of `doubtful * nearest` of the coordinates: it turns `away` by less than `doubtful`.
+    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on. Whether
+    // the closest point is on an edge is known up to `rounding()`, below a tenth of `doubtful * nearest` of the
+    // coordinates: it turns `away` by less than `doubtful`.
     constexpr FT doubtful = 1e-5, nearest = 1e-8;
     if(length < nearest * m_largest_coordinate) return sign(p) * length;
     const FT side = away * normal_at(hint.triangle, closest.first) / length;
@@ -128,7 +134,7 @@ private:
   struct Facet
   {
     Vector normal;
-    std::array<std::uint32_t, 3> neighbor, vertex;      // across edge `i`; where that begins
+    std::array<std::uint32_t, 3> neighbor, vertex; // across edge `i`; where that begins
     bool is_thin;
   };
 
@@ -138,15 +144,22 @@ private:
     const auto closest_point = Distance_kernel().construct_projected_point_3_object();
     Distance_kernel::Point_3 closest = closest_point(m_triangles[facet], q);
     FT least = squared_distance(closest, q);
-    for(std::size_t from = none, next = facet; next != none; ) {
+    for(std::size_t from = none, next = facet; next != none;) {
       next = none;
       for(std::size_t neighbor : m_facets[facet].neighbor) {
         if(neighbor == from) continue;
         const Distance_kernel::Point_3 there = closest_point(m_triangles[neighbor], q);
         const FT squared = squared_distance(there, q);
-        if(squared < least) { least = squared; closest = there; next = neighbor; }
+        if(squared < least) {
+          least = squared;
+          closest = there;
+          next = neighbor;
+        }
       }
-      if(next != none) { from = facet; facet = next; }
+      if(next != none) {
+        from = facet;
+        facet = next;
+      }
     }
     return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
   }
@@ -168,7 +181,7 @@ private:
   {
     m_facets.reserve(m_triangles.size());
     m_vertex_normals.assign(mesh.num_vertices(), Vector(NULL_VECTOR));
-    constexpr FT thinnest = 1e-6;       // relative to coordinates, as rounding is
+    constexpr FT thinnest = 1e-6; // relative to coordinates, as rounding is
     for(auto f : mesh.faces()) {
       const Distance_kernel::Triangle_3& t = m_triangles[std::size_t(f)];
       const FT scale = std::sqrt((std::max)((t[1] - t[0]).squared_length(), (t[2] - t[0]).squared_length()));
@@ -212,7 +225,10 @@ private:
     return facet.normal;
   }
 
-  static Distance_kernel::Point_3 to_distance(const Point_3& p) { return Distance_kernel::Point_3(p.x(), p.y(), p.z()); }
+  static Distance_kernel::Point_3 to_distance(const Point_3& p)
+  {
+    return Distance_kernel::Point_3(p.x(), p.y(), p.z());
+  }
 
   Triangles m_triangles;
   std::vector<Facet> m_facets;
@@ -230,9 +246,15 @@ CGAL_BSPLINE_SHELL_3_INLINE Mesh_signed_distance_3::Mesh_signed_distance_3(const
   : m_trees(std::make_shared<const Trees>(input))
 {}
 
-CGAL_BSPLINE_SHELL_3_INLINE int Mesh_signed_distance_3::sign(const Point_3& p) const { return m_trees->sign(p); }
+CGAL_BSPLINE_SHELL_3_INLINE int Mesh_signed_distance_3::sign(const Point_3& p) const
+{
+  return m_trees->sign(p);
+}
 
-CGAL_BSPLINE_SHELL_3_INLINE double Mesh_signed_distance_3::distance(const Point_3& p) const { return m_trees->distance(p); }
+CGAL_BSPLINE_SHELL_3_INLINE double Mesh_signed_distance_3::distance(const Point_3& p) const
+{
+  return m_trees->distance(p);
+}
 
 CGAL_BSPLINE_SHELL_3_INLINE double Mesh_signed_distance_3::signed_distance(const Point_3& p, Hint& hint) const
 {

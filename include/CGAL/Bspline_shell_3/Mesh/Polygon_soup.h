@@ -33,9 +33,11 @@ struct Polygon_soup
 
 namespace internal {
 
-// `EMPTY_MESH`; `INVALID_PARAMETER` if a polygon refers to a point that does not exist; `NOT_FINITE`; `COORDINATES_OUT_OF_RANGE`; or `SUCCESS`
+// `EMPTY_MESH`; `INVALID_PARAMETER` if a polygon refers to a point that does not exist; `NOT_FINITE`;
+// `COORDINATES_OUT_OF_RANGE`; or `SUCCESS`
 Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders);
-// The first position of a point in a polygon that is too large. \pre `check_soup()` found such polygons
+// The first position of a point in a polygon that is too large.
+// \pre `check_soup()` found such polygons
 inline Invalid_parameter invalid_position(const Polygon_soup& soup, const Offending_simplices& offenders)
 {
   Invalid_parameter invalid;
@@ -47,7 +49,8 @@ inline Invalid_parameter invalid_position(const Polygon_soup& soup, const Offend
 std::vector<std::size_t> merge_points(Polygon_soup& soup);
 // Triangles of a polygon, as positions of its corners: those with an area.
 std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon);
-// Turns polygons round where they do not agree with their neighbors, and counts them. Without success, offenders are what keeps the soup from being a mesh.
+// Turns polygons round where they do not agree with their neighbors, and counts them. Without success, offenders are
+// what keeps the soup from being a mesh.
 Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned);
 // of a soup that is a mesh; false if triangles would share edges that polygons do not
 bool triangulate(Polygon_soup& soup);
@@ -57,7 +60,7 @@ bool triangulate(Polygon_soup& soup);
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Polygon_soup_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Polygon_soup_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_POLYGON_SOUP_H

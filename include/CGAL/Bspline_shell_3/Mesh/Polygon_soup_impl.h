@@ -39,20 +39,27 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status check_soup(const Polygon_soup& soup, Of
   if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
   for(std::size_t n = 0; n < soup.polygons.size(); ++n)
     for(std::size_t v : soup.polygons[n])
-      if(v >= soup.points.size() && (offenders.facets.empty() || offenders.facets.back() != n)) offenders.facets.push_back(n);
+      if(v >= soup.points.size() && (offenders.facets.empty() || offenders.facets.back() != n))
+        offenders.facets.push_back(n);
   if(!offenders.facets.empty()) return Shell_status::INVALID_PARAMETER;
-  constexpr double largest = 1e60;       // as for meshes
+  constexpr double largest = 1e60; // as for meshes
   bool is_in_range = true;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     for(int a = 0; a < 3; ++a) {
       const double x = soup.points[v][a];
       is_in_range = is_in_range && std::abs(x) <= largest;
-      if(!std::isfinite(x)) { offenders.vertices.push_back(v); break; }
+      if(!std::isfinite(x)) {
+        offenders.vertices.push_back(v);
+        break;
+      }
     }
-  return !offenders.vertices.empty() ? Shell_status::NOT_FINITE : is_in_range ? Shell_status::SUCCESS : Shell_status::COORDINATES_OUT_OF_RANGE;
+  return !offenders.vertices.empty() ? Shell_status::NOT_FINITE
+         : is_in_range               ? Shell_status::SUCCESS
+                                     : Shell_status::COORDINATES_OUT_OF_RANGE;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon)
+CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup,
+                                                                                          std::size_t polygon)
 {
   const std::vector<std::size_t>& corners = soup.polygons[polygon];
   std::vector<std::array<std::size_t, 3> > triangles;
@@ -61,9 +68,11 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::array<std::size_t, 3> > triangles_o
   for(std::size_t v : corners) points.push_back(soup.points[v]);
   if(corners.size() == 3) triangles.push_back({ 0, 1, 2 });
   else triangles = triangulate_polygon(points);
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const std::array<std::size_t, 3>& t) {
-    return CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]);
-  }), triangles.end());
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const std::array<std::size_t, 3>& t) {
+                                   return CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]);
+                                 }),
+                  triangles.end());
   return triangles;
 }
 
@@ -77,8 +86,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> merge_points(Polygon_soup& 
     return order == SMALLER || (order == EQUAL && v < w);
   });
   for(std::size_t n = 0; n < sorted.size(); ++n) {
-    const bool is_new = n == 0 || points[sorted[n]] != points[sorted[n-1]];
-    first_at[sorted[n]] = is_new ? sorted[n] : first_at[sorted[n-1]];
+    const bool is_new = n == 0 || points[sorted[n]] != points[sorted[n - 1]];
+    first_at[sorted[n]] = is_new ? sorted[n] : first_at[sorted[n - 1]];
   }
   std::vector<std::size_t> first, merged(points.size());
   for(std::size_t v = 0; v < points.size(); ++v) {
@@ -96,7 +105,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> merge_points(Polygon_soup& 
   return first;
 }
 
-// notes which vertices are copied when a soup is oriented, those whose facets do not form one fan, and counts facets that are turned round
+// notes which vertices are copied when a soup is oriented, those whose facets do not form one fan, and counts facets
+// that are turned round
 struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
 {
   Orientation_notes(std::vector<std::size_t>& copied, std::size_t& turned) : copied(copied), turned(turned) {}
@@ -107,14 +117,18 @@ struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
   std::size_t& turned;
 };
 
-// an edge of a polygon, which walks it from the lower vertex to the upper one if `is_forward`; corners are numbered polygon by polygon
+// an edge of a polygon, which walks it from the lower vertex to the upper one if `is_forward`; corners are numbered
+// polygon by polygon
 struct Edge_use
 {
   std::size_t lower, upper, polygon, lower_corner, upper_corner;
   bool is_forward;
 
   bool has_same_edge(const Edge_use& other) const { return lower == other.lower && upper == other.upper; }
-  bool operator<(const Edge_use& other) const { return std::tie(lower, upper, polygon) < std::tie(other.lower, other.upper, other.polygon); }
+  bool operator<(const Edge_use& other) const
+  {
+    return std::tie(lower, upper, polygon) < std::tie(other.lower, other.upper, other.polygon);
+  }
 };
 
 // The edges of all polygons, sorted. Polygons of less than three corners, or with a vertex twice, are offenders.
@@ -129,12 +143,13 @@ inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std
   if(!offenders.empty()) return {};
   // by the lower vertex first: few edges have the same
   const auto for_each_side = [&](const auto& f) {
-    std::size_t first = 0;      // corner of the polygon
+    std::size_t first = 0; // corner of the polygon
     for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
       const std::vector<std::size_t>& polygon = soup.polygons[p];
       for(std::size_t i = 0; i < polygon.size(); ++i) {
         const std::size_t next = (i + 1) % polygon.size(), a = polygon[i], b = polygon[next];
-        f(a < b ? Edge_use{ a, b, p, first + i, first + next, true } : Edge_use{ b, a, p, first + next, first + i, false });
+        f(a < b ? Edge_use{ a, b, p, first + i, first + next, true }
+                : Edge_use{ b, a, p, first + next, first + i, false });
       }
       first += polygon.size();
     }
@@ -146,7 +161,7 @@ inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for_each_side([&](const Edge_use& use) { uses[next[use.lower]++] = use; });
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    std::sort(uses.begin() + std::ptrdiff_t(begin[v]), uses.begin() + std::ptrdiff_t(begin[v+1]));
+    std::sort(uses.begin() + std::ptrdiff_t(begin[v]), uses.begin() + std::ptrdiff_t(begin[v + 1]));
   return uses;
 }
 
@@ -164,7 +179,8 @@ inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
 
 // What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
 // them are turned round; a parity that contradicts itself around the surface makes it one-sided.
-inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::size_t number_of_polygons, std::vector<std::size_t>& offenders)
+inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::size_t number_of_polygons,
+                                      std::vector<std::size_t>& offenders)
 {
   for_each_edge(uses, [&](auto first, auto last) {
     if(last - first > 2) std::for_each(first, last, [&](const Edge_use& use) { offenders.push_back(use.polygon); });
@@ -175,12 +191,12 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
   }
   // union-find with parities
   std::vector<std::size_t> parent(number_of_polygons);
-  std::vector<char> turned(number_of_polygons, 0);      // relative to the parent
+  std::vector<char> turned(number_of_polygons, 0); // relative to the parent
   std::iota(parent.begin(), parent.end(), std::size_t(0));
   const auto root = [&](std::size_t p, char& parity) {
     parity = 0;
     for(; parent[p] != p; p = parent[p]) {
-      turned[p] = char(turned[p] ^ turned[parent[p]]);       // halves the path
+      turned[p] = char(turned[p] ^ turned[parent[p]]); // halves the path
       parent[p] = parent[parent[p]];
       parity ^= turned[p];
     }
@@ -193,7 +209,10 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
     const std::size_t ra = root(a->polygon, pa), rb = root(b->polygon, pb);
     const char differ = char(a->is_forward == b->is_forward);
     if(ra == rb) {
-      if((pa ^ pb) != differ) { offenders.push_back(a->polygon); offenders.push_back(b->polygon); }
+      if((pa ^ pb) != differ) {
+        offenders.push_back(a->polygon);
+        offenders.push_back(b->polygon);
+      }
     } else {
       parent[ra] = rb;
       turned[ra] = char(pa ^ pb ^ differ);
@@ -203,7 +222,8 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
   return offenders.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
 }
 
-// Whether polygons are a mesh as they are: two at an edge walk it in opposite directions, and those around a vertex form one fan.
+// Whether polygons are a mesh as they are: two at an edge walk it in opposite directions, and those around a vertex
+// form one fan.
 inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup)
 {
   // union-find of corners that are at the same vertex and at a common edge
@@ -237,7 +257,8 @@ inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup
   return true;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned)
+CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders,
+                                                     std::size_t& turned)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   turned = 0;
@@ -245,10 +266,12 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offendi
   if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
   const Shell_status status = diagnose_polygons(uses, soup.polygons.size(), offenders.facets);
   if(status != Shell_status::SUCCESS) return status;
-  if(are_mesh(uses, soup)) return Shell_status::SUCCESS;      // most are
-  PMP::orient_polygon_soup(soup.points, soup.polygons, CGAL::parameters::visitor(Orientation_notes(offenders.vertices, turned)));
+  if(are_mesh(uses, soup)) return Shell_status::SUCCESS; // most are
+  PMP::orient_polygon_soup(soup.points, soup.polygons,
+                           CGAL::parameters::visitor(Orientation_notes(offenders.vertices, turned)));
   sort_and_remove_repetitions(offenders.vertices);
-  return offenders.vertices.empty() && PMP::is_polygon_soup_a_polygon_mesh(soup.polygons) ? Shell_status::SUCCESS : Shell_status::NON_MANIFOLD;
+  return offenders.vertices.empty() && PMP::is_polygon_soup_a_polygon_mesh(soup.polygons) ? Shell_status::SUCCESS
+                                                                                          : Shell_status::NON_MANIFOLD;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE bool triangulate(Polygon_soup& soup)
@@ -261,7 +284,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool triangulate(Polygon_soup& soup)
     else {
       Polygon_soup::Points corners;
       for(std::size_t v : polygon) corners.push_back(soup.points[v]);
-      for(const std::array<std::size_t, 3>& t : triangulate_polygon(corners)) triangles.push_back({ polygon[t[0]], polygon[t[1]], polygon[t[2]] });
+      for(const std::array<std::size_t, 3>& t : triangulate_polygon(corners))
+        triangles.push_back({ polygon[t[0]], polygon[t[1]], polygon[t[2]] });
     }
   soup.polygons.swap(triangles);
   return Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);

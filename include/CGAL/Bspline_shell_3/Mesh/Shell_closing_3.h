@@ -33,25 +33,27 @@ namespace Bspline_shells {
  *
  * \brief triangles that close an open mesh: caps of its holes, and back sheets.
  *
- * A shell of an open mesh is that of the closed one, and keeps its closing. Every mesh with the same border, bit for bit, can be closed by
- * the same triangles. If both closed meshes are certified in the shell, the integral curves map the open ones one-to-one onto each
- * other, and the border onto itself: a curve that meets a triangle of the closing meets both meshes there.
+ * A shell of an open mesh is that of the closed one, and keeps its closing. Every mesh with the same border, bit for
+ * bit, can be closed by the same triangles. If both closed meshes are certified in the shell, the integral curves map
+ * the open ones one-to-one onto each other, and the border onto itself: a curve that meets a triangle of the closing
+ * meets both meshes there.
  *
- * Points on the border are known by their coordinates: a mesh that is closed and embedded has no two vertices in the same place.
+ * Points on the border are known by their coordinates: a mesh that is closed and embedded has no two vertices in the
+ * same place.
  */
 class Shell_closing_3
 {
 public:
   typedef std::array<double, 3> Point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle;      ///< points, counterclockwise as seen from where the mesh faces
+  typedef std::array<Index, 3> Triangle; ///< points, counterclockwise as seen from where the mesh faces
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
   enum class Kind : unsigned char
   {
-    CAP,        ///< fills a hole
-    BACK        ///< part of a sheet behind the mesh, and of the strips that connect it to the border
+    CAP, ///< fills a hole
+    BACK ///< part of a sheet behind the mesh, and of the strips that connect it to the border
   };
 
   Shell_closing_3() = default;
@@ -59,10 +61,12 @@ public:
   /// \param border how many these are
   /// \param triangles the triangles
   /// \param kinds of the triangles
-  Shell_closing_3(std::vector<Point> points, std::size_t border, std::vector<Triangle> triangles, std::vector<Kind> kinds)
+  Shell_closing_3(std::vector<Point> points, std::size_t border, std::vector<Triangle> triangles,
+                  std::vector<Kind> kinds)
     : m_points(std::move(points)), m_border(border), m_triangles(std::move(triangles)), m_kinds(std::move(kinds))
   {
-    for(std::size_t n = 0; n < (std::min)(m_border, m_points.size()); ++n) m_border_point.emplace(m_points[n], Index(n));
+    for(std::size_t n = 0; n < (std::min)(m_border, m_points.size()); ++n)
+      m_border_point.emplace(m_points[n], Index(n));
     m_is_valid = can_close();
   }
 
@@ -82,7 +86,8 @@ public:
     return found == m_border_point.end() ? npos : found->second;
   }
 
-  /// what was attached to a mesh: the facets in the order of the triangles, and the vertices that are no border points, in the order of the points
+  /// what was attached to a mesh: the facets in the order of the triangles, and the vertices that are no border points,
+  /// in the order of the points
   template <typename FaceGraph>
   struct Attached
   {
@@ -92,7 +97,8 @@ public:
 
   /// closes a mesh: adds vertices and facets. Whether the result is closed is checked.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `HalfedgeListGraph`
-  /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
+  /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three
+  ///   `double`s
   /// \return nothing, and the mesh as it was, if its border is not that of the closing, or if it has another of its
   /// edges
   /// \cgalHeading{Cost} linear in the size of the mesh
@@ -106,8 +112,8 @@ public:
     for(auto f = attached.faces.rbegin(); f != attached.faces.rend(); ++f) Euler::remove_face(halfedge(*f, mesh), mesh);
   }
 
-  /// The border halfedges of a mesh by the numbers of the border points that they connect, or nothing if the border is another one: a map from
-  /// `key(source, target)`.
+  /// The border halfedges of a mesh by the numbers of the border points that they connect, or nothing if the border is
+  /// another one: a map from `key(source, target)`.
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
   match_border(const FaceGraph& mesh, VertexPointMap vpm) const;
@@ -131,15 +137,15 @@ inline bool Shell_closing_3::can_close() const
   if(m_kinds.size() != m_triangles.size()) return false;
   for(const Point& p : m_points)
     if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
-  std::vector<std::size_t> corners(m_points.size(), 0);         // number of triangles at each point
-  std::unordered_map<std::uint64_t, Index> third;               // the other corner of an edge's triangle
+  std::vector<std::size_t> corners(m_points.size(), 0); // number of triangles at each point
+  std::unordered_map<std::uint64_t, Index> third;       // the other corner of an edge's triangle
   for(const Triangle& t : m_triangles)
     for(int i = 0; i < 3; ++i) {
       const Index p = t[i], q = t[(i + 1) % 3];
       if(p >= m_points.size() || p == q || !third.emplace(key(p, q), t[(i + 2) % 3]).second) return false;
       ++corners[p];
     }
-  std::vector<Index> next(m_points.size(), npos);               // along the border, or, from an inner point, any edge
+  std::vector<Index> next(m_points.size(), npos); // along the border, or, from an inner point, any edge
   std::vector<int> outgoing(m_border, 0), incoming(m_border, 0);
   for(const auto& edge : third) {
     const Index p = Index(edge.first >> 32), q = Index(edge.first & npos);
@@ -218,8 +224,9 @@ std::optional<Shell_closing_3::Attached<FaceGraph> > Shell_closing_3::attach(Fac
     attached.vertices.push_back(vertex[n]);
   }
   for(const Triangle& t : m_triangles) {
-    const auto f = Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertex[t[0]], vertex[t[1]], vertex[t[2]] }, mesh);
-    if(f == Graph_traits::null_face()) break;       // the mesh has an edge of the closing beside the border
+    const auto f = Euler::add_face(
+      std::array<typename Graph_traits::vertex_descriptor, 3>{ vertex[t[0]], vertex[t[1]], vertex[t[2]] }, mesh);
+    if(f == Graph_traits::null_face()) break; // the mesh has an edge of the closing beside the border
     attached.faces.push_back(f);
   }
   if(attached.faces.size() == m_triangles.size() && CGAL::is_closed(mesh)) return attached;

@@ -32,17 +32,19 @@ namespace Bspline_shells {
  *
  * \brief what replaces the tips of a mesh at some of its vertices, and the map from one mesh to the other.
  *
- * At a vertex whose facets face no common direction, no field can be transversal. The *truncated* mesh has a disc there instead: the
- * facets at the vertex are cut near it, and triangles between the cuts replace what is cut off. The map between the meshes is the identity beyond
- * the facets that are cut, up to the rounding of coordinates. What is left of a cut facet, its *core*, is a union of triangles that are facets of
- * the truncated mesh: the map is affine on each. The tip, a fan of triangles between the vertex and the cuts, and the disc are both mapped
- * affinely, triangle by triangle, into the plane, onto the same polygon; the map from tip to disc is the one after the inverse of the other.
+ * At a vertex whose facets face no common direction, no field can be transversal. The *truncated* mesh has a disc there
+ * instead: the facets at the vertex are cut near it, and triangles between the cuts replace what is cut off. The map
+ * between the meshes is the identity beyond the facets that are cut, up to the rounding of coordinates. What is left of
+ * a cut facet, its *core*, is a union of triangles that are facets of the truncated mesh: the map is affine on each.
+ * The tip, a fan of triangles between the vertex and the cuts, and the disc are both mapped affinely, triangle by
+ * triangle, into the plane, onto the same polygon; the map from tip to disc is the one after the inverse of the other.
  *
- * That this is a homeomorphism is proved by `is_valid()`, in exact arithmetic, and by nothing else: neither by the coordinates of cuts, which are
- * rounded, nor by how they were found.
+ * That this is a homeomorphism is proved by `is_valid()`, in exact arithmetic, and by nothing else: neither by the
+ * coordinates of cuts, which are rounded, nor by how they were found.
  *
- * Facets are known by the coordinates of their vertices, as no two vertices of an embedded mesh are in the same place. So the truncation fits every
- * mesh that has the facets to be cut. Facets that are cut and their parts form *patches*, each of which is found, and replaced, as a whole.
+ * Facets are known by the coordinates of their vertices, as no two vertices of an embedded mesh are in the same place.
+ * So the truncation fits every mesh that has the facets to be cut. Facets that are cut and their parts form *patches*,
+ * each of which is found, and replaced, as a whole.
  */
 class Shell_truncation_3
 {
@@ -50,12 +52,12 @@ public:
   typedef std::array<double, 3> Point;
   typedef std::array<double, 2> Planar_point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle;                  ///< points, counterclockwise as seen from where the mesh faces
+  typedef std::array<Index, 3> Triangle; ///< points, counterclockwise as seen from where the mesh faces
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
-  /// A point where a facet is cut: `center + s (first - center) + t (second - center)`, where the facet has these corners in this order. On an
-  /// edge, `t` is zero and `second` is `npos`.
+  /// A point where a facet is cut: `center + s (first - center) + t (second - center)`, where the facet has these
+  /// corners in this order. On an edge, `t` is zero and `second` is `npos`.
   struct Cut
   {
     Index center, first, second;
@@ -65,17 +67,17 @@ public:
   /// what replaces the tip at a vertex
   struct Disc
   {
-    Index center;                         ///< the vertex
-    std::vector<Index> rim;               ///< the cuts around it, counterclockwise
-    std::vector<Index> facets;            ///< the cut facet in which each edge of the rim lies, from each cut to the next
-    std::vector<Triangle> triangles;      ///< between cuts and further points
+    Index center;                    ///< the vertex
+    std::vector<Index> rim;          ///< the cuts around it, counterclockwise
+    std::vector<Index> facets;       ///< the cut facet in which each edge of the rim lies, from each cut to the next
+    std::vector<Triangle> triangles; ///< between cuts and further points
   };
 
   /// a part of a cut facet that stays
   struct Core
   {
     Triangle triangle;
-    Index facet;                          ///< the cut facet
+    Index facet; ///< the cut facet
   };
 
   /// a point of a facet: of one that is cut, or of one of the truncated mesh
@@ -92,8 +94,8 @@ public:
   /// \param cores all that is left of the facets that are cut
   /// \param discs what replaces the rest
   /// \param planar where cuts and points in discs are in the plane; vertices are at the origin
-  Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets, std::vector<Cut> cuts, std::vector<Core> cores, std::vector<Disc> discs,
-                     std::vector<Planar_point> planar);
+  Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets, std::vector<Cut> cuts,
+                     std::vector<Core> cores, std::vector<Disc> discs, std::vector<Planar_point> planar);
 
   /// \name Data
   /// @{
@@ -109,26 +111,35 @@ public:
 
   /// Facets of the truncated mesh that the other one does not have, by number: cores, then the triangles of discs.
   std::size_t number_of_new_facets() const { return m_cores.size() + m_disc_triangles.size(); }
-  Triangle new_facet(std::size_t n) const { return n < m_cores.size() ? m_cores[n].triangle : triangle_of(m_disc_triangles[n - m_cores.size()]); }
+  Triangle new_facet(std::size_t n) const
+  {
+    return n < m_cores.size() ? m_cores[n].triangle : triangle_of(m_disc_triangles[n - m_cores.size()]);
+  }
   /// the disc that a new facet is in, or `npos` for a core
-  Index disc_of_new_facet(std::size_t n) const { return n < m_cores.size() ? npos : m_disc_triangles[n - m_cores.size()].first; }
+  Index disc_of_new_facet(std::size_t n) const
+  {
+    return n < m_cores.size() ? npos : m_disc_triangles[n - m_cores.size()].first;
+  }
 
-  /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in exact arithmetic on the numbers
-  /// in `cuts()`; facets with a common edge cut it in the same points; and so the cores and tips are one subdivision of the facets that are cut.
-  /// The fan of the tip is mapped onto a polygon that is star-shaped, and so is the disc, triangles being positively oriented in the plane, and
-  /// having no border but the rim. No two new facets have the same directed edge, so that `apply()` succeeds on every
-  /// mesh that has a patch.
+  /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in
+  /// exact arithmetic on the numbers in `cuts()`; facets with a common edge cut it in the same points; and so the cores
+  /// and tips are one subdivision of the facets that are cut. The fan of the tip is mapped onto a polygon that is
+  /// star-shaped, and so is the disc, triangles being positively oriented in the plane, and having no border but the
+  /// rim. No two new facets have the same directed edge, so that `apply()` succeeds on every mesh that has a patch.
   bool is_valid() const { return m_is_valid; }
 
   /// \name Map
   /// Places on edges belong to several facets, and have the same image from all of them. Computed in `double`s.
   /// @{
-  /// where a place of a facet that is cut is on the truncated mesh. \pre `is_valid()`
+  /// where a place of a facet that is cut is on the truncated mesh.
+  /// \pre `is_valid()`
   Place image(const Place& place) const;
-  /// where a place of a new facet was on the mesh that was truncated. \pre `is_valid()`
+  /// where a place of a new facet was on the mesh that was truncated.
+  /// \pre `is_valid()`
   Place preimage(const Place& place) const;
-  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its columns being given, times the
-  /// change of those of the place. \pre `is_valid()`
+  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its
+  /// columns being given, times the change of those of the place.
+  /// \pre `is_valid()`
   std::array<std::array<double, 3>, 3> derivative(const Place& place) const;
   /// @}
 
@@ -138,37 +149,46 @@ public:
   {
     typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
     typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
-    std::size_t patches = 0;                        ///< that were replaced
-    std::vector<face_descriptor> facets;            ///< by the number of new facets; null where the mesh does not have the patch
-    std::vector<vertex_descriptor> vertices;        ///< by point; null where there is none, as for the vertices that were cut off
+    std::size_t patches = 0; ///< that were replaced
+    /// by the number of new facets; null where the mesh does not have the patch
+    std::vector<face_descriptor> facets;
+    /// by point; null where there is none, as for the vertices that were cut off
+    std::vector<vertex_descriptor> vertices;
   };
 
-  /// For each facet to be cut, the halfedge of a mesh from its first corner to its second, or null where the mesh does not have all facets of
-  /// the patch. All are null if the truncation is not valid.
+  /// For each facet to be cut, the halfedge of a mesh from its first corner to its second, or null where the mesh does
+  /// not have all facets of the patch. All are null if the truncation is not valid.
   /// \tparam FaceGraph a model of `FaceListGraph`
   template <typename FaceGraph, typename VertexPointMap>
-  std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> match(const FaceGraph& mesh, VertexPointMap vpm) const;
+  std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> match(const FaceGraph& mesh,
+                                                                                  VertexPointMap vpm) const;
 
-  /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its parts; other new elements have
-  /// default values. The new facets, and that the mesh has no more border than before, are checked.
+  /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its
+  /// parts; other new elements have default values. The new facets, and that the mesh has no more border than before,
+  /// are checked.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `FaceListGraph`
-  /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three `double`s
+  /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three
+  ///   `double`s
   /// \return nothing if the check fails; the mesh must not be used then
   /// \cgalHeading{Cost} linear in the size of the mesh
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<Truncated<FaceGraph> > apply(FaceGraph& mesh, VertexPointMap vpm) const;
 
 private:
-  typedef std::pair<Index, Index> Disc_triangle;          // disc, number in it
+  typedef std::pair<Index, Index> Disc_triangle; // disc, number in it
   // A part of a cut facet: a core, or a triangle of a tip, between the vertex and an edge of the rim.
   struct Cell
   {
-    Index new_facet, disc, edge;                          // either the first, or the others
-    std::array<std::array<double, 3>, 3> corners;         // barycentric coordinates in the cut facet
+    Index new_facet, disc, edge;                  // either the first, or the others
+    std::array<std::array<double, 3>, 3> corners; // barycentric coordinates in the cut facet
   };
 
   // The piece of the map that a place is in: the part of the facet, and, of a tip, the triangle of the disc.
-  struct Piece { const Cell* part; std::size_t new_facet; };
+  struct Piece
+  {
+    const Cell* part;
+    std::size_t new_facet;
+  };
 
   Piece piece(const Place& place) const;
   Planar_point planar_point(const Cell& part, const std::array<double, 3>& barycentric) const;
@@ -194,7 +214,7 @@ private:
   std::vector<Disc> m_discs;
   std::vector<Planar_point> m_planar;
   std::vector<Disc_triangle> m_disc_triangles;
-  std::vector<std::vector<Cell> > m_cells;                // by cut facet
+  std::vector<std::vector<Cell> > m_cells; // by cut facet
   bool m_is_valid = false;
 };
 
@@ -210,7 +230,7 @@ bool cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descri
                         std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t> > triangles, const Put& put)
 {
   typedef typename boost::graph_traits<FaceGraph>::halfedge_descriptor halfedge_descriptor;
-  std::unordered_map<std::uint32_t, halfedge_descriptor> to;        // each corner, in what is left of the polygon
+  std::unordered_map<std::uint32_t, halfedge_descriptor> to; // each corner, in what is left of the polygon
   std::unordered_map<std::uint32_t, std::uint32_t> next_corner;
   std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::uint32_t> point;
   for(const auto& t : triangles)
@@ -228,12 +248,13 @@ bool cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descri
     std::size_t ears = 0;
     for(std::size_t n = 0; n < triangles.size() && triangles.size() > 1; ++n)
       for(int i = 0; i < 3; ++i) {
-        const std::uint32_t p = triangles[n].first[i], q = triangles[n].first[(i + 1) % 3], r = triangles[n].first[(i + 2) % 3];
+        const std::uint32_t p = triangles[n].first[i], q = triangles[n].first[(i + 1) % 3],
+                            r = triangles[n].first[(i + 2) % 3];
         if(next_corner[p] != q || next_corner[q] != r) continue;
         to[r] = Euler::split_face(to[p], to[r], mesh);
         put(triangles[n].second, face(opposite(to[r], mesh), mesh));
         next_corner[p] = r;
-        next_corner[q] = q;       // it is cut off
+        next_corner[q] = q; // it is cut off
         triangles.erase(triangles.begin() + std::ptrdiff_t(n--));
         ++ears;
         break;
@@ -250,8 +271,8 @@ bool cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descri
 } // namespace internal
 
 template <typename FaceGraph, typename VertexPointMap>
-std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor>
-Shell_truncation_3::match(const FaceGraph& mesh, VertexPointMap vpm) const
+std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Shell_truncation_3::match(
+  const FaceGraph& mesh, VertexPointMap vpm) const
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -270,7 +291,7 @@ Shell_truncation_3::match(const FaceGraph& mesh, VertexPointMap vpm) const
   for(const Triangle& t : m_cut_facets)
     for(Index p : t) ++facets_at[p];
   const std::vector<Index> patch_of = patches();
-  std::vector<char> is_there(m_cut_facets.size(), 1);       // by patch
+  std::vector<char> is_there(m_cut_facets.size(), 1); // by patch
   for(const Disc& d : m_discs) {
     const vertex_descriptor v = vertex[d.center];
     bool is_whole = v != Graph_traits::null_vertex() && degree(v, mesh) == facets_at[d.center];
@@ -282,7 +303,7 @@ Shell_truncation_3::match(const FaceGraph& mesh, VertexPointMap vpm) const
           if(is_border(h, mesh)) continue;
           const auto g = next(h, mesh), last = next(g, mesh);
           if(next(last, mesh) != h) continue;
-          const int i = int(std::find(t.begin(), t.end(), d.center) - t.begin());       // h leads to corner i
+          const int i = int(std::find(t.begin(), t.end(), d.center) - t.begin()); // h leads to corner i
           if(target(g, mesh) != vertex[t[(i + 1) % 3]] || target(last, mesh) != vertex[t[(i + 2) % 3]]) continue;
           result[f] = i == 0 ? g : i == 1 ? h : last;
         }
@@ -322,8 +343,8 @@ bool Shell_truncation_3::is_replaced(const Truncated<FaceGraph>& truncated, cons
 }
 
 template <typename FaceGraph, typename VertexPointMap>
-std::optional<Shell_truncation_3::Truncated<FaceGraph> >
-Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
+std::optional<Shell_truncation_3::Truncated<FaceGraph> > Shell_truncation_3::apply(FaceGraph& mesh,
+                                                                                   VertexPointMap vpm) const
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
@@ -332,14 +353,14 @@ Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
   Truncated<FaceGraph> result;
   result.facets.assign(number_of_new_facets(), Graph_traits::null_face());
   result.vertices.assign(m_points.size(), Graph_traits::null_vertex());
-  std::vector<halfedge_descriptor> in_core = match(mesh, vpm);      // of each cut facet
+  std::vector<halfedge_descriptor> in_core = match(mesh, vpm); // of each cut facet
   const auto is_there = [&](const Disc& d) { return in_core[d.facets.front()] != Graph_traits::null_halfedge(); };
   const auto place = [&](Index p, vertex_descriptor v) {
     put(vpm, v, Point_3(m_points[p][0], m_points[p][1], m_points[p][2]));
     result.vertices[p] = v;
   };
   std::vector<char> is_counted(m_cut_facets.size(), 0), is_cut_facet(m_cut_facets.size(), 0);
-  std::size_t border = 0;       // edges of facets that are cut
+  std::size_t border = 0; // edges of facets that are cut
   const std::vector<Index> patch_of = patches();
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f) {
     if(in_core[f] == Graph_traits::null_halfedge()) continue;
@@ -363,7 +384,8 @@ Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
   for(const Disc& d : m_discs) {
     if(!is_there(d)) continue;
     for(std::size_t i = 0; i < d.rim.size(); ++i)
-      if(m_cuts[d.rim[i] - number_of_corners()].second == npos) place(d.rim[i], target(Euler::split_edge(leaving(d.facets[i], d.center), mesh), mesh));
+      if(m_cuts[d.rim[i] - number_of_corners()].second == npos)
+        place(d.rim[i], target(Euler::split_edge(leaving(d.facets[i], d.center), mesh), mesh));
   }
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
@@ -388,7 +410,8 @@ Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
 
   std::vector<std::vector<std::pair<Triangle, std::size_t> > > cores(m_cut_facets.size()), in_disc(m_discs.size());
   for(std::size_t n = 0; n < number_of_new_facets(); ++n)
-    (disc_of_new_facet(n) == npos ? cores[m_cores[n].facet] : in_disc[disc_of_new_facet(n)]).emplace_back(new_facet(n), n);
+    (disc_of_new_facet(n) == npos ? cores[m_cores[n].facet] : in_disc[disc_of_new_facet(n)])
+      .emplace_back(new_facet(n), n);
   const auto note = [&](std::size_t n, typename Graph_traits::face_descriptor f) { result.facets[n] = f; };
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f)
     if(is_cut_facet[f] && !internal::cut_into_triangles(in_core[f], mesh, result.vertices, cores[f], note))
@@ -426,7 +449,7 @@ Shell_truncation_3::apply(FaceGraph& mesh, VertexPointMap vpm) const
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_SHELL_TRUNCATION_3_H

@@ -30,8 +30,10 @@ inline Sign orientation_in_facet(const Exact_barycentric& p, const Exact_barycen
   return CGAL::sign(Exact_rational((q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])));
 }
 
-// Barycentric coordinates, in a triangle of the plane, of a point. Where the triangle is so small that they are no numbers, those of its first corner.
-inline std::array<double, 3> barycentric_in_plane(const std::array<std::array<double, 2>, 3>& t, const std::array<double, 2>& p)
+// Barycentric coordinates, in a triangle of the plane, of a point. Where the triangle is so small that they are no
+// numbers, those of its first corner.
+inline std::array<double, 3> barycentric_in_plane(const std::array<std::array<double, 2>, 3>& t,
+                                                  const std::array<double, 2>& p)
 {
   const auto area = [](const std::array<double, 2>& a, const std::array<double, 2>& b, const std::array<double, 2>& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -60,10 +62,11 @@ inline std::array<double, 3> clamped(std::array<double, 3> barycentric)
 } // namespace internal
 
 CGAL_BSPLINE_SHELL_3_INLINE
-Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets, std::vector<Cut> cuts, std::vector<Core> cores,
-                                       std::vector<Disc> discs, std::vector<Planar_point> planar)
-  : m_points(std::move(points)), m_cut_facets(std::move(cut_facets)), m_cuts(std::move(cuts)), m_cores(std::move(cores)), m_discs(std::move(discs))
-  , m_planar(std::move(planar))
+Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets,
+                                       std::vector<Cut> cuts, std::vector<Core> cores, std::vector<Disc> discs,
+                                       std::vector<Planar_point> planar)
+  : m_points(std::move(points)), m_cut_facets(std::move(cut_facets)), m_cuts(std::move(cuts)),
+    m_cores(std::move(cores)), m_discs(std::move(discs)), m_planar(std::move(planar))
 {
   m_is_valid = are_indices_valid() && do_parts_tile_facets() && are_discs_valid();
   if(!m_is_valid) return;
@@ -75,7 +78,9 @@ Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Tr
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
 {
   const std::size_t size = m_points.size(), corners = number_of_corners();
-  if(m_planar.size() > size || m_cuts.size() > m_planar.size() || size >= npos || m_cut_facets.size() >= npos || m_discs.empty()) return false;
+  if(m_planar.size() > size || m_cuts.size() > m_planar.size() || size >= npos || m_cut_facets.size() >= npos
+     || m_discs.empty())
+    return false;
   for(const Point& p : m_points)
     for(double x : p)
       if(!std::isfinite(x)) return false;
@@ -95,16 +100,18 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
     if(!is_on_edge && !(Exact_rational(c.s) + Exact_rational(c.t) < Exact_rational(1))) return false;
   }
   for(const Core& c : m_cores)
-    if(c.facet >= m_cut_facets.size() || !are_different(c.triangle) || !std::all_of(c.triangle.begin(), c.triangle.end(), [&](Index p) { return p < corners || is_cut(p); }))
+    if(c.facet >= m_cut_facets.size() || !are_different(c.triangle)
+       || !std::all_of(c.triangle.begin(), c.triangle.end(), [&](Index p) { return p < corners || is_cut(p); }))
       return false;
-  std::vector<Index> disc_of(m_planar.size(), npos);      // of each cut and each point in a disc
+  std::vector<Index> disc_of(m_planar.size(), npos); // of each cut and each point in a disc
   std::vector<char> is_center(corners, 0);
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
     if(d.center >= corners || is_center[d.center] || d.rim.size() < 3 || d.facets.size() != d.rim.size()) return false;
     is_center[d.center] = 1;
     for(std::size_t i = 0; i < d.rim.size(); ++i) {
-      if(!is_cut(d.rim[i]) || m_cuts[d.rim[i] - corners].center != d.center || d.facets[i] >= m_cut_facets.size()) return false;
+      if(!is_cut(d.rim[i]) || m_cuts[d.rim[i] - corners].center != d.center || d.facets[i] >= m_cut_facets.size())
+        return false;
       if(disc_of[d.rim[i] - corners] != npos) return false;
       disc_of[d.rim[i] - corners] = Index(n);
     }
@@ -125,8 +132,9 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
   return true;
 }
 
-// Each cut facet is tiled by its parts, and facets agree on the points on their common edges. The argument is that of a degree: triangles that are
-// positively oriented, and whose edges cancel but for those that lead once around the facet, cover it once.
+// Each cut facet is tiled by its parts, and facets agree on the points on their common edges. The argument is that of a
+// degree: triangles that are positively oriented, and whose edges cancel but for those that lead once around the facet,
+// cover it once.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() const
 {
   typedef std::pair<Index, Index> Edge;
@@ -151,9 +159,10 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
   std::vector<std::vector<Triangle> > parts(m_cut_facets.size());
   for(const Core& c : m_cores) parts[c.facet].push_back(c.triangle);
   for(const Disc& d : m_discs)
-    for(std::size_t i = 0; i < d.rim.size(); ++i) parts[d.facets[i]].push_back({ d.center, d.rim[i], d.rim[(i + 1) % d.rim.size()] });
+    for(std::size_t i = 0; i < d.rim.size(); ++i)
+      parts[d.facets[i]].push_back({ d.center, d.rim[i], d.rim[(i + 1) % d.rim.size()] });
 
-  std::map<Edge, Index> sides;       // the edges around facets
+  std::map<Edge, Index> sides; // the edges around facets
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f) {
     const Triangle& facet = m_cut_facets[f];
     std::map<Index, internal::Exact_barycentric> at;
@@ -167,7 +176,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
     }
     std::map<Index, Index> next;
     for(const auto& e : edges)
-      if(edges.count(Edge(e.first.second, e.first.first)) == 0 && !next.emplace(e.first.first, e.first.second).second) return false;
+      if(edges.count(Edge(e.first.second, e.first.first)) == 0 && !next.emplace(e.first.first, e.first.second).second)
+        return false;
     // once around the facet, along its sides
     Index p = facet[0];
     std::size_t steps = 0;
@@ -191,8 +201,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
   return true;
 }
 
-// Tip and disc are mapped onto the same polygon: it is star-shaped around the vertex, and the triangles of the disc, positively oriented, have no
-// other border.
+// Tip and disc are mapped onto the same polygon: it is star-shaped around the vertex, and the triangles of the disc,
+// positively oriented, have no other border.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
@@ -268,8 +278,11 @@ CGAL_BSPLINE_SHELL_3_INLINE void Shell_truncation_3::index()
     const Disc& d = m_discs[n];
     for(std::size_t i = 0; i < d.rim.size(); ++i) {
       const Index f = d.facets[i];
-      m_cells[f].push_back({ npos, Index(n), Index(i),
-                             { barycentric_in(f, d.center), barycentric_in(f, d.rim[i]), barycentric_in(f, d.rim[(i + 1) % d.rim.size()]) } });
+      m_cells[f].push_back({ npos,
+                             Index(n),
+                             Index(i),
+                             { barycentric_in(f, d.center), barycentric_in(f, d.rim[i]),
+                               barycentric_in(f, d.rim[(i + 1) % d.rim.size()]) } });
     }
   }
 }
@@ -294,7 +307,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(
   Piece result = { nullptr, 0 };
   Barycentric in_part = {};
   for(const Cell& cell : m_cells[place.facet]) {
-    const Barycentric b = internal::barycentric_in_plane(internal::in_plane(cell.corners), { place.barycentric[1], place.barycentric[2] });
+    const Barycentric b = internal::barycentric_in_plane(internal::in_plane(cell.corners),
+                                                         { place.barycentric[1], place.barycentric[2] });
     if(result.part != nullptr && !(least(b) > least(in_part))) continue;
     result.part = &cell;
     in_part = b;
@@ -304,7 +318,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(
 
   const Disc& d = m_discs[result.part->disc];
   const Planar_point x = planar_point(*result.part, internal::clamped(in_part));
-  const auto first = std::lower_bound(m_disc_triangles.begin(), m_disc_triangles.end(), Disc_triangle(result.part->disc, 0));
+  const auto first = std::lower_bound(m_disc_triangles.begin(), m_disc_triangles.end(),
+                                      Disc_triangle(result.part->disc, 0));
   Barycentric in_triangle = {};
   for(std::size_t i = 0; i < d.triangles.size(); ++i) {
     const Triangle& t = d.triangles[i];
@@ -317,7 +332,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(
 }
 
 // of a point of a tip's triangle
-CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3::planar_point(const Cell& part, const std::array<double, 3>& barycentric) const
+CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3::planar_point(
+  const Cell& part, const std::array<double, 3>& barycentric) const
 {
   const Disc& d = m_discs[part.disc];
   const Planar_point &p = planar(d.rim[part.edge]), &q = planar(d.rim[(part.edge + 1) % d.rim.size()]);
@@ -325,12 +341,15 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3:
 }
 
 // the affine map of a piece
-CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::mapped(const Piece& piece, const std::array<double, 3>& barycentric) const
+CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::mapped(
+  const Piece& piece, const std::array<double, 3>& barycentric) const
 {
-  const std::array<double, 3> in_part = internal::barycentric_in_plane(internal::in_plane(piece.part->corners), { barycentric[1], barycentric[2] });
+  const std::array<double, 3> in_part = internal::barycentric_in_plane(internal::in_plane(piece.part->corners),
+                                                                       { barycentric[1], barycentric[2] });
   if(piece.part->new_facet != npos) return in_part;
   const Triangle t = new_facet(piece.new_facet);
-  return internal::barycentric_in_plane({ { planar(t[0]), planar(t[1]), planar(t[2]) } }, planar_point(*piece.part, in_part));
+  return internal::barycentric_in_plane({ { planar(t[0]), planar(t[1]), planar(t[2]) } },
+                                        planar_point(*piece.part, in_part));
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(const Place& place) const
@@ -339,7 +358,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(
   return { Index(p.new_facet), internal::clamped(mapped(p, place.barycentric)) };
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE std::array<std::array<double, 3>, 3> Shell_truncation_3::derivative(const Place& place) const
+CGAL_BSPLINE_SHELL_3_INLINE std::array<std::array<double, 3>, 3> Shell_truncation_3::derivative(
+  const Place& place) const
 {
   const Piece p = piece(place);
   return { { mapped(p, { 1, 0, 0 }), mapped(p, { 0, 1, 0 }), mapped(p, { 0, 0, 1 }) } };
@@ -358,7 +378,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::preima
   const Index disc = disc_of_new_facet(place.facet);
   if(disc == npos) {
     const Index f = m_cores[place.facet].facet;
-    return { f, combined(place.barycentric, { barycentric_in(f, t[0]), barycentric_in(f, t[1]), barycentric_in(f, t[2]) }) };
+    return { f, combined(place.barycentric,
+                         { barycentric_in(f, t[0]), barycentric_in(f, t[1]), barycentric_in(f, t[2]) }) };
   }
   const Disc& d = m_discs[disc];
   Planar_point x = {};
@@ -367,14 +388,15 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::preima
   std::size_t edge = 0;
   Barycentric in_tip = {};
   for(std::size_t i = 0; i < d.rim.size(); ++i) {
-    const Barycentric b = internal::barycentric_in_plane({ { Planar_point{}, planar(d.rim[i]), planar(d.rim[(i + 1) % d.rim.size()]) } }, x);
+    const Barycentric b = internal::barycentric_in_plane(
+      { { Planar_point{}, planar(d.rim[i]), planar(d.rim[(i + 1) % d.rim.size()]) } }, x);
     if(i > 0 && !((std::min)({ b[0], b[1], b[2] }) > (std::min)({ in_tip[0], in_tip[1], in_tip[2] }))) continue;
     edge = i;
     in_tip = b;
   }
   const Index f = d.facets[edge];
-  return { f, combined(internal::clamped(in_tip),
-                       { barycentric_in(f, d.center), barycentric_in(f, d.rim[edge]), barycentric_in(f, d.rim[(edge + 1) % d.rim.size()]) }) };
+  return { f, combined(internal::clamped(in_tip), { barycentric_in(f, d.center), barycentric_in(f, d.rim[edge]),
+                                                    barycentric_in(f, d.rim[(edge + 1) % d.rim.size()]) }) };
 }
 
 } // namespace Bspline_shells

@@ -42,8 +42,8 @@ public:
 
   explicit Polygon_cutter(const Lattice_3& lattice) : m_lattice(lattice) {}
 
-  // calls visit(p, polygon) for the parts of a triangle in the cells, with lattice points p, that it enters; `normal` says
-  // which cell is behind it if it lies in a plane between two
+  // calls visit(p, polygon) for the parts of a triangle in the cells, with lattice points p, that it enters; `normal`
+  // says which cell is behind it if it lies in a plane between two
   template <typename Visitor>
   void cut(const std::array<Clip_point, 3>& triangle, const Clip_point& normal, const Visitor& visit)
   {
@@ -84,7 +84,10 @@ private:
   template <typename Visitor>
   void slice(int axis, const Visitor& visit)
   {
-    if(axis == 3) { visit(m_cell, m_polygon[3]); return; }
+    if(axis == 3) {
+      visit(m_cell, m_polygon[3]);
+      return;
+    }
     double lowest, highest;
     extent(m_polygon[axis], axis, lowest, highest);
     int first = m_lattice.interval(axis, lowest);
@@ -112,7 +115,10 @@ private:
   // the part of a convex polygon where the coordinate is at least (or at most) c
   static void keep(const Polygon& in, int axis, double c, bool above, bool all, Polygon& out)
   {
-    if(all) { out = in; return; }
+    if(all) {
+      out = in;
+      return;
+    }
     for(std::size_t n = 0; n < in.size(); ++n) {
       const Clip_point& p = in[n];
       const Clip_point& q = in[n + 1 == in.size() ? 0 : n + 1];
@@ -140,7 +146,7 @@ private:
   std::array<Polygon, 4> m_polygon;
   Polygon m_half;
   Lattice_3::Point m_cell;
-  std::array<int, 3> m_behind = {};     // per axis, 1 if the cell behind a facet is the one of smaller coordinates
+  std::array<int, 3> m_behind = {}; // per axis, 1 if the cell behind a facet is the one of smaller coordinates
 };
 
 // The part of a polygon in a cell of a level, cut further down to the leaves: calls visit(leaf, polygon).
@@ -150,7 +156,8 @@ public:
   explicit Leaf_cutter(const Polygon_cutter& cutter) : m_cutter(cutter) {}
 
   template <typename Visitor>
-  void cut(const Cell_complex_3& cells, int, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon, const Visitor& visit)
+  void cut(const Cell_complex_3& cells, int, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon,
+           const Visitor& visit)
   {
     visit(cells.cell(p), polygon);
   }
@@ -160,7 +167,10 @@ public:
            const Visitor& visit)
   {
     const Cell_hierarchy_3::Index c = cells.leaf(level, p);
-    if(c != Cell_hierarchy_3::npos) { visit(c, polygon); return; }
+    if(c != Cell_hierarchy_3::npos) {
+      visit(c, polygon);
+      return;
+    }
     while(m_halves.size() <= std::size_t(level)) m_halves.emplace_back();
     std::array<std::array<Polygon_cutter::Polygon, 2>, 3>& halves = m_halves[std::size_t(level)];
     const auto middle = [&](int a) { return cells.coordinate(level + 1, a, 2 * p[a] + 1); };
@@ -172,14 +182,15 @@ public:
         if(halves[1][j].empty()) continue;
         m_cutter.halve(halves[1][j], 2, middle(2), halves[2]);
         for(int k = 0; k < 2; ++k)
-          if(!halves[2][k].empty()) cut(cells, level + 1, { 2*p[0] + i, 2*p[1] + j, 2*p[2] + k }, halves[2][k], visit);
+          if(!halves[2][k].empty())
+            cut(cells, level + 1, { 2 * p[0] + i, 2 * p[1] + j, 2 * p[2] + k }, halves[2][k], visit);
       }
     }
   }
 
 private:
   const Polygon_cutter& m_cutter;
-  std::deque<std::array<std::array<Polygon_cutter::Polygon, 2>, 3> > m_halves;    // by level; references stay valid
+  std::deque<std::array<std::array<Polygon_cutter::Polygon, 2>, 3> > m_halves; // by level; references stay valid
 };
 
 // facets are numbered consecutively
@@ -187,7 +198,8 @@ template <typename InputMesh>
 std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n)
 {
   const auto t = input.triangle(typename InputMesh::Face_index(static_cast<unsigned int>(n)));
-  return { Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() }, Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
+  return { Clip_point{ t[0].x(), t[0].y(), t[0].z() }, Clip_point{ t[1].x(), t[1].y(), t[1].z() },
+           Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
 }
 
 // the numbers of its corners, in the same order
@@ -196,7 +208,7 @@ std::array<std::uint32_t, 3> corners_to_clip(const InputMesh& input, std::size_t
 {
   const auto& mesh = input.mesh();
   const auto h = mesh.halfedge(typename InputMesh::Face_index(static_cast<unsigned int>(n)));
-  return {{ std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)), std::uint32_t(mesh.target(mesh.next(h))) }};
+  return { { std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)), std::uint32_t(mesh.target(mesh.next(h))) } };
 }
 
 // the unit normal; zero for a facet too flat for doubles
@@ -204,7 +216,8 @@ inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 {
   // scaled first: the squares of a tiny facet's lengths would underflow
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
-  Vector_3 u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]), w(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
+  Vector_3 u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]),
+    w(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
   double scale = 0;
   for(int a = 0; a < 3; ++a) scale = (std::max)({ scale, std::abs(u[a]), std::abs(w[a]) });
   Vector_3 n = CGAL::cross_product(u / scale, w / scale);
@@ -221,13 +234,13 @@ inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and part
- * of one facet.
+ * \brief the mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and
+ * part of one facet.
  *
  * It serves quadrature and the search for extrema, where rounding of the cuts does no harm (a cut point lies within
- * a few units in the last place of the facet and exactly on the planes between cells). Both facets at an edge are cut at the
- * same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane between two cells belong to the cell
- * behind them.
+ * a few units in the last place of the facet and exactly on the planes between cells). Both facets at an edge are cut
+ * at the same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane
+ * between two cells belong to the cell behind them.
  */
 class Clipped_mesh_3
 {
@@ -236,10 +249,10 @@ public:
 
   struct Piece
   {
-    std::uint32_t cell;           ///< number of the leaf cell; pieces ascend by it
-    std::uint32_t facet;          ///< number of the triangle it is a part of
-    std::uint32_t size;           ///< number of its vertices
-    std::size_t first;            ///< its vertices are `point(first)` ... `point(first + size - 1)`
+    std::uint32_t cell;  ///< number of the leaf cell; pieces ascend by it
+    std::uint32_t facet; ///< number of the triangle it is a part of
+    std::uint32_t size;  ///< number of its vertices
+    std::size_t first;   ///< its vertices are `point(first)` ... `point(first + size - 1)`
   };
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }
@@ -284,7 +297,7 @@ public:
       double l1 = 0, perimeter = 0;
       for(int a = 0; a < 3; ++a) {
         l1 += std::abs(n[a]);
-        perimeter += std::sqrt((t[(a+1) % 3] - t[a]).squared_length());
+        perimeter += std::sqrt((t[(a + 1) % 3] - t[a]).squared_length());
       }
       pieces += 1 + l1 / 2 + perimeter / spacing;
     }
@@ -296,8 +309,8 @@ private:
   friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
 
   std::vector<Piece> m_pieces;
-  std::vector<std::uint32_t> m_corners;       // of all pieces: numbers of points
-  std::vector<Point> m_points;                // those of the mesh first: most pieces are facets of a fine mesh
+  std::vector<std::uint32_t> m_corners; // of all pieces: numbers of points
+  std::vector<Point> m_points;          // those of the mesh first: most pieces are facets of a fine mesh
   std::vector<Point> m_normals;
 };
 
@@ -335,9 +348,10 @@ std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3
 template <typename ConcurrencyTag, typename InputMesh>
 std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const Lattice_3& lattice)
 {
-  return internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [](const Lattice_3::Point& p, const auto&, std::vector<std::uint64_t>& keys) {
-    keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
-  });
+  return internal::cells_at_mesh<ConcurrencyTag>(
+    input, lattice, [](const Lattice_3::Point& p, const auto&, std::vector<std::uint64_t>& keys) {
+      keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
+    });
 }
 
 /*!
@@ -347,44 +361,45 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
  */
 struct Cells_near_mesh
 {
-  std::vector<std::uint64_t> entered;       ///< by the mesh
-  std::vector<std::uint64_t> near;          ///< these, and what is near it
+  std::vector<std::uint64_t> entered; ///< by the mesh
+  std::vector<std::uint64_t> near;    ///< these, and what is near it
 };
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the cells that the mesh enters, and all whose interior has a point nearer than `distance` along each axis to a point of the mesh; and a few
- * others, as the parts of facets in a cell are as large as their boxes here.
+ * \brief the cells that the mesh enters, and all whose interior has a point nearer than `distance` along each axis to a
+ * point of the mesh; and a few others, as the parts of facets in a cell are as large as their boxes here.
  *
- * \pre the distance is less than the lattice's spacing (what is farther is found by `dilate()`), and the coordinates of `input` divided by the spacing
- * are at most `Lattice_key::max_coordinate`
+ * \pre the distance is less than the lattice's spacing (what is farther is found by `dilate()`), and the coordinates of
+ *   `input` divided by the spacing are at most `Lattice_key::max_coordinate`
  */
 template <typename ConcurrencyTag, typename InputMesh>
 Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
 {
-  constexpr std::uint64_t entered = std::uint64_t(1) << 63;       // above all keys
+  constexpr std::uint64_t entered = std::uint64_t(1) << 63; // above all keys
   static_assert(Lattice_key::bits * 3 < 64);
   CGAL_precondition(distance < lattice.spacing());
   Cells_near_mesh cells;
-  cells.near = internal::cells_at_mesh<ConcurrencyTag>(input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
-    Lattice_3::Point first, last;
-    for(int a = 0; a < 3; ++a) {
-      double lowest = polygon[0][a], highest = lowest;
-      for(const auto& q : polygon) {
-        lowest = (std::min)(lowest, q[a]);
-        highest = (std::max)(highest, q[a]);
+  cells.near = internal::cells_at_mesh<ConcurrencyTag>(
+    input, lattice, [&](const Lattice_3::Point& p, const auto& polygon, std::vector<std::uint64_t>& keys) {
+      Lattice_3::Point first, last;
+      for(int a = 0; a < 3; ++a) {
+        double lowest = polygon[0][a], highest = lowest;
+        for(const auto& q : polygon) {
+          lowest = (std::min)(lowest, q[a]);
+          highest = (std::max)(highest, q[a]);
+        }
+        first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
+        last[a] = lattice.interval(a, highest + distance);
+        if(lattice.coordinate(a, last[a]) == highest + distance) --last[a]; // mirrored meshes get mirrored cells
+        last[a] = (std::max)(p[a], last[a]);
       }
-      first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
-      last[a] = lattice.interval(a, highest + distance);
-      if(lattice.coordinate(a, last[a]) == highest + distance) --last[a];     // mirrored meshes get mirrored cells
-      last[a] = (std::max)(p[a], last[a]);
-    }
-    keys.push_back(entered | Lattice_key::encode(p[0], p[1], p[2]));
-    for(int k = first[2]; k <= last[2]; ++k)
-      for(int j = first[1]; j <= last[1]; ++j)
-        for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
-  });
+      keys.push_back(entered | Lattice_key::encode(p[0], p[1], p[2]));
+      for(int k = first[2]; k <= last[2]; ++k)
+        for(int j = first[1]; j <= last[1]; ++j)
+          for(int i = first[0]; i <= last[0]; ++i) keys.push_back(Lattice_key::encode(i, j, k));
+    });
   const auto first_entered = std::lower_bound(cells.near.begin(), cells.near.end(), entered);
   for(auto key = first_entered; key != cells.near.end(); ++key) cells.entered.push_back(*key - entered);
   cells.near.erase(first_entered, cells.near.end());
@@ -394,8 +409,8 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * cuts every triangle of `input` by the leaf cells. Linear in the number of pieces; they are sorted by cell, then by facet,
- * and do not depend on the number of threads. A facet that is not cut takes about 70 bytes.
+ * cuts every triangle of `input` by the leaf cells. Linear in the number of pieces; they are sorted by cell, then by
+ * facet, and do not depend on the number of threads. A facet that is not cut takes about 70 bytes.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
@@ -446,7 +461,8 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
     }
   });
 
-  std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);      // where the pieces of a cell go
+  // where the pieces of a cell go
+  std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);
   std::size_t number_of_corners = 0, number_of_points = first_cut;
   for(const Chunk& chunk : chunks) {
     for(const Piece& p : chunk.pieces) ++first_of_cell[std::size_t(p.cell) + 1];

@@ -18,13 +18,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief whether the open fan of facets at a border vertex can be completed so that all facets at it face a common direction, and wind once around it.
+ * \brief whether the open fan of facets at a border vertex can be completed so that all facets at it face a common
+ * direction, and wind once around it.
  *
- * That is so if and only if some \f$g\f$ has \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions \f$e_i\f$ to the other vertices, and the fan turns by less than
- * \f$2 \pi\f$ about it. A ramp that spirals around the vertex by more cannot be completed, although it does not intersect itself and faces one way.
+ * That is so if and only if some \f$g\f$ has \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions \f$e_i\f$ to the other
+ * vertices, and the fan turns by less than
+ * \f$2 \pi\f$ about it. A ramp that spirals around the vertex by more cannot be completed, although it does not
+ *   intersect itself and faces one way.
  *
- * Exact: the directions where \f$\det(g, e_k, e_0)\f$ is positive, and those where it is negative, form two convex cones, on each of which the number
- * of full turns is the same everywhere; so one direction of each decides.
+ * Exact: the directions where \f$\det(g, e_k, e_0)\f$ is positive, and those where it is negative, form two convex
+ * cones, on each of which the number of full turns is the same everywhere; so one direction of each decides.
  *
  * \param p the vertex
  * \param link the other vertices, in order: the facets are (`p`, `link[n]`, `link[n+1]`), and have an area
@@ -36,7 +39,7 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/closable_fan_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/closable_fan_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_CLOSABLE_FAN_H

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Whether a fan turns by less than 2 pi about an axis that all its facets face: it passes its first edge again where the side of it that an edge
-// is on, `side(n)`, ceases to be negative.
+// Whether a fan turns by less than 2 pi about an axis that all its facets face: it passes its first edge again where
+// the side of it that an edge is on, `side(n)`, ceases to be negative.
 template <typename Side>
 bool turns_less_than_once(std::size_t size, const Side& side)
 {
@@ -52,9 +52,11 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
     const Point_3 s = p + std::sqrt((link[0] - p).squared_length()) * *g;
     bool is_faced = true;
     for(const auto& w : fan.wings) is_faced = is_faced && CGAL::orientation(p, s, w.first, w.second) == POSITIVE;
-    if(is_faced && internal::turns_less_than_once(link.size(), [&](std::size_t n) { return CGAL::orientation(p, s, link[0], link[n]); })) return true;
-  }
-  else return false;
+    if(is_faced && internal::turns_less_than_once(link.size(), [&](std::size_t n) {
+         return CGAL::orientation(p, s, link[0], link[n]);
+       }))
+      return true;
+  } else return false;
 
   const auto exact = [&](const Point_3& q) {
     return Exact::Vector_3(Exact_rational(q.x()) - Exact_rational(p.x()), Exact_rational(q.y()) - Exact_rational(p.y()),
@@ -65,12 +67,15 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
     const auto g = internal::exact_cone_direction(bounded);
     if(!g) return false;
     const Exact::Vector_3 axis((*g)[0], (*g)[1], (*g)[2]);
-    return internal::turns_less_than_once(link.size(), [&](std::size_t n) { return CGAL::orientation(axis, first, exact(link[n])); });
+    return internal::turns_less_than_once(
+      link.size(), [&](std::size_t n) { return CGAL::orientation(axis, first, exact(link[n])); });
   };
-  internal::Vertex_fan beyond = fan, before = fan;       // where the fan ends more than half a turn behind its first edge, and less
+  // where the fan ends more than half a turn behind its first edge, and less
+  internal::Vertex_fan beyond = fan, before = fan;
   beyond.wings.emplace_back(link.back(), link.front());
   before.wings.emplace_back(link.front(), link.back());
-  return is_closable_about(beyond) || is_closable_about(before) || is_closable_about(fan);       // the last if these two edges are collinear
+  // the last if these two edges are collinear
+  return is_closable_about(beyond) || is_closable_about(before) || is_closable_about(fan);
 }
 
 } // namespace Bspline_shells

@@ -56,34 +56,40 @@ Mesh_size triangulated_size(const FaceGraph& mesh)
   return size;
 }
 
-// Copies a mesh with its vertices in Morton's order, each facet after the lowest of its vertices, at which it begins, and each edge with the first of its
-// facets. All that passes over the copy then finds in the processor's cache what is near in space: from a file that was sorted in this way, the shell of
-// 832 thousand facets took 0.69 times the processor's time. And shells do not depend on how the user's mesh is numbered, unless vertices share a cell of
-// the order's grid.
+// Copies a mesh with its vertices in Morton's order, each facet after the lowest of its vertices, at which it begins,
+// and each edge with the first of its facets. All that passes over the copy then finds in the processor's cache what is
+// near in space: from a file that was sorted in this way, the shell of 832 thousand facets took 0.69 times the
+// processor's time. And shells do not depend on how the user's mesh is numbered, unless vertices share a cell of the
+// order's grid.
 //
 // Edges without facets are left out, and isolated vertices.
 //
 // \tparam FaceGraph a model of `FaceListGraph`
 // \tparam SurfaceMesh a `CGAL::Surface_mesh`
-// \param mesh the mesh; vertices may have several fans. \pre `triangulated_size(mesh).has_numbers()`
+// \param mesh the mesh; vertices may have several fans.
+// \pre `triangulated_size(mesh).has_numbers()`
 // \param points coordinates, in the order of its vertices; finite
 // \param copy must be empty
 template <typename ConcurrencyTag, typename FaceGraph, typename SurfaceMesh>
-Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std::array<double, 3> > points, SurfaceMesh& copy)
+Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std::array<double, 3> > points,
+                                         SurfaceMesh& copy)
 {
   typedef typename boost::graph_traits<FaceGraph>::halfedge_descriptor halfedge_descriptor;
   typedef typename SurfaceMesh::Vertex_index Vertex_index;
   typedef typename SurfaceMesh::Halfedge_index Halfedge_index;
   typedef typename SurfaceMesh::Face_index Face_index;
   Positions_of_origin origin;
-  const std::size_t number_of_facets = faces(mesh).size();      // with removed ones of some meshes
+  const std::size_t number_of_facets = faces(mesh).size(); // with removed ones of some meshes
   std::size_t number_of_vertices = 0, position = 0;
   for(auto v : vertices(mesh)) {
-    if(halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge()) points[position].fill(std::numeric_limits<double>::infinity());      // comes last
+    // comes last
+    if(halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge())
+      points[position].fill(std::numeric_limits<double>::infinity());
     else ++number_of_vertices;
     ++position;
   }
-  copy.reserve(static_cast<typename SurfaceMesh::size_type>(number_of_vertices), static_cast<typename SurfaceMesh::size_type>(edges(mesh).size()),
+  copy.reserve(static_cast<typename SurfaceMesh::size_type>(number_of_vertices),
+               static_cast<typename SurfaceMesh::size_type>(edges(mesh).size()),
                static_cast<typename SurfaceMesh::size_type>(number_of_facets));
 
   const Morton_order order = morton_order<ConcurrencyTag>(points);
@@ -129,9 +135,9 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std:
   std::vector<Facet>().swap(facets);
   for(std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
     while(last < sorted.size() && sorted[last].lowest == sorted[first].lowest) ++last;
-    std::sort(sorted.begin() + std::ptrdiff_t(first), sorted.begin() + std::ptrdiff_t(last), [](const Facet& f, const Facet& g) {
-      return std::tie(f.next, f.position) < std::tie(g.next, g.position);
-    });
+    std::sort(
+      sorted.begin() + std::ptrdiff_t(first), sorted.begin() + std::ptrdiff_t(last),
+      [](const Facet& f, const Facet& g) { return std::tie(f.next, f.position) < std::tie(g.next, g.position); });
   }
 
   const auto copied = get(CGAL::dynamic_halfedge_property_t<Halfedge_index>(), mesh);
@@ -167,7 +173,7 @@ Positions_of_origin copy_in_morton_order(const FaceGraph& mesh, std::vector<std:
   // a vertex on the border points to a halfedge of it, as in any surface mesh
   for(halfedge_descriptor h : border) {
     halfedge_descriptor n = next(h, mesh);
-    while(get(copied, n) == SurfaceMesh::null_halfedge()) n = next(n, mesh);      // along edges without facets
+    while(get(copied, n) == SurfaceMesh::null_halfedge()) n = next(n, mesh); // along edges without facets
     copy.set_next(get(copied, h), get(copied, n));
     copy.set_halfedge(Vertex_index(get(number, target(h, mesh))), get(copied, h));
   }

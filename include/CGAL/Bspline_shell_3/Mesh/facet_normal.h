@@ -33,8 +33,8 @@ struct Facet_normal
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief encloses the normal of a triangle with `double` vertices: in `double`s, or, where cancellation would spoil them
- * (needles, facets far from the origin), from the exact cross product.
+ * \brief encloses the normal of a triangle with `double` vertices: in `double`s, or, where cancellation would spoil
+ * them (needles, facets far from the origin), from the exact cross product.
  *
  * \pre the triangle is not degenerate; of one that is, nothing is known
  */
@@ -58,7 +58,7 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
   }
   double largest = 0;
   for(int a = 0; a < 3; ++a) {
-    n[a] = u[(a+1) % 3] * v[(a+2) % 3] - u[(a+2) % 3] * v[(a+1) % 3];
+    n[a] = u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3];
     largest = (std::max)(largest, std::abs(n[a]));
   }
   // two differences, a product: three roundings of each of two products, and their difference
@@ -73,12 +73,12 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
     ev[a] = ET(r[a]) - ET(p[a]);
   }
   for(int a = 0; a < 3; ++a) {
-    en[a] = eu[(a+1) % 3] * ev[(a+2) % 3] - eu[(a+2) % 3] * ev[(a+1) % 3];
+    en[a] = eu[(a + 1) % 3] * ev[(a + 2) % 3] - eu[(a + 2) % 3] * ev[(a + 1) % 3];
     scale = (std::max)(scale, ET(CGAL::abs(en[a])));
   }
   if(scale == 0) return Facet_normal{ {}, 1 };
   for(int a = 0; a < 3; ++a) n[a] = internal::rounded(ET(en[a] / scale));
-  return normalized(n, 2 * eps);      // rounding of a number in [-1, 1] errs by at most one unit in the last place
+  return normalized(n, 2 * eps); // rounding of a number in [-1, 1] errs by at most one unit in the last place
 }
 
 } // namespace Bspline_shells

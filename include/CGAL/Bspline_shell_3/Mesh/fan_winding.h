@@ -28,8 +28,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief how often the fan of facets at a vertex winds around an axis that all of them face: once, unless the surface folds
- * through itself at the vertex. Facets that face the field one by one may still wind twice.
+ * \brief how often the fan of facets at a vertex winds around an axis that all of them face: once, unless the surface
+ * folds through itself at the vertex. Facets that face the field one by one may still wind twice.
  *
  * Exact: each facet turns by less than half a turn, so that counting the edges that come back past the first one, by
  * orientation predicates alone, counts the turns.
@@ -65,7 +65,7 @@ auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
   constexpr std::size_t usual = 8;
   link.reserve(usual);
   for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(get(vpm, source(h, mesh)));
-  std::reverse(link.begin(), link.end());       // halfedges_around_target() walks against the facets' turn
+  std::reverse(link.begin(), link.end()); // halfedges_around_target() walks against the facets' turn
   return link;
 }
 
@@ -76,14 +76,15 @@ auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
  *
  * \brief the same, `link_winding_number()`, for the facets at a vertex of a mesh.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact predicates
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact
+ *   predicates
  * \param mesh the mesh
  * \param v a vertex that is not on a border
  * \param on_axis a point on the axis, in the direction that the facets face from `v`
  */
 template <typename TriangleMesh, typename Point_3>
-std::size_t fan_winding_number(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
-                               const Point_3& on_axis)
+std::size_t fan_winding_number(const TriangleMesh& mesh,
+                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const Point_3& on_axis)
 {
   return link_winding_number(get(get(CGAL::vertex_point, mesh), v), on_axis, internal::vertex_link(mesh, v));
 }
@@ -91,12 +92,13 @@ std::size_t fan_winding_number(const TriangleMesh& mesh, typename boost::graph_t
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief whether all facets at a vertex face the mean of their normals and wind around it once. Then no two of them have more in common than the
- * vertex or an edge: along the mean, the fan projects one-to-one.
+ * \brief whether all facets at a vertex face the mean of their normals and wind around it once. Then no two of them
+ * have more in common than the vertex or an edge: along the mean, the fan projects one-to-one.
  *
  * `true` is exact; `false` may only mean that the facets face another direction.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact predicates and `double` coordinates
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact
+ *   predicates and `double` coordinates
  * \pre the facets at `v` are non-degenerate triangles, and form a single fan; `v` is not on a border
  */
 template <typename TriangleMesh>

@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The facets of a mesh whose boxes meet the cells of a grid, cell by cell. Facets that have a point in common share a cell: rounding keeps the order of
-// coordinates.
+// The facets of a mesh whose boxes meet the cells of a grid, cell by cell. Facets that have a point in common share a
+// cell: rounding keeps the order of coordinates.
 template <typename TriangleMesh>
 class Facet_grid
 {
@@ -44,12 +44,13 @@ public:
     for(Face_index f : mesh.faces()) m_bbox += bbox(f);
     const double longest = (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() });
     m_width = longest / std::ceil(std::sqrt(double(mesh.number_of_faces()) / double(size)));
-    if(!(m_width > 0 && std::isfinite(m_width))) return;      // no grid for coordinates so small or large
+    if(!(m_width > 0 && std::isfinite(m_width))) return; // no grid for coordinates so small or large
     for(int a = 0; a < 3; ++a) m_cells[std::size_t(a)] = interval(a, (m_bbox.max)(a)) + 1;
     m_first.assign(m_cells[0] * m_cells[1] * m_cells[2] + 1, 0);
   }
 
-  // False if that would take too much memory, as facets are large, if much of the mesh is in one cell, or if there is no grid.
+  // False if that would take too much memory, as facets are large, if much of the mesh is in one cell, or if there is
+  // no grid.
   bool fill(std::size_t most)
   {
     if(m_first.empty()) return false;
@@ -75,12 +76,16 @@ public:
   }
 
 private:
-  struct Range { std::array<std::size_t, 3> first, last; };
+  struct Range
+  {
+    std::array<std::size_t, 3> first, last;
+  };
 
   Bbox_3 bbox(Face_index f) const
   {
     const auto h = m_mesh.halfedge(f);
-    return m_mesh.point(m_mesh.source(h)).bbox() + m_mesh.point(m_mesh.target(h)).bbox() + m_mesh.point(m_mesh.target(m_mesh.next(h))).bbox();
+    return m_mesh.point(m_mesh.source(h)).bbox() + m_mesh.point(m_mesh.target(h)).bbox()
+           + m_mesh.point(m_mesh.target(m_mesh.next(h))).bbox();
   }
   std::size_t interval(int axis, double x) const { return std::size_t((x - (m_bbox.min)(axis)) / m_width); }
   Range range(Face_index f) const
@@ -109,9 +114,10 @@ private:
   std::vector<Face_index> m_facets;
 };
 
-// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be embedded. At all vertices of a clear
-// facet it is: where another one shares a vertex with it, they have no more in common than they should, and need no test. That is most pairs, and
-// the expensive ones, as neighbors are nearly coplanar.
+// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be
+// embedded. At all vertices of a clear facet it is: where another one shares a vertex with it, they have no more in
+// common than they should, and need no test. That is most pairs, and the expensive ones, as neighbors are nearly
+// coplanar.
 template <typename TriangleMesh>
 class Facet_intersections
 {
@@ -121,7 +127,9 @@ public:
   typedef std::pair<Face_index, Face_index> Pair;
 
   // \param is_embedded what `embedded_fans()` says of the mesh
-  Facet_intersections(const TriangleMesh& mesh, const std::vector<char>& is_embedded) : m_mesh(mesh), m_is_embedded(is_embedded) { }
+  Facet_intersections(const TriangleMesh& mesh, const std::vector<char>& is_embedded)
+    : m_mesh(mesh), m_is_embedded(is_embedded)
+  {}
 
   bool is_unclear(Face_index f) const { return facet(f).is_unclear; }
 
@@ -135,15 +143,21 @@ public:
       const Facet facet = this->facet(f);
       boxes.emplace_back(point(facet, 0).bbox() + point(facet, 1).bbox() + point(facet, 2).bbox(), facet);
     }
-    struct Enough { };      // there is no other way to end a search for boxes
+    struct Enough
+    {}; // there is no other way to end a search for boxes
     try {
-      CGAL::box_self_intersection_d<Sequential_tag>(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-        const Facet f = a.info(), g = b.info();
-        if((f.is_unclear && g.is_unclear) || have_common_vertex(f, g) || !CGAL::do_intersect(triangle(f), triangle(g))) return;
-        found.emplace_back(f.face, g.face);
-        if(found.size() >= most) throw Enough();
-      }, cutoff);
-    } catch(const Enough&) { }
+      CGAL::box_self_intersection_d<Sequential_tag>(
+        boxes.begin(), boxes.end(),
+        [&](const Box& a, const Box& b) {
+          const Facet f = a.info(), g = b.info();
+          if((f.is_unclear && g.is_unclear) || have_common_vertex(f, g)
+             || !CGAL::do_intersect(triangle(f), triangle(g)))
+            return;
+          found.emplace_back(f.face, g.face);
+          if(found.size() >= most) throw Enough();
+        },
+        cutoff);
+    } catch(const Enough&) {}
   }
 
 private:
@@ -154,7 +168,7 @@ private:
     bool is_unclear;
   };
   typedef Box_intersection_d::Box_with_info_d<double, 3, Facet> Box;
-  static constexpr std::ptrdiff_t cutoff = 2000;      // fewer boxes are compared one by one, along an axis
+  static constexpr std::ptrdiff_t cutoff = 2000; // fewer boxes are compared one by one, along an axis
 
   Facet facet(Face_index f) const
   {
@@ -162,7 +176,10 @@ private:
     const std::array<Vertex_index, 3> v = { m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)) };
     return { f, v, !(m_is_embedded[v[0]] && m_is_embedded[v[1]] && m_is_embedded[v[2]]) };
   }
-  const typename TriangleMesh::Point& point(const Facet& f, std::size_t corner) const { return m_mesh.point(f.vertices[corner]); }
+  const typename TriangleMesh::Point& point(const Facet& f, std::size_t corner) const
+  {
+    return m_mesh.point(f.vertices[corner]);
+  }
   auto triangle(const Facet& f) const
   {
     typedef typename Kernel_traits<typename TriangleMesh::Point>::Kernel Kernel;
@@ -178,27 +195,32 @@ private:
   const std::vector<char>& m_is_embedded;
 };
 
-// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of threads. Those of large meshes are
-// sought in the cells of a grid, one of which fits the processor's cache.
+// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of
+// threads. Those of large meshes are sought in the cells of a grid, one of which fits the processor's cache.
 // \param is_embedded what `embedded_fans()` says of the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
-std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> >
-intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs, std::size_t facets_of_cell = 64)
+std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> > intersecting_facets(
+  const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs,
+  std::size_t facets_of_cell = 64)
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very large meshes have anyway.
+  // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very
+  // large meshes have anyway.
   constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
   std::optional<Facet_grid<TriangleMesh> > grid;
-  if(mesh.number_of_faces() >= least_cells * facets_of_cell) grid.emplace(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_squares));
+  if(mesh.number_of_faces() >= least_cells * facets_of_cell)
+    grid.emplace(mesh, (std::max)(facets_of_cell, mesh.number_of_faces() / most_squares));
   if(grid && grid->fill(most_copies * mesh.number_of_faces())) {
     const Facet_intersections<TriangleMesh> intersections(mesh, is_embedded);
-    pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid->number_of_cells(), 1, [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
-      const auto facets = grid->facets(begin);
-      if(facets.size() > 1) intersections.find(facets, most_pairs, found);
-    });
+    pairs = collect_from_chunks<ConcurrencyTag, Pair>(grid->number_of_cells(), 1,
+                                                      [&](std::size_t begin, std::size_t, std::vector<Pair>& found) {
+                                                        const auto facets = grid->facets(begin);
+                                                        if(facets.size() > 1)
+                                                          intersections.find(facets, most_pairs, found);
+                                                      });
     for(Face_index f : mesh.faces())
       if(intersections.is_unclear(f)) unclear.push_back(f);
   } else unclear.assign(mesh.faces().begin(), mesh.faces().end());
@@ -207,7 +229,7 @@ intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedd
     const auto np = CGAL::parameters::maximum_number(most_pairs);
     std::vector<Pair> found;
     Polygon_mesh_processing::self_intersections<ConcurrencyTag>(unclear, mesh, std::back_inserter(found), np);
-    if(found.size() >= most_pairs) {      // which ones depends on threads
+    if(found.size() >= most_pairs) { // which ones depends on threads
       found.clear();
       Polygon_mesh_processing::self_intersections<Sequential_tag>(unclear, mesh, std::back_inserter(found), np);
     }
@@ -215,7 +237,7 @@ intersecting_facets(const TriangleMesh& mesh, const std::vector<char>& is_embedd
   }
   for(Pair& pair : pairs)
     if(pair.second < pair.first) std::swap(pair.first, pair.second);
-  sort_unique(pairs);      // those that share several cells
+  sort_unique(pairs); // those that share several cells
   if(pairs.size() > most_pairs) pairs.erase(pairs.begin() + most_pairs, pairs.end());
   return pairs;
 }

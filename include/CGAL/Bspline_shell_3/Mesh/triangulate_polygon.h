@@ -21,7 +21,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Cuts off ears, the best-shaped first. Orientations are exact, in the projection of the polygon along the axis nearest to its normal.
+// Cuts off ears, the best-shaped first. Orientations are exact, in the projection of the polygon along the axis nearest
+// to its normal.
 class Ear_clipping
 {
   typedef Exact_predicates_inexact_constructions_kernel Kernel;
@@ -49,11 +50,11 @@ public:
   std::vector<Triangle> triangles()
   {
     std::vector<Triangle> result;
-    std::vector<Ear> waiting;         // other vertices are in them
+    std::vector<Ear> waiting; // other vertices are in them
     bool is_stuck = false;
     while(result.size() + 2 < m_points.size()) {
       if(m_queue.empty()) {
-        is_stuck = waiting.empty() || m_has_waited;     // not a simple polygon: cut it anyhow
+        is_stuck = waiting.empty() || m_has_waited; // not a simple polygon: cut it anyhow
         for(const Ear& ear : waiting) m_queue.push(ear);
         if(m_queue.empty())
           for(std::size_t i = 0; i < m_points.size(); ++i)
@@ -64,7 +65,7 @@ public:
       const Ear ear = m_queue.top();
       m_queue.pop();
       if(ear.version != m_version[ear.tip]) continue;
-      if(!is_stuck && !is_convex(ear.tip)) continue;      // it is pushed again when a neighbor is cut
+      if(!is_stuck && !is_convex(ear.tip)) continue; // it is pushed again when a neighbor is cut
       if(!is_stuck && is_blocked(ear.tip)) {
         waiting.push_back(ear);
         continue;
@@ -81,7 +82,10 @@ private:
   {
     double quality;
     std::size_t tip, version;
-    bool operator<(const Ear& other) const { return quality < other.quality || (quality == other.quality && tip > other.tip); }
+    bool operator<(const Ear& other) const
+    {
+      return quality < other.quality || (quality == other.quality && tip > other.tip);
+    }
   };
   static constexpr std::size_t removed = std::size_t(-1);
 
@@ -143,9 +147,10 @@ private:
       push(i);
     }
     // convex vertices stay convex
-    m_others.erase(std::remove_if(m_others.begin(), m_others.end(), [&](std::size_t i) {
-      return i == tip || ((i == before || i == after) && is_convex(i));
-    }), m_others.end());
+    m_others.erase(
+      std::remove_if(m_others.begin(), m_others.end(),
+                     [&](std::size_t i) { return i == tip || ((i == before || i == after) && is_convex(i)); }),
+      m_others.end());
   }
 
   const std::vector<Point_3>& m_points;
@@ -153,7 +158,7 @@ private:
   std::vector<std::size_t> m_previous, m_next, m_version;
   std::vector<Kernel::Point_2> m_projected;
   Orientation m_orientation;
-  std::vector<std::size_t> m_others;      // vertices that are not convex
+  std::vector<std::size_t> m_others; // vertices that are not convex
   std::priority_queue<Ear> m_queue;
   bool m_has_waited = false;
 };
@@ -165,16 +170,17 @@ private:
  *
  * \brief triangulates a polygon in space, without new vertices, by cutting off ears, the best-shaped first.
  *
- * `CGAL::Polygon_mesh_processing::triangulate_faces()` does better for polygons that are far from planar, but takes longer to compile than
- * the rest of the mesh's check.
+ * `CGAL::Polygon_mesh_processing::triangulate_faces()` does better for polygons that are far from planar, but takes
+ * longer to compile than the rest of the mesh's check.
  *
  * \param polygon at least three vertices
- * \return indices of vertices: a triangle is cut off at its second one, which is in none of those that follow. If the projection of the polygon along
- *         an axis is simple, all triangles are oriented as the polygon and none is degenerate. Otherwise some may be.
+ * \return indices of vertices: a triangle is cut off at its second one, which is in none of those that follow. If the
+ *   projection of the polygon along an axis is simple, all triangles are oriented as the polygon and none is
+ *   degenerate. Otherwise some may be.
  * \cgalHeading{Cost} \f$O(n \log n + n r)\f$ for \f$n\f$ vertices of which \f$r\f$ are not convex
  */
-inline std::vector<std::array<std::size_t, 3> >
-triangulate_polygon(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& polygon)
+inline std::vector<std::array<std::size_t, 3> > triangulate_polygon(
+  const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& polygon)
 {
   return internal::Ear_clipping(polygon).triangles();
 }

@@ -43,7 +43,8 @@ Vertex_fan vertex_fan(const TriangleMesh& mesh, typename boost::graph_traits<Tri
   };
   Vertex_fan fan;
   fan.apex = point(v);
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) fan.wings.emplace_back(point(target(next(h, mesh), mesh)), point(source(h, mesh)));
+  for(auto h : CGAL::halfedges_around_target(v, mesh))
+    fan.wings.emplace_back(point(target(next(h, mesh), mesh)), point(source(h, mesh)));
   return fan;
 }
 
@@ -65,13 +66,14 @@ std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound);
  * is exact: a candidate is confirmed by the kernel's orientation predicate, and where the mean of the normals is none,
  * a linear program is solved in rational arithmetic.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; the coordinates of its points are of type `double`
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; the coordinates of its points are
+ *   of type `double`
  * \pre all facets at `v` are non-degenerate triangles, and `v` is not on a border
  * \return a unit vector (rounded), or nothing for a singular vertex
  */
 template <typename TriangleMesh>
-std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3>
-vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> vertex_cone(
+  const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
   return internal::cone_direction(internal::vertex_fan(mesh, v));
 }
@@ -79,15 +81,17 @@ vertex_cone(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the direction that unit vectors have most in common: that of the largest \f$\min_i n_i \cdot g\f$ over unit vectors
- * \f$g\f$. Its length is that minimum, if it is positive; none have a direction in common if it is (nearly) zero.
+ * \brief the direction that unit vectors have most in common: that of the largest \f$\min_i n_i \cdot g\f$ over unit
+ * vectors \f$g\f$. Its length is that minimum, if it is positive; none have a direction in common if it is (nearly)
+ * zero.
  *
- * It is the point of their convex hull nearest to the origin, and so the center of the smallest ball around them. Computed in
- * `double`s, to about 1e-12.
+ * It is the point of their convex hull nearest to the origin, and so the center of the smallest ball around them.
+ * Computed in `double`s, to about 1e-12.
  *
  * \pre there is at least one
  */
-std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors);
+std::array<double, 3> cone_axis(
+  const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors);
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
@@ -104,14 +108,15 @@ double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief `vertex_cone_margin()`, or a bound that it does not fall below: much faster where it does not, as any direction that the facets face
- * may show that.
+ * \brief `vertex_cone_margin()`, or a bound that it does not fall below: much faster where it does not, as any
+ * direction that the facets face may show that.
  *
  * \pre as for `vertex_cone()`
  * \return the smaller one of both; nothing at a singular vertex, as `vertex_cone()` decides
  */
 template <typename TriangleMesh>
-std::optional<double> bounded_vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+std::optional<double> bounded_vertex_cone_margin(const TriangleMesh& mesh,
+                                                 typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                                                  double bound)
 {
   return internal::bounded_cone_margin(internal::vertex_fan(mesh, v), bound);
@@ -121,7 +126,7 @@ std::optional<double> bounded_vertex_cone_margin(const TriangleMesh& mesh, typen
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
+#include <CGAL/Bspline_shell_3/Mesh/vertex_cone_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_MESH_VERTEX_CONE_H

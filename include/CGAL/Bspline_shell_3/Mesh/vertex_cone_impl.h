@@ -33,7 +33,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
 {
   typedef Exact_rational ET;
   const auto& wings = fan.wings;
-  CGAL::Quadratic_program<ET> program(CGAL::LARGER, false, 0, false, 0);     // n_i . g >= 1, g free
+  CGAL::Quadratic_program<ET> program(CGAL::LARGER, false, 0, false, 0); // n_i . g >= 1, g free
   for(std::size_t i = 0; i < wings.size(); ++i) {
     ET a[3], b[3];
     for(int c = 0; c < 3; ++c) {
@@ -41,7 +41,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
       b[c] = ET(wings[i].second[c]) - ET(fan.apex[c]);
     }
     for(int c = 0; c < 3; ++c)
-      program.set_a(c, int(i), a[(c+1) % 3] * b[(c+2) % 3] - a[(c+2) % 3] * b[(c+1) % 3]);
+      program.set_a(c, int(i), a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3]);
     program.set_b(int(i), ET(1));
   }
   const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(program, ET());
@@ -53,7 +53,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
     g[c] = it->numerator() / it->denominator();
     largest = (std::max)(largest, ET(CGAL::abs(g[c])));
   }
-  for(ET& x : g) x /= largest;     // rounded components neither overflow nor vanish
+  for(ET& x : g) x /= largest; // rounded components neither overflow nor vanish
   return g;
 }
 
@@ -68,7 +68,8 @@ inline Fan_normals facet_normals(const Vertex_fan& fan)
 
 // Whether a facet certainly faces the exact difference of two points, of which the rounded one is given.
 // \pre it is zero, or far from underflow
-inline bool certainly_faces(const Facet_normal& normal, const Exact_predicates_inexact_constructions_kernel::Vector_3& difference)
+inline bool certainly_faces(const Facet_normal& normal,
+                            const Exact_predicates_inexact_constructions_kernel::Vector_3& difference)
 {
   // each component of the difference errs by a rounding, and components of the normal are at most one
   constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
@@ -76,7 +77,8 @@ inline bool certainly_faces(const Facet_normal& normal, const Exact_predicates_i
   return dot(normal.direction, difference) > (normal.radius + roundings) * size;
 }
 
-inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan, const Fan_normals& normals)
+inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan,
+                                                                                             const Fan_normals& normals)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
@@ -86,7 +88,7 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   Vector_3 mean = NULL_VECTOR;
   double reach = 0;
   for(std::size_t i = 0; i < wings.size(); ++i) {
-    const auto& n = normals[i].direction;       // at any scale
+    const auto& n = normals[i].direction; // at any scale
     const double length = norm(n);
     if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
     reach = (std::max)(reach, (wings[i].first - p).squared_length());
@@ -96,7 +98,7 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   // The exact direction is the one from p to the rounded point s.
   if(mean != NULL_VECTOR) {
     const Point_3 s = p + std::sqrt(reach) * unit(mean);
-    const Vector_3 g = s - p;        // as long as an edge whose square does not vanish, or zero
+    const Vector_3 g = s - p; // as long as an edge whose square does not vanish, or zero
     // not if edges are so long that squares overflow, or normals cancel
     bool faced = std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z());
     for(std::size_t i = 0; i < wings.size() && faced; ++i)
@@ -109,7 +111,8 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   return Result(unit(Vector_3(rounded((*g)[0]), rounded((*g)[1]), rounded((*g)[2]))));
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan)
+CGAL_BSPLINE_SHELL_3_INLINE std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(
+  const Vertex_fan& fan)
 {
   return cone_direction(fan, facet_normals(fan));
 }
@@ -126,7 +129,10 @@ inline double cone_margin(const Fan_normals& normals)
   return norm(axis);
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan) { return cone_margin(facet_normals(fan)); }
+CGAL_BSPLINE_SHELL_3_INLINE double cone_margin(const Vertex_fan& fan)
+{
+  return cone_margin(facet_normals(fan));
+}
 
 CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound)
 {

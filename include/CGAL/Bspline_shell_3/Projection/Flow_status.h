@@ -12,23 +12,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief what became of a point that was to be moved along its integral curve. Every value but `SUCCESS` means that it has
- * no image. A map has a status, too (`Shell_map_3::status()`).
+ * \brief what became of a point that was to be moved along its integral curve. Every value but `SUCCESS` means that it
+ * has no image. A map has a status, too (`Shell_map_3::status()`).
  */
 enum class Flow_status
 {
   SUCCESS,
-  COMPONENTS_UNKNOWN,     ///< maps: it is not known whether both meshes lie in the same components of the shell
-  OTHER_COMPONENTS,       ///< a component of the shell holds no part of the source, or none of the target
-  NO_SHELL,               ///< there is no shell
-  INVALID_MESH,           ///< the target has facets that are no triangles, or coordinates that are no finite numbers
-  NOT_FINITE,             ///< a coordinate of the point is infinite or not a number
-  STARTS_OUTSIDE,         ///< the point is not in the shell
-  LEAVES_SHELL,           ///< the curve leaves the shell without meeting the target
-  FACES_WRONG_WAY,        ///< the curve meets the target where its facets turn their backs to the gradient, and nowhere else
-  GRADIENT_VANISHES,      ///< the curve runs into a critical point, or as near to one as rounding can tell
-  TOO_MANY_STEPS,         ///< the tolerance cannot be kept
-  CANCELED                ///< the visitor asked to stop before it was the point's turn
+  COMPONENTS_UNKNOWN, ///< maps: it is not known whether both meshes lie in the same components of the shell
+  OTHER_COMPONENTS,   ///< a component of the shell holds no part of the source, or none of the target
+  NO_SHELL,           ///< there is no shell
+  INVALID_MESH,       ///< the target has facets that are no triangles, or coordinates that are no finite numbers
+  NOT_FINITE,         ///< a coordinate of the point is infinite or not a number
+  STARTS_OUTSIDE,     ///< the point is not in the shell
+  LEAVES_SHELL,       ///< the curve leaves the shell without meeting the target
+  FACES_WRONG_WAY,   ///< the curve meets the target where its facets turn their backs to the gradient, and nowhere else
+  GRADIENT_VANISHES, ///< the curve runs into a critical point, or as near to one as rounding can tell
+  TOO_MANY_STEPS,    ///< the tolerance cannot be kept
+  CANCELED           ///< the visitor asked to stop before it was the point's turn
 };
 
 /// \ingroup PkgBsplineShell3Projection
@@ -36,33 +36,32 @@ enum class Flow_status
 inline const char* message(Flow_status status)
 {
   switch(status) {
-    case Flow_status::SUCCESS:
-      return "The point was moved.";
-    case Flow_status::NO_SHELL:
-      return "There is no shell: its own status says why.";
+    case Flow_status::SUCCESS: return "The point was moved.";
+    case Flow_status::NO_SHELL: return "There is no shell: its own status says why.";
     case Flow_status::COMPONENTS_UNKNOWN:
       return "It is not known whether both meshes lie in the same components of the shell: certify the shell "
              "(CGAL::Bspline_shells::certify), and verify both meshes (CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::INVALID_MESH:
-      return "The target must have triangles only, and finite coordinates: triangulate it (CGAL::Polygon_mesh_processing::triangulate_faces).";
+      return "The target must have triangles only, and finite coordinates: triangulate it "
+             "(CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Flow_status::OTHER_COMPONENTS:
-      return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each other: compare their "
+      return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each "
+             "other: compare their "
              "certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
-    case Flow_status::NOT_FINITE:
-      return "The point has coordinates that are infinite or not a number.";
+    case Flow_status::NOT_FINITE: return "The point has coordinates that are infinite or not a number.";
     case Flow_status::STARTS_OUTSIDE:
-      return "The point is not in the shell: verify the mesh that it comes from (CGAL::Bspline_shells::Shell_certificate_3).";
+      return "The point is not in the shell: verify the mesh that it comes from "
+             "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::LEAVES_SHELL:
       return "The curve through the point leaves the shell without meeting the target: verify the target "
              "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::FACES_WRONG_WAY:
-      return "The target faces the wrong way where the curve meets it: turn it inside out, or verify it (CGAL::Bspline_shells::Shell_certificate_3).";
+      return "The target faces the wrong way where the curve meets it: turn it inside out, or verify it "
+             "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::GRADIENT_VANISHES:
       return "The curve runs into a critical point of the field: the shell is not certified.";
-    case Flow_status::TOO_MANY_STEPS:
-      return "The tolerance cannot be kept: loosen it.";
-    case Flow_status::CANCELED:
-      return "The visitor asked to stop.";
+    case Flow_status::TOO_MANY_STEPS: return "The tolerance cannot be kept: loosen it.";
+    case Flow_status::CANCELED: return "The visitor asked to stop.";
   }
   return "";
 }

@@ -26,22 +26,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief how a point that is moved along its integral curve, by a fixed difference of the field's value, moves when it starts
- * elsewhere: a linear map between vectors.
+ * \brief how a point that is moved along its integral curve, by a fixed difference of the field's value, moves when it
+ * starts elsewhere: a linear map between vectors.
  *
- * Along the curves themselves it does what they do; the maps between surfaces are composed of it and of the move along the
- * curve to the surface.
+ * Along the curves themselves it does what they do; the maps between surfaces are composed of it and of the move along
+ * the curve to the surface.
  */
 struct Flow_differential
 {
   Flow_status status = Flow_status::CANCELED;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();       ///< derivatives of the end by the start
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();         ///< at the end: of the curve, where the field's value is the time
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< derivatives of the end by the start
+  /// at the end: of the curve, where the field's value is the time
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
 
-  /// The differential of the map along the curves to a plane, or to a surface with that tangent plane: its image is in the plane,
-  /// and what points along the curve is mapped to zero. \pre the normal is not orthogonal to the velocity
+  /// The differential of the map along the curves to a plane, or to a surface with that tangent plane: its image is in
+  /// the plane, and what points along the curve is mapped to zero.
+  /// \pre the normal is not orthogonal to the velocity
   Eigen::Matrix3d onto_plane(const Eigen::Vector3d& normal) const
   {
     CGAL_precondition(normal.dot(velocity) != 0);
@@ -50,8 +52,8 @@ struct Flow_differential
   /// the differential of the map along the curves to the level set through the end
   Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
 
-  /// The same for a map that ends before a linear one, of which it is the inverse, or begins after one: planes that the linear map takes to each
-  /// other stand for each other.
+  /// The same for a map that ends before a linear one, of which it is the inverse, or begins after one: planes that the
+  /// linear map takes to each other stand for each other.
   /// \pre `linear` is invertible
   void prepend_to_end(const Eigen::Matrix3d& linear)
   {
@@ -88,8 +90,9 @@ inline Flow_differential orthogonal_differential(const std::array<double, 3>& no
  *
  * \brief moves points of a shell along the integral curves of its field to where the field has a given value.
  *
- * Curves are traced by an embedded Runge-Kutta method of order five (Boost.Odeint) for \f$dc/ds = \nabla f / |\nabla f|^2\f$, so
- * that \f$s\f$ is the value of the field. Const member functions may be called from several threads at once.
+ * Curves are traced by an embedded Runge-Kutta method of order five (Boost.Odeint) for \f$dc/ds = \nabla f / |\nabla
+ * f|^2\f$, so that \f$s\f$ is the value of the field. Const member functions may be called from several threads at
+ * once.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  */
@@ -99,12 +102,12 @@ class Gradient_flow_3
 public:
   typedef typename Shell::Point_3 Point_3;
 
-  /// 1e-9 of the longest side of the box of the mesh that the shell was built for, or 256 units in the last place of the
-  /// coordinates, if that is more.
+  /// 1e-9 of the longest side of the box of the mesh that the shell was built for, or 256 units in the last place of
+  /// the coordinates, if that is more.
   ///
-  /// A curve takes some ten steps. Each adds up seven stages, and rounds each coordinate by some units in the last place.
-  /// The sum over steps and coordinates is about a hundred units, and more where a curve meets a facet at an angle. No
-  /// smaller tolerance can be kept.
+  /// A curve takes some ten steps. Each adds up seven stages, and rounds each coordinate by some units in the last
+  /// place. The sum over steps and coordinates is about a hundred units, and more where a curve meets a facet at an
+  /// angle. No smaller tolerance can be kept.
   static double default_tolerance(const Shell& shell)
   {
     return (std::max)(1e-9 * shell.report().unit, 256 * internal::coordinate_rounding(shell));
@@ -126,7 +129,7 @@ public:
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
   {}
-  explicit Gradient_flow_3(const Shell&&, double = 0) = delete;       // it would dangle
+  explicit Gradient_flow_3(const Shell&&, double = 0) = delete; // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   double tolerance() const { return m_tolerance; }
@@ -146,8 +149,8 @@ public:
     return arrival;
   }
 
-  /// the differential of `trace()`, from the variational equation with the Hessian of the field; its relative error is about the
-  /// tolerance divided by the side of the box.
+  /// the differential of `trace()`, from the variational equation with the Hessian of the field; its relative error is
+  /// about the tolerance divided by the side of the box.
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {
@@ -156,12 +159,13 @@ public:
     Traced<Velocity::State> end;
     const double unit = m_shell->report().unit;
     Flow_differential result;
-    result.status = run<Velocity>({ internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]),
-                                           unit, 0, 0,  0, unit, 0,  0, 0, unit }, level, end);
+    result.status = run<Velocity>(
+      { internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]), unit, 0, 0, 0, unit, 0, 0, 0, unit },
+      level, end);
     if(result)
       for(int i = 0; i < 3; ++i) {
         result.velocity[i] = end.derivative[i];
-        for(int j = 0; j < 3; ++j) result.matrix(i, j) = end.state[3 + 3*j + i] / unit;
+        for(int j = 0; j < 3; ++j) result.matrix(i, j) = end.state[3 + 3 * j + i] / unit;
       }
     return result;
   }

@@ -26,10 +26,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the facets of a mesh to project to (`Projection_target_3`), whatever the type of the mesh: their corners, neighbors and normals, and an
- * AABB tree.
+ * \brief the facets of a mesh to project to (`Projection_target_3`), whatever the type of the mesh: their corners,
+ * neighbors and normals, and an AABB tree.
  *
- * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called from several threads at once.
+ * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called from
+ * several threads at once.
  */
 class Projection_facets_3
 {
@@ -41,8 +42,8 @@ public:
   struct Facet
   {
     std::array<Coordinates, 3> vertex;
-    std::array<Index, 3> neighbor;        ///< `npos` at a border
-    Coordinates normal;                   ///< twice the area long; found out
+    std::array<Index, 3> neighbor; ///< `npos` at a border
+    Coordinates normal;            ///< twice the area long; found out
   };
 
   Projection_facets_3() = default;
@@ -51,9 +52,9 @@ public:
 
   std::size_t number_of_facets() const { return m_facets.size(); }
   const Coordinates& vertex(Index facet, int i) const { return m_facets[facet].vertex[i]; }
-  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; }     ///< twice the area long
+  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; } ///< twice the area long
   bool has_area(Index facet) const { return normal(facet) != Coordinates{}; }
-  Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; }      ///< `npos` at a border
+  Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; } ///< `npos` at a border
 
   /// whether no facet is at a border
   bool is_closed() const
@@ -71,7 +72,8 @@ public:
   {
     Coordinates p;
     for(int a = 0; a < 3; ++a)
-      p[a] = barycentric[0] * vertex(facet, 0)[a] + barycentric[1] * vertex(facet, 1)[a] + barycentric[2] * vertex(facet, 2)[a];
+      p[a] = barycentric[0] * vertex(facet, 0)[a] + barycentric[1] * vertex(facet, 1)[a]
+             + barycentric[2] * vertex(facet, 2)[a];
     return p;
   }
 
@@ -82,36 +84,50 @@ public:
     return internal::dot(f.normal, difference(p, f.vertex[0]));
   }
 
-  /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it is outside, or
-  /// else from the nearest edge, negative; the edge whose line it is farthest outside of, or nearest to; and the barycentric
-  /// coordinates of the point of the facet that is nearest.
-  struct Position { Coordinates barycentric; double outside; int edge; Coordinates nearest; };
+  /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it
+  /// is outside, or else from the nearest edge, negative; the edge whose line it is farthest outside of, or nearest to;
+  /// and the barycentric coordinates of the point of the facet that is nearest.
+  struct Position
+  {
+    Coordinates barycentric;
+    double outside;
+    int edge;
+    Coordinates nearest;
+  };
   /// \pre the facet has an area
   Position position(Index facet, const Coordinates& p) const;
 
-  /// the facet that is nearest to a point, and the barycentric coordinates of the nearest point of it. \pre there is a facet
+  /// the facet that is nearest to a point, and the barycentric coordinates of the nearest point of it.
+  /// \pre there is a facet
   std::pair<Index, Coordinates> closest(const Coordinates& p) const;
 
   /// calls `visit(facet)` for all facets whose boxes meet the box
   template <typename Visitor>
   void visit_facets(const Bbox_3& box, const Visitor& visit) const
   {
-    visit_facets(box, [](const void* visitor, Index facet) { (*static_cast<const Visitor*>(visitor))(facet); }, &visit);
+    visit_facets(
+      box, [](const void* visitor, Index facet) { (*static_cast<const Visitor*>(visitor))(facet); }, &visit);
   }
 
-  /// the facet that the straight segment from `p + first * direction` to `p + last * direction` meets from behind, nearest to `p`, or
-  /// else, among those that come as near to the segment as `margin`, the one that its line misses least; `npos` if there is none
-  Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const;
+  /// the facet that the straight segment from `p + first * direction` to `p + last * direction` meets from behind,
+  /// nearest to `p`, or else, among those that come as near to the segment as `margin`, the one that its line misses
+  /// least; `npos` if there is none
+  Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last,
+                      double margin) const;
 
-  /// A facet that the segment meets from behind, found by walking over edges from `facet`. All facets on the way must face along `direction`; `npos` if
-  /// the walk ends at a border, or takes too many moves.
-  Index facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first, double last) const;
+  /// A facet that the segment meets from behind, found by walking over edges from `facet`. All facets on the way must
+  /// face along `direction`; `npos` if the walk ends at a border, or takes too many moves.
+  Index facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first,
+                           double last) const;
 
 private:
   class Tree;
 
   void visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const;
-  static Coordinates difference(const Coordinates& p, const Coordinates& q) { return { p[0] - q[0], p[1] - q[1], p[2] - q[2] }; }
+  static Coordinates difference(const Coordinates& p, const Coordinates& q)
+  {
+    return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+  }
   static Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r);
   static Coordinates exact_barycentric(const Facet& f, const Coordinates& p);
   static double nearest_on_edges(const Facet& f, const Coordinates& p, Coordinates& barycentric);
@@ -124,7 +140,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Projection/Projection_facets_3_impl.h>
+#include <CGAL/Bspline_shell_3/Projection/Projection_facets_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_FACETS_3_H

@@ -41,7 +41,8 @@ inline Exact_coordinates exact_difference(const std::array<double, 3>& p, const 
 
 } // namespace internal
 
-// A tree of the boxes of groups: facets that follow each other in Morton's order, which is found sooner than CGAL builds a tree of all.
+// A tree of the boxes of groups: facets that follow each other in Morton's order, which is found sooner than CGAL
+// builds a tree of all.
 class Projection_facets_3::Tree
 {
   typedef Simple_cartesian<double> Kernel;
@@ -83,7 +84,8 @@ public:
     {
       double first = m_first, last = m_last;
       for(int a = 0; a < 3; ++a) {
-        const double low = ((box.min)(a) - m_margin - m_point[a]) * m_inverse[a], high = ((box.max)(a) + m_margin - m_point[a]) * m_inverse[a];
+        const double low = ((box.min)(a)-m_margin - m_point[a]) * m_inverse[a],
+                     high = ((box.max)(a) + m_margin - m_point[a]) * m_inverse[a];
         first = (std::max)(first, (std::min)(low, high));
         last = (std::min)(last, (std::max)(low, high));
       }
@@ -105,7 +107,7 @@ public:
     {
       double squared = 0;
       for(int a = 0; a < 3; ++a) {
-        const double off = (std::max)({ (box.min)(a) - center[a], center[a] - (box.max)(a), 0. });
+        const double off = (std::max)({ (box.min)(a)-center[a], center[a] - (box.max)(a), 0. });
         squared += off * off;
       }
       return squared < squared_radius;
@@ -147,18 +149,22 @@ public:
     m_tree.traversal(query, traits);
   }
 
-  // A facet near a point, if not the nearest one: of some, the nearest, and then of some that are next to it in Morton's order, until these are all.
+  // A facet near a point, if not the nearest one: of some, the nearest, and then of some that are next to it in
+  // Morton's order, until these are all.
   Index facet_near(const std::vector<Facet>& facets, const Coordinates& p) const
   {
     constexpr std::size_t some = 64;
     std::size_t nearest = 0;
-    for(std::size_t begin = 0, end = m_facets.size(), step = 0; step != 1; ) {
+    for(std::size_t begin = 0, end = m_facets.size(), step = 0; step != 1;) {
       step = (end - begin + some - 1) / some;
       double least = std::numeric_limits<double>::infinity();
       for(std::size_t n = begin; n < end; n += step) {
         const Coordinates off = difference(facets[m_facets[n]].vertex[0], p);
         const double squared = internal::dot(off, off);
-        if(squared < least) { least = squared; nearest = n; }
+        if(squared < least) {
+          least = squared;
+          nearest = n;
+        }
       }
       begin = nearest - (std::min)(nearest, step);
       end = (std::min)(nearest + step, m_facets.size());
@@ -194,12 +200,16 @@ private:
         if(do_meet(query, tree.m_boxes_of_facets[n])) visit(tree.m_facets[n]);
     }
     template <typename Query, typename Node>
-    bool do_intersect(const Query& query, const Node& node) const { return do_meet(query, node.bbox()); }
+    bool do_intersect(const Query& query, const Node& node) const
+    {
+      return do_meet(query, node.bbox());
+    }
   };
 
-  std::vector<Index> m_facets;        // in the order of groups
+  std::vector<Index> m_facets; // in the order of groups
   Boxes m_boxes;
-  std::vector<Bbox_3> m_boxes_of_facets;        // in the same order: facets of a group may be far from each other in memory
+  // in the same order: facets of a group may be far from each other in memory
+  std::vector<Bbox_3> m_boxes_of_facets;
   AABB_tree<Traits> m_tree;
 };
 
@@ -210,7 +220,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Projection_facets_3(std::vector
   if(!m_facets.empty()) m_tree = std::make_shared<const Tree>(m_facets);
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE std::vector<Projection_facets_3::Index> Projection_facets_3::components(std::size_t& number) const
+CGAL_BSPLINE_SHELL_3_INLINE std::vector<Projection_facets_3::Index> Projection_facets_3::components(
+  std::size_t& number) const
 {
   number = 0;
   std::vector<Index> component(m_facets.size(), npos), stack;
@@ -232,7 +243,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<Projection_facets_3::Index> Projection_f
   return component;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::position(Index facet, const Coordinates& p) const
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::position(Index facet,
+                                                                                        const Coordinates& p) const
 {
   using internal::cross;
   using internal::dot;
@@ -241,14 +253,15 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
   const double squared = dot(f.normal, f.normal);
   Position result{ {}, -std::numeric_limits<double>::infinity(), 0, {} };
   Coordinates e[3];
-  double lengths[3], longest = 0;         // squared
+  double lengths[3], longest = 0; // squared
   for(int i = 0; i < 3; ++i) {
     e[i] = difference(f.vertex[(i + 1) % 3], f.vertex[i]);
     lengths[i] = dot(e[i], e[i]);
     longest = (std::max)(longest, lengths[i]);
   }
   Coordinates& w = result.barycentric;
-  // Rounding moves a point by eps / thinness of its distance from the facet's vertex, and after a second step by the square of that
+  // Rounding moves a point by eps / thinness of its distance from the facet's vertex, and after a second step by the
+  // square of that
   constexpr double thin = 1e-6;
   if(squared > thin * thin * longest * longest) {
     const Coordinates inwards[2] = { cross(f.normal, e[2]), cross(f.normal, e[0]) }, d = difference(p, f.vertex[0]);
@@ -259,12 +272,14 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
     w[1] += dot(inwards[0], rest) / squared;
     w[2] += dot(inwards[1], rest) / squared;
     w[0] = 1 - w[1] - w[2];
-  }
-  else w = exact_barycentric(f, p);
+  } else w = exact_barycentric(f, p);
   // compared by their squares, with a sign
   for(int i = 0; i < 3; ++i) {
     const double weight = w[(i + 2) % 3], outside = -weight * std::abs(weight) / lengths[i];
-    if(outside > result.outside) { result.outside = outside; result.edge = i; }
+    if(outside > result.outside) {
+      result.outside = outside;
+      result.edge = i;
+    }
   }
   result.outside = std::copysign(std::sqrt(std::abs(result.outside) * squared), result.outside);
   result.nearest = result.barycentric;
@@ -275,14 +290,15 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
 }
 
 // the distance from the edges, and the barycentric coordinates of where it is taken
-CGAL_BSPLINE_SHELL_3_INLINE double Projection_facets_3::nearest_on_edges(const Facet& f, const Coordinates& p, Coordinates& barycentric)
+CGAL_BSPLINE_SHELL_3_INLINE double Projection_facets_3::nearest_on_edges(const Facet& f, const Coordinates& p,
+                                                                         Coordinates& barycentric)
 {
   using internal::dot;
   double least = std::numeric_limits<double>::infinity();
   for(int i = 0; i < 3; ++i) {
     const Coordinates e = difference(f.vertex[(i + 1) % 3], f.vertex[i]), v = difference(p, f.vertex[i]);
     const double length = dot(e, e), t = length > 0 ? (std::min)((std::max)(dot(v, e) / length, 0.), 1.) : 0.;
-    const Coordinates off = { v[0] - t*e[0], v[1] - t*e[1], v[2] - t*e[2] };
+    const Coordinates off = { v[0] - t * e[0], v[1] - t * e[1], v[2] - t * e[2] };
     if(!(dot(off, off) < least)) continue;
     least = dot(off, off);
     barycentric[i] = 1 - t;
@@ -296,7 +312,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::pair<Projection_facets_3::Index, Projection_fac
 Projection_facets_3::closest(const Coordinates& p) const
 {
   CGAL_precondition(m_tree != nullptr);
-  std::pair<Index, Coordinates> result(0, { 1, 0, 0 });       // for what is no point
+  std::pair<Index, Coordinates> result(0, { 1, 0, 0 }); // for what is no point
   Tree::Ball ball = { p, std::numeric_limits<double>::infinity() };
   const auto compare = [&](Index facet) {
     Coordinates barycentric;
@@ -308,19 +324,21 @@ Projection_facets_3::closest(const Coordinates& p) const
     ball.squared_radius = squared;
     result = { facet, barycentric };
   };
-  compare(m_tree->facet_near(m_facets, p));       // so that few others have to be looked at
+  compare(m_tree->facet_near(m_facets, p)); // so that few others have to be looked at
   m_tree->visit(ball, compare);
   return result;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE void
-Projection_facets_3::visit_facets(const Bbox_3& box, void (*visit)(const void*, Index), const void* visitor) const
+CGAL_BSPLINE_SHELL_3_INLINE void Projection_facets_3::visit_facets(const Bbox_3& box, void (*visit)(const void*, Index),
+                                                                   const void* visitor) const
 {
   if(m_tree) m_tree->visit(box, [&](Index facet) { visit(visitor, facet); });
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
-Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last, double margin) const
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index Projection_facets_3::facet_on_line(const Coordinates& p,
+                                                                                          const Coordinates& direction,
+                                                                                          double first, double last,
+                                                                                          double margin) const
 {
   using internal::cross;
   using internal::dot;
@@ -344,12 +362,12 @@ Projection_facets_3::facet_on_line(const Coordinates& p, const Coordinates& dire
   return best;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index
-Projection_facets_3::facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first, double last) const
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index Projection_facets_3::facet_on_line_near(
+  Index facet, const Coordinates& p, const Coordinates& direction, double first, double last) const
 {
   using internal::cross;
   using internal::dot;
-  constexpr int most_moves = 16;        // more take longer than to look it up
+  constexpr int most_moves = 16; // more take longer than to look it up
   for(int moves = 0; moves < most_moves; ++moves) {
     const Facet& f = m_facets[facet];
     const double volume = dot(f.normal, direction);
@@ -359,7 +377,10 @@ Projection_facets_3::facet_on_line_near(Index facet, const Coordinates& p, const
     int passed = -1;
     for(int i = 0; i < 3; ++i) {
       const double side = dot(direction, cross(v[i], v[(i + 1) % 3]));
-      if(side < least) { least = side; passed = i; }
+      if(side < least) {
+        least = side;
+        passed = i;
+      }
     }
     if(passed == -1) {
       const double s = dot(f.normal, v[0]) / volume;
@@ -372,29 +393,33 @@ Projection_facets_3::facet_on_line_near(Index facet, const Coordinates& p, const
 }
 
 // The exact one, rounded, where cancellation would turn it so that points of the facet were far from its plane.
-CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates
-Projection_facets_3::normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates Projection_facets_3::normal(const Coordinates& p,
+                                                                                         const Coordinates& q,
+                                                                                         const Coordinates& r)
 {
   using internal::cross;
   using internal::dot;
   const Coordinates u = difference(q, p), v = difference(r, p), n = cross(u, v);
   constexpr double thin = 1e-3;
   if(dot(n, n) > thin * thin * dot(u, u) * dot(v, v)) return n;
-  const internal::Exact_coordinates exact_normal = cross(internal::exact_difference(q, p), internal::exact_difference(r, p));
+  const internal::Exact_coordinates exact_normal = cross(internal::exact_difference(q, p),
+                                                         internal::exact_difference(r, p));
   Coordinates result;
   for(int a = 0; a < 3; ++a) result[a] = internal::rounded(exact_normal[a]);
   return result;
 }
 
-// of the point of the plane that is nearest to `p`, rounded: a weight is the area of the triangle opposite its vertex, n . (e x (p - v)) / n^2
-CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates
-Projection_facets_3::exact_barycentric(const Facet& f, const Coordinates& p)
+// of the point of the plane that is nearest to `p`, rounded: a weight is the area of the triangle opposite its vertex,
+// n . (e x (p - v)) / n^2
+CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates Projection_facets_3::exact_barycentric(
+  const Facet& f, const Coordinates& p)
 {
   using internal::cross;
   using internal::dot;
   using internal::exact_difference;
   typedef Exact_rational ET;
-  const internal::Exact_coordinates n = cross(exact_difference(f.vertex[1], f.vertex[0]), exact_difference(f.vertex[2], f.vertex[0]));
+  const internal::Exact_coordinates n = cross(exact_difference(f.vertex[1], f.vertex[0]),
+                                              exact_difference(f.vertex[2], f.vertex[0]));
   const ET squared = dot(n, n);
   Coordinates result;
   for(int i = 0; i < 3; ++i) {

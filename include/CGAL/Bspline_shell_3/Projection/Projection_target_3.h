@@ -31,9 +31,9 @@ namespace Bspline_shells {
  *
  * \brief the triangles of a mesh as curves look for them: with coordinates in `double`s, neighbors and a tree of boxes.
  *
- * Facets are numbered as `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`, `target(next(h))`
- * of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`; edge `i` leads from vertex `i` to the next.
- * Copies are not possible; const member functions may be called from several threads at once.
+ * Facets are numbered as `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`,
+ * `target(next(h))` of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`; edge `i` leads from
+ * vertex `i` to the next. Copies are not possible; const member functions may be called from several threads at once.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -46,13 +46,14 @@ public:
   typedef TriangleMesh Mesh;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  /// copies coordinates and neighbors; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of a
-  /// kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips that `truncation` replaces,
-  /// curves are traced to the truncated mesh.
-  /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh` does, must not be prepared by
-  /// two threads at once.
+  /// copies coordinates and neighbors; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of
+  /// a kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips
+  /// that `truncation` replaces, curves are traced to the truncated mesh.
+  /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh`
+  ///   does, must not be prepared by two threads at once.
   template <typename VertexPointMap>
-  Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm, const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr)
+  Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm,
+                      const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr)
     : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh))
   {
     for(face_descriptor f : faces(mesh)) {
@@ -89,7 +90,11 @@ public:
   bool is_valid() const { return m_valid; }
   const TriangleMesh& mesh() const { return *m_mesh; }
   /// a vertex of a facet
-  struct Corner { Index facet; int vertex; };
+  struct Corner
+  {
+    Index facet;
+    int vertex;
+  };
   /// the corner at a border vertex with these coordinates, or null
   const Corner* border_corner(const Coordinates& p) const
   {
@@ -97,14 +102,21 @@ public:
     return found == m_border.end() ? nullptr : &found->second;
   }
   /// \name Truncation
-  /// Curves are traced from and to the truncated mesh, which is in the shell. It is the mesh itself where that has no tips that are replaced.
+  /// Curves are traced from and to the truncated mesh, which is in the shell. It is the mesh itself where that has no
+  /// tips that are replaced.
   /// @{
   /// the facets that curves are traced to, with numbers of their own
   const Projection_facets_3& traced_facets() const { return m_truncated ? m_truncated->facets() : *this; }
   /// where a place, a facet and barycentric coordinates, is on them
-  std::pair<Index, Coordinates> traced(const std::pair<Index, Coordinates>& place) const { return m_truncated ? m_truncated->traced(place) : place; }
+  std::pair<Index, Coordinates> traced(const std::pair<Index, Coordinates>& place) const
+  {
+    return m_truncated ? m_truncated->traced(place) : place;
+  }
   /// where a place on them is on the mesh
-  std::pair<Index, Coordinates> untraced(const std::pair<Index, Coordinates>& place) const { return m_truncated ? m_truncated->untraced(place) : place; }
+  std::pair<Index, Coordinates> untraced(const std::pair<Index, Coordinates>& place) const
+  {
+    return m_truncated ? m_truncated->untraced(place) : place;
+  }
   /// the point from which the curve through a place of the mesh is traced
   Coordinates traced_point(Index facet, const Coordinates& barycentric) const
   {
@@ -113,20 +125,23 @@ public:
   }
   /// the same for vertices, in the order of `vertices(mesh)`
   const std::vector<Coordinates>& traced_vertices() const { return m_traced_vertices; }
-  /// the derivative of the map from the mesh to the truncated one, between the planes of their facets, and from normal to normal
+  /// the derivative of the map from the mesh to the truncated one, between the planes of their facets, and from normal
+  /// to normal
   Eigen::Matrix3d traced_derivative(Index facet, const Coordinates& barycentric) const
   {
-    return m_truncated ? m_truncated->derivative({ facet, barycentric }, { vertex(facet, 0), vertex(facet, 1), vertex(facet, 2) })
-                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    return m_truncated
+             ? m_truncated->derivative({ facet, barycentric }, { vertex(facet, 0), vertex(facet, 1), vertex(facet, 2) })
+             : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   }
   /// @}
-  std::size_t number_of_facets() const { return m_faces.size(); }       ///< also if the target is not valid
+  std::size_t number_of_facets() const { return m_faces.size(); } ///< also if the target is not valid
   face_descriptor face_of(Index facet) const { return m_faces[facet]; }
   Index facet_of(face_descriptor f) const { return get(m_index, f); }
 
 private:
   template <typename VertexPointMap>
-  void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm, const std::vector<Facet>& facets)
+  void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm,
+                const std::vector<Facet>& facets)
   {
     const auto in_mesh = truncation->match(*m_mesh, vpm);
     std::vector<internal::Truncated_facets::Cut_facet> cut;
@@ -146,7 +161,7 @@ private:
       const auto f = h == Graph_traits::null_halfedge() ? Graph_traits::null_face() : face(h, *m_mesh);
       if(f != Graph_traits::null_face() && m_truncated->is_cut(facet_of(f))) {
         Coordinates corner = {};
-        auto to = prev(halfedge(f, *m_mesh), *m_mesh);       // to the first corner
+        auto to = prev(halfedge(f, *m_mesh), *m_mesh); // to the first corner
         for(int i = 0; i < 3; ++i, to = next(to, *m_mesh))
           if(target(to, *m_mesh) == v) corner[i] = 1;
         const auto place = m_truncated->traced({ facet_of(f), corner });
@@ -160,7 +175,7 @@ private:
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<Index> >::const_type m_index;
   std::vector<face_descriptor> m_faces;
   std::vector<Coordinates> m_traced_vertices;
-  std::unique_ptr<const internal::Truncated_facets> m_truncated;      // null if nothing is replaced
+  std::unique_ptr<const internal::Truncated_facets> m_truncated; // null if nothing is replaced
   std::unordered_map<Coordinates, Corner, internal::Hash_coordinates> m_border;
   bool m_valid = true;
 };

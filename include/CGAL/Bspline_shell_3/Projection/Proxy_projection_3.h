@@ -23,9 +23,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief maps points of a polygon soup to its proxy, a mesh in the shell: along the integral curves, as `Shell_projection_3` does.
+ * \brief maps points of a polygon soup to its proxy, a mesh in the shell: along the integral curves, as
+ * `Shell_projection_3` does.
  *
- * Points that are not in the shell, or whose curves leave it without meeting the proxy, are mapped to the nearest point of the proxy. These images are marked
+ * Points that are not in the shell, or whose curves leave it without meeting the proxy, are mapped to the nearest point
+ * of the proxy. These images are marked
  * (`Projected_point::is_continued`), and two points may have one.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
@@ -44,7 +46,8 @@ public:
 
   using Base::Base;
 
-  /// the image of a point. \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  /// the image of a point.
+  /// \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Image operator()(const Point& p) const
   {
@@ -68,20 +71,23 @@ public:
   }
 
   /// the images of many points, as `Shell_projection_3::project()`
-  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange,
+            typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
   {
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal projection onto the plane of their
-  /// facet. If the point has no image, the status is that of the image. \pre `image` is the image of `p`
+  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal
+  /// projection onto the plane of their facet. If the point has no image, the status is that of the image.
+  /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
     if(!image) return internal::no_differential(image.status);
-    return image.is_continued ? internal::orthogonal_differential(this->target().normal(this->target().facet_of(image.location.first)))
-                              : Base::differential(p, image);
+    return image.is_continued
+             ? internal::orthogonal_differential(this->target().normal(this->target().facet_of(image.location.first)))
+             : Base::differential(p, image);
   }
 };
 

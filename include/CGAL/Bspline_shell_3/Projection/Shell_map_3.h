@@ -54,8 +54,8 @@ namespace Bspline_shells {
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
  * \tparam TargetMesh_ a model of `FaceListGraph`
- * \tparam ProjectionToSource_ how points of the shell get to the source, with a `Hint` or without; others than the default are for polygon soups
- *         (`Soup_map_3`), and no component is asked for then
+ * \tparam ProjectionToSource_ how points of the shell get to the source, with a `Hint` or without; others than the
+ *   default are for polygon soups (`Soup_map_3`), and no component is asked for then
  * \tparam ProjectionToTarget_ how they get to the target
  */
 template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_,
@@ -71,7 +71,7 @@ public:
   typedef ProjectionToTarget_ Projection_to_target;
   typedef typename Projection_to_source::Image Source_image;
   typedef typename Projection_to_target::Image Target_image;
-  typedef typename Projection_to_source::Location Source_location;      ///< facet and barycentric coordinates
+  typedef typename Projection_to_source::Location Source_location; ///< facet and barycentric coordinates
   typedef typename Projection_to_target::Location Target_location;
   typedef typename Projection_to_target::Coordinates Coordinates;
   typedef typename boost::graph_traits<Source_mesh>::vertex_descriptor Source_vertex;
@@ -122,8 +122,8 @@ public:
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
   const Target_mesh& target() const { return m_to_target.target().mesh(); }
-  const Projection_to_source& to_source() const { return m_to_source; }      ///< for points anywhere in the shell
-  const Projection_to_target& to_target() const { return m_to_target; }      ///< for points anywhere in the shell
+  const Projection_to_source& to_source() const { return m_to_source; } ///< for points anywhere in the shell
+  const Projection_to_target& to_target() const { return m_to_target; } ///< for points anywhere in the shell
 
   /// Returns the map along the same curves in the other direction. Takes constant time.
   Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const
@@ -137,7 +137,8 @@ public:
     return m_to_source.target().point(m_to_source.target().facet_of(location.first), location.second);
   }
 
-  /// the same, but of the truncated source, where the shell replaces tips of it: the point from which the curve is traced
+  /// the same, but of the truncated source, where the shell replaces tips of it: the point from which the curve is
+  /// traced
   Coordinates traced_point(const Source_location& location) const
   {
     return m_to_source.target().traced_point(m_to_source.target().facet_of(location.first), location.second);
@@ -152,23 +153,28 @@ public:
 
   /// the image on the target of a vertex of the source
   /// \pre the vertex has a facet
-  Target_image operator()(Source_vertex v) const { return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source())); }
+  Target_image operator()(Source_vertex v) const
+  {
+    return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source()));
+  }
 
-  /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal of the facet of
-  /// the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is that of the
-  /// image.
+  /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal
+  /// of the facet of the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is
+  /// that of the image.
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
     if(!image) return internal::no_differential(image.status);
     Flow_differential d = m_to_target.differential(traced_point(location), image);
-    d.append_to_start(m_to_source.target().traced_derivative(m_to_source.target().facet_of(location.first), location.second));
+    d.append_to_start(
+      m_to_source.target().traced_derivative(m_to_source.target().facet_of(location.first), location.second));
     return d;
   }
 
   /// the images of many locations, as `Shell_projection_3::project()`.
   /// \tparam LocationRange a random access range of `Source_location`
-  template <typename ConcurrencyTag = Parallel_if_available_tag, typename LocationRange, typename Visitor = Default_flow_visitor>
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename LocationRange,
+            typename Visitor = Default_flow_visitor>
   std::vector<Target_image> project(const LocationRange& locations, Visitor&& visitor = Visitor()) const
   {
     std::vector<Target_image> images(std::size_t(std::end(locations) - std::begin(locations)));
@@ -176,14 +182,17 @@ public:
       std::fill(images.begin(), images.end(), refused());
       return images;
     }
-    internal::for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) {
-      return traced_point(*(std::begin(locations) + std::ptrdiff_t(n)));
-    }, visitor, [&, hint = typename Projection_to_target::Hint()](std::size_t n, const auto& p) mutable { images[n] = m_to_target(p, hint); });
+    internal::for_each_point<ConcurrencyTag>(
+      images.size(), [&](std::size_t n) { return traced_point(*(std::begin(locations) + std::ptrdiff_t(n))); }, visitor,
+      [&, hint = typename Projection_to_target::Hint()](std::size_t n, const auto& p) mutable {
+        images[n] = m_to_target(p, hint);
+      });
     return images;
   }
 
 private:
-  template <typename, typename, typename, typename, typename> friend class Shell_map_3;
+  template <typename, typename, typename, typename, typename>
+  friend class Shell_map_3;
 
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target, Flow_status status)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target)), m_status(status)
@@ -228,12 +237,16 @@ private:
     const std::size_t facets = traced.number_of_facets(),
                       all = facets + (traced.is_closed() ? 0 : shell().closing()->triangles().size());
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
-    const Component_match match = match_components(paths, number + (all > facets ? 1 : 0), all, [&](std::size_t n) {
-      std::array<Point, 3> t;
-      for(int i = 0; i < 3; ++i)
-        t[i] = n < facets ? point(traced.vertex(typename Target::Index(n), i)) : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
-      return t;
-    }, [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
+    const Component_match match = match_components(
+      paths, number + (all > facets ? 1 : 0), all,
+      [&](std::size_t n) {
+        std::array<Point, 3> t;
+        for(int i = 0; i < 3; ++i)
+          t[i] = n < facets ? point(traced.vertex(typename Target::Index(n), i))
+                            : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
+        return t;
+      },
+      [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
     std::vector<char> is_missed(match.crossings.size(), 0);
     for(std::size_t k = 0; k < match.crossings.size(); ++k) is_missed[k] = match.crossings[k].value_or(0) == 0;
     for(std::size_t k : match.component_of_shell)
@@ -247,13 +260,14 @@ private:
       return worst;
     };
     if(found() == Flow_status::SUCCESS || !shell().proved_cover()) return found();
-    // Meshes without a certificate may be there, and not be counted. Where components of the shell share one of the cover, it cannot tell which of them
-    // a vertex is in.
+    // Meshes without a certificate may be there, and not be counted. Where components of the shell share one of the
+    // cover, it cannot tell which of them a vertex is in.
     std::vector<char> has_boxes(is_missed.size(), 0);
     for(const Cover_box& box : *shell().proved_cover())
       if(box.component < has_boxes.size()) has_boxes[box.component] = 1;
     if(std::find(has_boxes.begin(), has_boxes.end(), 0) != has_boxes.end()) return found();
-    Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(), shell().outer_threshold());
+    Shell_cover_3<typename Shell::Field, typename Shell::Threshold> cover(shell().field(), shell().inner_threshold(),
+                                                                          shell().outer_threshold());
     cover.adopt(*shell().proved_cover());
     for(const Coordinates& v : target.traced_vertices()) {
       const std::uint32_t k = cover.component(typename Shell::Point_3(v[0], v[1], v[2]));
@@ -283,7 +297,8 @@ private:
   {
     auto vpm = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
                                                   get_const_property_map(CGAL::vertex_point, mesh));
-    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm, shell.truncation()), tolerance);
+    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm, shell.truncation()),
+                      tolerance);
   }
 
   Projection_to_source m_to_source;

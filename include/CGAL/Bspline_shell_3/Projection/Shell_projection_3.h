@@ -42,19 +42,20 @@ struct Projected_point
   typedef Polygon_mesh_processing::Face_location<TriangleMesh, double> Location;
 
   Flow_status status = Flow_status::CANCELED;
-  Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});      ///< facet and barycentric coordinates
-  Point_3 point;                       ///< in user coordinates
-  double value = 0;                    ///< of the field at the image: the parameter along the curve
+  /// facet and barycentric coordinates
+  Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});
+  Point_3 point;    ///< in user coordinates
+  double value = 0; ///< of the field at the image: the parameter along the curve
   /// \name Estimated errors
   /// In user units, to first order; 0 where no curve was traced, NaN where they are not known.
   /// @{
-  double error = 0;                    ///< distance from the exact image; at most the tolerance
+  double error = 0; ///< distance from the exact image; at most the tolerance
   /// Distance of the point from the exact curve through the image: how far from it the way back ends, across the curve.
   /// More than the tolerance only where curves approach each other so much that `double`s do not distinguish them.
   double error_of_way_back = 0;
   /// @}
-  /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between a polygon soup and its proxy
-  /// do so (`Soup_projection_3`, `Proxy_projection_3`).
+  /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between
+  /// a polygon soup and its proxy do so (`Soup_projection_3`, `Proxy_projection_3`).
   bool is_continued = false;
   /// The curve misses an open mesh, by less than the tolerance: the image was moved to the border.
   bool is_snapped = false;
@@ -67,14 +68,15 @@ struct Projected_point
  *
  * \brief moves points of a shell along the integral curves of its field onto a mesh.
  *
- * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and so every point of the shell has one image. It
- * is traced in `double`s: each step is controlled so that the image is found up to a tolerance, and what cannot be found so
- * has a status that says why. A curve that the certificate says nothing about is followed just as well, as far as it stays in
- * the shell; where it meets the mesh several times, the image is one of the hits that have the gradient behind them.
+ * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and so every point of the shell has one
+ * image. It is traced in `double`s: each step is controlled so that the image is found up to a tolerance, and what
+ * cannot be found so has a status that says why. A curve that the certificate says nothing about is followed just as
+ * well, as far as it stays in the shell; where it meets the mesh several times, the image is one of the hits that have
+ * the gradient behind them.
  *
- * Const member functions may be called from several threads at once. Points that are projected together begin at each other's facets; the result does
- * not depend on the number of threads. If each curve meets the mesh once, it depends on the other points by the tolerance at most; otherwise they may
- * decide which of the hits is the image.
+ * Const member functions may be called from several threads at once. Points that are projected together begin at each
+ * other's facets; the result does not depend on the number of threads. If each curve meets the mesh once, it depends on
+ * the other points by the tolerance at most; otherwise they may decide which of the hits is the image.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -89,22 +91,26 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
 
-  /// where the search begins: the facet of the last image, as a number of `Projection_target_3::traced_facets()`. Points that come one after the other,
-  /// near each other, take less time with it. Use one hint for each sequence of points and thread.
-  struct Hint { typename Target::Index facet = Target::npos; };
+  /// where the search begins: the facet of the last image, as a number of `Projection_target_3::traced_facets()`.
+  /// Points that come one after the other, near each other, take less time with it. Use one hint for each sequence of
+  /// points and thread.
+  struct Hint
+  {
+    typename Target::Index facet = Target::npos;
+  };
 
   /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
   /// \param target the mesh to project to, prepared; may be shared
-  /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the end of
-  ///        the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
+  /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the
+  ///   end of the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
-    : m_shell(&shell), m_target(std::move(target))
-    , m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
+    : m_shell(&shell), m_target(std::move(target)),
+      m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
   {
     CGAL_precondition(m_target != nullptr);
   }
-  Shell_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete;       // it would dangle
+  Shell_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete; // it would dangle
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
@@ -118,7 +124,8 @@ public:
     Hint hint;
     return (*this)(p, hint);
   }
-  /// the same, up to the tolerance if the curve meets the mesh once. \param hint any; it becomes the facet of the image, if there is one
+  /// the same, up to the tolerance if the curve meets the mesh once.
+  /// \param hint any; it becomes the facet of the image, if there is one
   template <typename Point>
   Image operator()(const Point& p, Hint& hint) const
   {
@@ -142,7 +149,8 @@ public:
         }
       }
     typename internal::Facet_on_curve<Shell>::Hit hit;
-    const typename Target::Index near = hint.facet < m_target->traced_facets().number_of_facets() ? hint.facet : Target::npos;
+    const typename Target::Index near = hint.facet < m_target->traced_facets().number_of_facets() ? hint.facet
+                                                                                                  : Target::npos;
     image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, near, hit);
     if(image.status != Flow_status::SUCCESS) return image;
     hint.facet = hit.facet;
@@ -167,16 +175,17 @@ public:
   /// \tparam PointRange a random access range of points
   /// \tparam Visitor a model of `FlowVisitor`
   /// \return as many images, in the same order; those that were not sought because the visitor stopped are `CANCELED`
-  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename Visitor = Default_flow_visitor>
+  template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange,
+            typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
   {
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are replaced:
-  /// `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`, which does
-  /// not jump between facets. If the point has no image, the status is that of the image. \pre `image` is the image of
-  /// `p`
+  /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are
+  /// replaced: `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`,
+  /// which does not jump between facets. If the point has no image, the status is that of the image.
+  /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {

@@ -25,7 +25,8 @@ namespace Bspline_shells {
  *
  * \brief moves points of a shell onto a mesh, along the integral curves of the shell's field.
  *
- * For more than one call with the same mesh, `Shell_projection_3` or `Shell_map_3` keep what this function prepares: a tree of boxes.
+ * For more than one call with the same mesh, `Shell_projection_3` or `Shell_map_3` keep what this function prepares: a
+ * tree of boxes.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Shell a `CGAL::Bspline_shell_3`
@@ -42,15 +43,16 @@ namespace Bspline_shells {
  * \return for each point its `Projected_point`
  * \cgalHeading{Cost} some microseconds a point and core
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Shell, typename PointRange, typename TriangleMesh,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::vector<Projected_point<TriangleMesh, typename Shell::Point_3> >
-project_points(const Shell& shell, const PointRange& points, const TriangleMesh& target,
-               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Shell, typename PointRange,
+          typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::vector<Projected_point<TriangleMesh, typename Shell::Point_3> > project_points(
+  const Shell& shell, const PointRange& points, const TriangleMesh& target,
+  const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, target));
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                              get_const_property_map(CGAL::vertex_point, target));
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const Shell_projection_3<Shell, TriangleMesh> projection(
     shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm, shell.truncation()),

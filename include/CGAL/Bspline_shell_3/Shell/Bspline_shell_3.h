@@ -26,7 +26,8 @@
 namespace CGAL {
 
 namespace Bspline_shells {
-template <typename Field, typename Threshold> class Second_order_bounds_3;
+template <typename Field, typename Threshold>
+class Second_order_bounds_3;
 }
 
 /*!
@@ -35,13 +36,14 @@ template <typename Field, typename Threshold> class Second_order_bounds_3;
  * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
  * thresholds between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
  *
- * Shells are made by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called from several
- * threads at once.
+ * Shells are made by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called from
+ * several threads at once.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold_ a model of `ShellThreshold`
  */
-template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>, typename Threshold_ = Bspline_shells::Constant_threshold>
+template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>,
+          typename Threshold_ = Bspline_shells::Constant_threshold>
 class Bspline_shell_3
 {
 public:
@@ -58,18 +60,18 @@ public:
   /// no shell, for a reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
 
-  Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells, std::vector<Level_range> facets,
-                  Shell_report report)
-    : Bspline_shell_3(std::make_shared<const Field>(std::move(field)), std::move(inner), std::move(outer), std::move(cells), std::move(facets),
-                      std::move(report))
+  Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells,
+                  std::vector<Level_range> facets, Shell_report report)
+    : Bspline_shell_3(std::make_shared<const Field>(std::move(field)), std::move(inner), std::move(outer),
+                      std::move(cells), std::move(facets), std::move(report))
   {}
 
   /// the same, with a field that is not copied
   /// \param field is not null, and does not change
   Bspline_shell_3(std::shared_ptr<const Field> field, Threshold inner, Threshold outer, std::vector<char> cells,
                   std::vector<Level_range> facets, Shell_report report)
-    : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells))
-    , m_facets(std::move(facets)), m_report(std::move(report))
+    : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells)),
+      m_facets(std::move(facets)), m_report(std::move(report))
   {
     if(m_report.status == Shell_status::SUCCESS && !(m_inner.has_cells_of(*m_field) && m_outer.has_cells_of(*m_field)))
       m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
@@ -78,8 +80,8 @@ public:
   /// between two levels, for constant thresholds
   Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
                   Shell_report report)
-    : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells), std::move(facets),
-                      std::move(report))
+    : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells),
+                      std::move(facets), std::move(report))
   {}
 
   /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
@@ -88,12 +90,13 @@ public:
   const Shell_report& report() const { return m_report; }
 
   const Field& field() const { return *m_field; }
-  const Threshold& inner_threshold() const { return m_inner; }       ///< \f$\epsilon_1\f$
-  const Threshold& outer_threshold() const { return m_outer; }       ///< \f$\epsilon_2\f$
+  const Threshold& inner_threshold() const { return m_inner; } ///< \f$\epsilon_1\f$
+  const Threshold& outer_threshold() const { return m_outer; } ///< \f$\epsilon_2\f$
   /// a constant threshold's level, user units
   FT inner_level() const { return m_inner.level(); }
   FT outer_level() const { return m_outer.level(); }
-  /// the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper), user units
+  /// the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper), user
+  /// units
   FT thickness() const
   {
     if constexpr(Threshold::is_constant) return outer_level() - inner_level();
@@ -103,10 +106,7 @@ public:
   FT relative_thickness() const { return thickness() / m_report.unit; }
   /// whether all claims about the mesh are proved: when the shell was built, or, for a shell that was read from a file,
   /// by `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines any mesh at any time.
-  bool is_certified() const
-  {
-    return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved();
-  }
+  bool is_certified() const { return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved(); }
   /// the outcome in one sentence: why there is no shell, or whether it is certified
   std::string message() const
   {
@@ -114,28 +114,35 @@ public:
     typedef Bspline_shells::Refinement_status Refinement_status;
     const Refinement_status refinement = m_report.refinement;
     if(is_certified())
-      return refinement == Refinement_status::CERTIFIED ? Bspline_shells::message(refinement) : "There is a certified shell.";
+      return refinement == Refinement_status::CERTIFIED ? Bspline_shells::message(refinement)
+                                                        : "There is a certified shell.";
     if(refinement == Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
     return refinement == Refinement_status::LIMIT_REACHED
-         ? "There is a shell that contains the mesh, but it is not certified: a limit of memory, effort or rounds was reached. The report "
-           "has the places."
-         : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The report has the places.";
+             ? "There is a shell that contains the mesh, but it is not certified: a limit of memory, effort or rounds "
+               "was reached. The report "
+               "has the places."
+             : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The "
+               "report has the places.";
   }
   /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
-  /// the triangles that close the mesh that the shell was built for, if it is open, and every other mesh with the same border; null if it is
-  /// closed
+  /// the triangles that close the mesh that the shell was built for, if it is open, and every other mesh with the same
+  /// border; null if it is closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
   void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
-  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing. It is the truncated mesh that
-  /// lies in the shell; maps, edits and certificates take the other, and truncate it.
+  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing.
+  /// It is the truncated mesh that lies in the shell; maps, edits and certificates take the other, and truncate it.
   const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
-  void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation) { m_truncation = std::move(truncation); }
-  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on those that close it, and on
-  /// those of discs that replace tips
+  void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation)
+  {
+    m_truncation = std::move(truncation);
+  }
+  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on
+  /// those that close it, and on those of discs that replace tips
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
-  /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies in
+  /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies
+  /// in
   /// (`Bspline_shells::match_components()`). None if the shell is not certified.
   std::vector<Bspline_shells::Crossing_path> component_paths() const
   {
@@ -167,8 +174,8 @@ public:
   /// certificates of other meshes in the shell reuse it. Empty if that was not proved, and for shells that were read
   /// from a file, until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the one of
-  /// `report()`, or the least gradient in that is zero, and found out when it is needed
+  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the
+  ///   one of `report()`, or the least gradient in that is zero, and found out when it is needed
   /// \post the shell may meet the cells of the cover, and no others
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
@@ -179,9 +186,9 @@ public:
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
   }
 
-  /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes use them, and add those of
-  /// cells that are met first. Up to 425 bytes for each cell of the field. Null for shells that no certificate has
-  /// examined.
+  /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes
+  /// use them, and add those of cells that are met first. Up to 425 bytes for each cell of the field. Null for shells
+  /// that no certificate has examined.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
   /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
   void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
@@ -200,7 +207,8 @@ public:
   }
 
 private:
-  std::shared_ptr<const Field> m_field = std::make_shared<const Field>();      // shared by copies, as what refers to it is
+  // shared by copies, as what refers to it is
+  std::shared_ptr<const Field> m_field = std::make_shared<const Field>();
   Threshold m_inner, m_outer;
   std::vector<char> m_cells;
   std::vector<Level_range> m_facets;

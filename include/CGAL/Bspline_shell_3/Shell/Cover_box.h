@@ -19,11 +19,13 @@ namespace Bspline_shells {
  */
 enum class Box_kind : std::uint8_t
 {
-  EXCLUDED,         ///< not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
-  MONOTONE,         ///< the field increases along a fixed direction on all of the closed box: no critical point
-  CRITICAL_BELOW,   ///< at all critical points in the closed box, the field is below the inner threshold: none of them is in the shell
-  CRITICAL_ABOVE,   ///< the same above the outer threshold
-  UNDECIDED         ///< none of this was shown
+  /// not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
+  EXCLUDED,
+  MONOTONE,       ///< the field increases along a fixed direction on all of the closed box: no critical point
+  CRITICAL_BELOW, ///< at all critical points in the closed box, the field is below the inner threshold: none of them is
+                  ///< in the shell
+  CRITICAL_ABOVE, ///< the same above the outer threshold
+  UNDECIDED       ///< none of this was shown
 };
 
 /*!
@@ -35,15 +37,15 @@ struct Cover_box
 {
   static constexpr std::uint32_t no_component = std::uint32_t(-1);
 
-  std::uint32_t cell;                     ///< leaf cell of the field
-  std::uint16_t position[3];              ///< of the least corner, in units of the cell's width / 2^depth
-  std::uint8_t depth;                     ///< number of halvings
+  std::uint32_t cell;        ///< leaf cell of the field
+  std::uint16_t position[3]; ///< of the least corner, in units of the cell's width / 2^depth
+  std::uint8_t depth;        ///< number of halvings
   Box_kind kind;
   std::uint32_t component = no_component; ///< of the cover, or none: not part of it
-  /// what proves the kind: of a monotone box, the direction, whose largest component is one in size; where critical points are beyond a threshold,
-  /// the center for `values_at_critical_points()`, in units of the box
+  /// what proves the kind: of a monotone box, the direction, whose largest component is one in size; where critical
+  /// points are beyond a threshold, the center for `values_at_critical_points()`, in units of the box
   std::array<double, 3> proof = {};
-  bool is_at_end = false;                 ///< whether it has a point at the end of the field's domain that may be in the shell
+  bool is_at_end = false; ///< whether it has a point at the end of the field's domain that may be in the shell
 };
 
 } // namespace Bspline_shells

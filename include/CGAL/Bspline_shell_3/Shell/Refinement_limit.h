@@ -22,10 +22,10 @@ namespace Bspline_shells {
 enum class Refinement_resource
 {
   NONE,
-  MEMORY,       ///< `memory_limit`
-  NUMBERS,      ///< for unknowns
-  EFFORT,       ///< `effort_limit`
-  ROUNDS        ///< there were as many as are allowed
+  MEMORY,  ///< `memory_limit`
+  NUMBERS, ///< for unknowns
+  EFFORT,  ///< `effort_limit`
+  ROUNDS   ///< there were as many as are allowed
 };
 
 /*!
@@ -36,7 +36,7 @@ enum class Refinement_resource
 struct Refinement_limit
 {
   Refinement_resource resource = Refinement_resource::NONE;
-  std::size_t cells = 0;        ///< of that round
+  std::size_t cells = 0; ///< of that round
   double bytes = 0;
 };
 

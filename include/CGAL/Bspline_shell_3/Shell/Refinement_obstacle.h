@@ -23,14 +23,16 @@ namespace Bspline_shells {
  */
 struct Refinement_obstacle
 {
-  std::array<double, 3> point = {};                           ///< user units
-  double cell_width = 0;                                      ///< of the cell there, user units
-  double gap = std::numeric_limits<double>::infinity();       ///< of the mesh there (`Local_gap_3`); infinite if it is far wider than the cell
-  bool is_wall = false;                                       ///< whether it is behind facets, and not in front of them
+  std::array<double, 3> point = {}; ///< user units
+  double cell_width = 0;            ///< of the cell there, user units
+  /// of the mesh there (`Local_gap_3`); infinite if it is far wider than the cell
+  double gap = std::numeric_limits<double>::infinity();
+  bool is_wall = false; ///< whether it is behind facets, and not in front of them
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// \param unit the length that the sentence gives lengths in percent of: the longest side of the mesh's box (`Shell_report::unit`)
+/// \param unit the length that the sentence gives lengths in percent of: the longest side of the mesh's box
+///   (`Shell_report::unit`)
 /// \return the obstacle in a sentence
 inline std::string message(const Refinement_obstacle& obstacle, double unit)
 {
@@ -41,10 +43,11 @@ inline std::string message(const Refinement_obstacle& obstacle, double unit)
     number << std::setprecision(2) << 100 * x / unit << " %";
     return number.str();
   };
-  if(std::isfinite(obstacle.gap)) out << (obstacle.is_wall ? "A wall of " : "A gap of ") << percent(obstacle.gap) << " of the box";
+  if(std::isfinite(obstacle.gap))
+    out << (obstacle.is_wall ? "A wall of " : "A gap of ") << percent(obstacle.gap) << " of the box";
   else out << "No proof";
-  out << " at " << obstacle.point[0] << " " << obstacle.point[1] << " " << obstacle.point[2] << ", where cells are " << percent(obstacle.cell_width)
-      << " wide";
+  out << " at " << obstacle.point[0] << " " << obstacle.point[1] << " " << obstacle.point[2] << ", where cells are "
+      << percent(obstacle.cell_width) << " wide";
   if(std::isfinite(obstacle.gap) && cells_across * obstacle.cell_width > obstacle.gap)
     out << "; they may have to be as small as " << percent(obstacle.gap / cells_across);
   out << ".";

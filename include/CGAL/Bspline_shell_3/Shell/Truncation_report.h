@@ -24,24 +24,24 @@ struct Truncation_report
   enum class Outcome : unsigned char
   {
     TRUNCATED,
-    ON_BORDER,          ///< not truncated: the vertex is on the border of an open mesh
-    FOLDED_EDGE,        ///< not truncated: two facets at an edge face nearly opposite ways, so that no disc leaves more room
-    NO_DISC,            ///< not truncated: no disc was found that leaves more room
-    NO_SPACE            ///< not truncated: other parts of the mesh are so near, or edges so short, that rounding would decide
+    ON_BORDER,   ///< not truncated: the vertex is on the border of an open mesh
+    FOLDED_EDGE, ///< not truncated: two facets at an edge face nearly opposite ways, so that no disc leaves more room
+    NO_DISC,     ///< not truncated: no disc was found that leaves more room
+    NO_SPACE     ///< not truncated: other parts of the mesh are so near, or edges so short, that rounding would decide
   };
 
   struct Vertex
   {
-    std::size_t vertex = 0;               ///< position in `vertices(mesh)`
-    std::array<double, 3> point = {};     ///< user units
+    std::size_t vertex = 0;           ///< position in `vertices(mesh)`
+    std::array<double, 3> point = {}; ///< user units
     Outcome outcome = Outcome::TRUNCATED;
-    double radius = 0;                    ///< of the ball around the vertex beyond which nothing was changed; user units
-    double margin_before = 0;             ///< `vertex_cone_margin()`
-    double margin_after = 0;              ///< the least of all vertices of the disc
-    std::size_t triangles = 0;            ///< of the disc
+    double radius = 0;         ///< of the ball around the vertex beyond which nothing was changed; user units
+    double margin_before = 0;  ///< `vertex_cone_margin()`
+    double margin_after = 0;   ///< the least of all vertices of the disc
+    std::size_t triangles = 0; ///< of the disc
   };
 
-  std::vector<Vertex> vertices;           ///< all whose margin is below what was asked for
+  std::vector<Vertex> vertices; ///< all whose margin is below what was asked for
 
   std::size_t number(Outcome outcome) const
   {

@@ -18,11 +18,11 @@ namespace Bspline_shells {
  */
 struct Proxy_report
 {
-  double alpha = 0;                      ///< of the wrap, user units
-  double offset = 0;                     ///< of its vertices from the soup, user units
-  std::size_t wraps = 0;                 ///< how many were made, each coarser than the one before, until one had no singular vertex
-  double wrap_seconds = 0;               ///< that they took
-  bool is_thicker_than_asked = false;    ///< whether the shell exceeds the thickness parameter, to reach the soup
+  double alpha = 0;        ///< of the wrap, user units
+  double offset = 0;       ///< of its vertices from the soup, user units
+  std::size_t wraps = 0;   ///< how many were made, each coarser than the one before, until one had no singular vertex
+  double wrap_seconds = 0; ///< that they took
+  bool is_thicker_than_asked = false; ///< whether the shell exceeds the thickness parameter, to reach the soup
 };
 
 } // namespace Bspline_shells

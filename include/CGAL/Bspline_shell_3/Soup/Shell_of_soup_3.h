@@ -23,10 +23,10 @@ namespace Bspline_shells {
 /// what a shell is of
 enum class Shell_kind
 {
-  CLOSED,                 ///< the mesh itself
-  TRUNCATED,              ///< the mesh itself, with tips replaced (`Bspline_shell_3::truncation()`)
-  VIRTUALLY_CLOSED,       ///< the mesh itself, which is open, and the triangles that close it; tips may be replaced, too
-  PROXY                   ///< a closed mesh around it
+  CLOSED,           ///< the mesh itself
+  TRUNCATED,        ///< the mesh itself, with tips replaced (`Bspline_shell_3::truncation()`)
+  VIRTUALLY_CLOSED, ///< the mesh itself, which is open, and the triangles that close it; tips may be replaced, too
+  PROXY             ///< a closed mesh around it
 };
 
 /// \ingroup PkgBsplineShell3Soup
@@ -70,8 +70,9 @@ struct Shell_of_soup_3
   typedef Soup_proxy_3::Mesh Mesh;
   typedef Soup_proxy_3::Shell Shell;
 
-  Soup_repairs repairs;                                  ///< of the mesh that was tried first
-  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, certified or not.
+  Soup_repairs repairs; ///< of the mesh that was tried first
+  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, certified
+  /// or not.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
   /// what became of a proxy, if one was tried: that is, unless the mesh got a certified shell
   Shell_status proxy_status = Shell_status::NOT_BUILT;
@@ -79,21 +80,23 @@ struct Shell_of_soup_3
   Offending_simplices offending_simplices;
   /// if the mesh is refused: the number of points of the soup that are almost at others (`number_of_near_duplicates()`)
   std::size_t near_duplicates = 0;
-  Invalid_parameter invalid_parameter;                   ///< the refused one, if a status is `INVALID_PARAMETER`
-  Mesh repaired_mesh;                                    ///< the polygons as a mesh, where they are one
-  Shell shell_of_mesh;                                   ///< of that mesh
-  std::shared_ptr<const Soup_proxy_3> proxy;             ///< not null if a proxy is the result: it is certified
-  double seconds = 0;                                    ///< that all of it took
+  Invalid_parameter invalid_parameter;       ///< the refused one, if a status is `INVALID_PARAMETER`
+  Mesh repaired_mesh;                        ///< the polygons as a mesh, where they are one
+  Shell shell_of_mesh;                       ///< of that mesh
+  std::shared_ptr<const Soup_proxy_3> proxy; ///< not null if a proxy is the result: it is certified
+  double seconds = 0;                        ///< that all of it took
 
   /// \pre there is a shell
   Shell_kind kind() const
   {
-    return proxy ? Shell_kind::PROXY : shell_of_mesh.closing() ? Shell_kind::VIRTUALLY_CLOSED
-         : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED : Shell_kind::CLOSED;
+    return proxy                        ? Shell_kind::PROXY
+           : shell_of_mesh.closing()    ? Shell_kind::VIRTUALLY_CLOSED
+           : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED
+                                        : Shell_kind::CLOSED;
   }
-  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; }        ///< what the shell is of
+  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< what the shell is of
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
-  explicit operator bool() const { return bool(shell()); }                          ///< whether there is a shell
+  explicit operator bool() const { return bool(shell()); } ///< whether there is a shell
   /// `SUCCESS`, or why there is no shell
   Shell_status status() const
   {
@@ -109,14 +112,15 @@ struct Shell_of_soup_3
                                  : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
       text += " Of its points, " + std::to_string(near_duplicates)
-            + " are closer than 1e-6 of the box to another one: merge them.";
+              + " are closer than 1e-6 of the box to another one: merge them.";
     return text;
   }
   /// the outcome in one sentence or two
   std::string message() const
   {
     if(proxy) return proxy->message();
-    if(!shell() && internal::ends_all_attempts(proxy_status)) return Bspline_shells::message(proxy_status, invalid_parameter);
+    if(!shell() && internal::ends_all_attempts(proxy_status))
+      return Bspline_shells::message(proxy_status, invalid_parameter);
     return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
   }
 };

@@ -23,9 +23,9 @@ namespace Bspline_shells {
  *
  * \brief a polygon soup as a mesh of triangles, which knows what it was made of.
  *
- * Polygons are triangulated, oriented like their neighbors where that is possible, and cut from each other where the soup is not manifold: vertices are
- * then copied. Points at equal positions remain apart: merge them before (`CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup()`) if
- * they are one vertex.
+ * Polygons are triangulated, oriented like their neighbors where that is possible, and cut from each other where the
+ * soup is not manifold: vertices are then copied. Points at equal positions remain apart: merge them before
+ * (`CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup()`) if they are one vertex.
  */
 class Soup_mesh_3
 {
@@ -38,8 +38,10 @@ public:
   explicit Soup_mesh_3(const Polygon_soup& soup);
 
   const Mesh& mesh() const { return m_mesh; }
-  std::size_t polygon_of(Mesh::Face_index f) const { return m_polygon[f]; }        ///< the polygon that a triangle is part of
-  std::size_t point_of(Mesh::Vertex_index v) const { return m_point[v]; }          ///< the point that a vertex is, or a copy of
+  /// the polygon that a triangle is part of
+  std::size_t polygon_of(Mesh::Face_index f) const { return m_polygon[f]; }
+  /// the point that a vertex is, or a copy of
+  std::size_t point_of(Mesh::Vertex_index v) const { return m_point[v]; }
   /// polygons that are not in the mesh, ascending: they have no area
   const std::vector<std::size_t>& polygons_left_out() const { return m_left_out; }
 
@@ -52,7 +54,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3_impl.h>
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_SOUP_SOUP_MESH_3_H

@@ -61,7 +61,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Soup_mesh_3::Soup_mesh_3(const Polygon_soup& soup)
       m_polygon.push_back(n);
     }
   }
-  Polygon_mesh_processing::orient_polygon_soup(used, triangles, CGAL::parameters::visitor(internal::Origins_of_copies(m_point)));
+  Polygon_mesh_processing::orient_polygon_soup(used, triangles,
+                                               CGAL::parameters::visitor(internal::Origins_of_copies(m_point)));
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(used, triangles, m_mesh);
 }
 

@@ -22,7 +22,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a polygon soup, a clean closed mesh around it, and the certified shell of that mesh, by which both carry each other's attributes.
+ * \brief a polygon soup, a clean closed mesh around it, and the certified shell of that mesh, by which both carry each
+ * other's attributes.
  *
  * Made by `certified_soup_proxy_3()`. Maps refer to it: it must outlive them, and stay where it is.
  */
@@ -40,8 +41,8 @@ public:
     : m_status(status), m_offenders(std::move(offenders)), m_invalid_parameter(invalid)
   {}
   Soup_proxy_3(Soup_mesh_3 soup, Mesh mesh, Shell shell, const Proxy_report& report)
-    : m_status(shell.status()), m_invalid_parameter(shell.report().invalid_parameter), m_soup(std::move(soup))
-    , m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
+    : m_status(shell.status()), m_invalid_parameter(shell.report().invalid_parameter), m_soup(std::move(soup)),
+      m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
   {}
 
   /// whether there is a shell; if not, `status()` says why
@@ -57,17 +58,18 @@ public:
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
     return is_certified() && m_report.is_thicker_than_asked
-         ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
-         : m_shell.message();
+             ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
+             : m_shell.message();
   }
 
   const Soup_mesh_3& soup() const { return m_soup; }
-  const Mesh& mesh() const { return m_mesh; }             ///< the proxy: closed, and without self-intersections
-  const Shell& shell() const { return m_shell; }          ///< of the proxy
+  const Mesh& mesh() const { return m_mesh; }    ///< the proxy: closed, and without self-intersections
+  const Shell& shell() const { return m_shell; } ///< of the proxy
   const Proxy_report& report() const { return m_report; }
 
-  /// The map from the soup's mesh to the proxy; `Map::inverse()` leads back. It prepares a tree of boxes for both: keep it. \pre there is a proxy, and no other
-  /// thread prepares a map of it
+  /// The map from the soup's mesh to the proxy; `Map::inverse()` leads back. It prepares a tree of boxes for both: keep
+  /// it.
+  /// \pre there is a proxy, and no other thread prepares a map of it
   Map map() const { return map(m_mesh); }
   /// the map from the soup's mesh to another mesh in the shell, as edits of the proxy return it
   Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }

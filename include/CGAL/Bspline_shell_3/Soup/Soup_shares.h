@@ -16,9 +16,9 @@ namespace Bspline_shells {
 /// what becomes of a point of a polygon soup on its way to the proxy
 enum class Soup_point
 {
-  CARRIED,        ///< it is in the shell, and the first point of the soup that its image on the proxy sees
-  CONTINUED,      ///< it is not in the shell; its image is the nearest point of the proxy, and sees it
-  HIDDEN          ///< other parts of the soup are between it and its image
+  CARRIED,   ///< it is in the shell, and the first point of the soup that its image on the proxy sees
+  CONTINUED, ///< it is not in the shell; its image is the nearest point of the proxy, and sees it
+  HIDDEN     ///< other parts of the soup are between it and its image
 };
 
 /*!
@@ -28,8 +28,8 @@ enum class Soup_point
  */
 struct Soup_shares
 {
-  double carried = 0, continued = 0, hidden = 0;       ///< of the whole area, by `Soup_point`
-  std::vector<Soup_point> facets;                      ///< what most samples of each facet of the soup's mesh are
+  double carried = 0, continued = 0, hidden = 0; ///< of the whole area, by `Soup_point`
+  std::vector<Soup_point> facets;                ///< what most samples of each facet of the soup's mesh are
 
   /// the share of what is visible that is carried
   double carried_of_visible() const { return carried + continued > 0 ? carried / (carried + continued) : 0; }

@@ -23,7 +23,7 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-inline constexpr double near_duplicate_distance = 1e-6;      ///< of the longest side of the box
+inline constexpr double near_duplicate_distance = 1e-6; ///< of the longest side of the box
 
 /*!
  * \ingroup PkgBsplineShell3Soup

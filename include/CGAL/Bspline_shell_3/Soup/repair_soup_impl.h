@@ -35,7 +35,9 @@ inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup
 {
   typedef std::vector<std::size_t> Polygon;
   Polygon polygon = soup.polygons[n];
-  if(polygon.size() == 3 && polygon[0] != polygon[1] && polygon[1] != polygon[2] && polygon[2] != polygon[0]) return { polygon };     // most are
+  // most are
+  if(polygon.size() == 3 && polygon[0] != polygon[1] && polygon[1] != polygon[2] && polygon[2] != polygon[0])
+    return { polygon };
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while(polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   Polygon different = polygon;
@@ -59,8 +61,8 @@ inline std::vector<std::size_t> canonical_cycle(std::vector<std::size_t> polygon
 } // namespace internal
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status
-repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh, Soup_repairs& repairs,
-            Offending_simplices& offenders)
+repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh,
+            Soup_repairs& repairs, Offending_simplices& offenders)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   repairs = Soup_repairs();
@@ -86,8 +88,7 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
       if(known.insert(internal::canonical_cycle(part)).second) {
         polygons.push_back(part);
         origin.push_back(n);
-      }
-      else ++repairs.doubled_polygons;
+      } else ++repairs.doubled_polygons;
   }
   soup.polygons.swap(polygons);
   if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
@@ -118,7 +119,8 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
   return Shell_status::SUCCESS;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE bool orient_components(Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh)
+CGAL_BSPLINE_SHELL_3_INLINE bool orient_components(
+  Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   if(!CGAL::is_closed(mesh) || PMP::does_bound_a_volume(mesh)) return false;

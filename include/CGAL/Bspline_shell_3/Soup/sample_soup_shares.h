@@ -51,18 +51,23 @@ Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)
   double area = 0;
   for(std::size_t f = 0; f < size; ++f) area += internal::norm(soup.normal(Index(f)));
   if(!(area > 0)) return shares;
-  std::vector<std::size_t> first{ 0 };         // sample of each facet
+  std::vector<std::size_t> first{ 0 }; // sample of each facet
   for(std::size_t f = 0; f < size; ++f)
     first.push_back(first.back() + 1 + std::size_t(double(samples) * (internal::norm(soup.normal(Index(f))) / area)));
 
-  const auto facet_of = [&](std::size_t n) { return std::size_t(std::upper_bound(first.begin(), first.end(), n) - first.begin()) - 1; };
+  const auto facet_of = [&](std::size_t n) {
+    return std::size_t(std::upper_bound(first.begin(), first.end(), n) - first.begin()) - 1;
+  };
   // a sequence of low discrepancy in the unit square, folded into the triangle
   const auto point = [&](std::size_t n) {
     const std::size_t f = facet_of(n), i = n - first[f];
     double u = 1. / 3 + 0.7548776662466927 * double(i), v = 1. / 3 + 0.5698402909980532 * double(i), whole;
     u = std::modf(u, &whole);
     v = std::modf(v, &whole);
-    if(u + v > 1) { u = 1 - u; v = 1 - v; }
+    if(u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
     return soup.point(Index(f), Coordinates{ 1 - u - v, u, v });
   };
   std::vector<Soup_point> found(first.back());
@@ -74,10 +79,10 @@ Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)
     found[n] = Soup_point::HIDDEN;
     if(image && !image.is_continued) {
       const auto seen = map.to_source()(p);
-      if(seen && !seen.is_continued && std::hypot(seen.point[0] - x[0], seen.point[1] - x[1], seen.point[2] - x[2]) <= near)
+      if(seen && !seen.is_continued
+         && std::hypot(seen.point[0] - x[0], seen.point[1] - x[1], seen.point[2] - x[2]) <= near)
         found[n] = Soup_point::CARRIED;
-    }
-    else if(image) {
+    } else if(image) {
       const Coordinates q = { image.point[0], image.point[1], image.point[2] };
       bool is_hidden = false;
       const double length = std::hypot(x[0] - q[0], x[1] - q[1], x[2] - q[2]);

@@ -33,14 +33,17 @@ namespace internal {
 struct Polling_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
 {
   template <typename Wrapper, typename Gate>
-  void before_facet_treatment(const Wrapper&, const Gate&) { Run::poll(); }
+  void before_facet_treatment(const Wrapper&, const Gate&)
+  {
+    Run::poll();
+  }
 };
 
 } // namespace internal
 
 template <typename ConcurrencyTag>
-Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_bytes,
-                       Soup_mesh_3::Mesh& wrap, Proxy_report& report)
+Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_bytes, Soup_mesh_3::Mesh& wrap,
+                       Proxy_report& report)
 {
   typedef Soup_mesh_3::Mesh Mesh;
   if(soup.mesh().number_of_faces() == 0) return Shell_status::EMPTY_MESH;
@@ -53,7 +56,8 @@ Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, dou
   // points at the offset are found to a hundredth of it, by constructions with some rounding errors
   constexpr double precision = 1e-10, bytes_per_facet = 2000, facets_per_ball = 8;
   if(!(offset > precision * largest)) return Shell_status::GRID_TOO_FINE;
-  // the area of the wrap is not more than that of both sides of the soup, nor than that of a foam with bubbles of that size
+  // the area of the wrap is not more than that of both sides of the soup, nor than that of a foam with bubbles of that
+  // size
   const double area = (std::min)(2 * Polygon_mesh_processing::area(soup.mesh()), unit * unit * (6 + unit / alpha));
   if(area / (alpha * alpha) * facets_per_ball * bytes_per_facet > max_bytes) return Shell_status::MEMORY_LIMIT_EXCEEDED;
   Real_timer timer;
@@ -63,7 +67,8 @@ Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, dou
   for(Mesh::Vertex_index v : soup.mesh().vertices()) points.push_back(soup.mesh().point(v));
   for(Mesh::Face_index f : soup.mesh().faces()) {
     const auto h = soup.mesh().halfedge(f);
-    triangles.push_back({ std::size_t(soup.mesh().source(h)), std::size_t(soup.mesh().target(h)), std::size_t(soup.mesh().target(soup.mesh().next(h))) });
+    triangles.push_back({ std::size_t(soup.mesh().source(h)), std::size_t(soup.mesh().target(h)),
+                          std::size_t(soup.mesh().target(soup.mesh().next(h))) });
   }
   constexpr std::size_t most = 8;
   constexpr double coarser = 1.25;
@@ -77,7 +82,8 @@ Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, dou
     CGAL::alpha_wrap_3(points, triangles, alpha, offset, wrap, CGAL::parameters::default_values(),
                        CGAL::parameters::visitor(internal::Polling_wrap_visitor()));
     wrap.collect_garbage();
-    status = Input_mesh_3().template build<ConcurrencyTag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)), Input_mesh_3::Tolerated_defects());
+    status = Input_mesh_3().template build<ConcurrencyTag>(wrap, get(vertex_point, static_cast<const Mesh&>(wrap)),
+                                                           Input_mesh_3::Tolerated_defects());
   }
   report.alpha = alpha;
   report.offset = offset;

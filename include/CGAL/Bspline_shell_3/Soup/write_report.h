@@ -46,9 +46,21 @@ public:
     return *this;
   }
   JSON_object& operator()(const char* name, const char* text) { return (*this)(name, std::string(text)); }
-  JSON_object& operator()(const char* name, double x) { number(begin(name), x); return *this; }
-  JSON_object& operator()(const char* name, std::size_t n) { begin(name) << n; return *this; }
-  JSON_object& operator()(const char* name, bool b) { begin(name) << (b ? "true" : "false"); return *this; }
+  JSON_object& operator()(const char* name, double x)
+  {
+    number(begin(name), x);
+    return *this;
+  }
+  JSON_object& operator()(const char* name, std::size_t n)
+  {
+    begin(name) << n;
+    return *this;
+  }
+  JSON_object& operator()(const char* name, bool b)
+  {
+    begin(name) << (b ? "true" : "false");
+    return *this;
+  }
   JSON_object& operator()(const char* name, const std::array<double, 3>& p)
   {
     begin(name);
@@ -87,11 +99,12 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief writes, as a JSON object, what a shell is of and how it came about: status, kind and message; repairs; how holes were closed, or what
- * share of the area the proxy carries and why the mesh itself has no shell; size, claims, time; and what stands in the way, if it is not
- * certified.
+ * \brief writes, as a JSON object, what a shell is of and how it came about: status, kind and message; repairs; how
+ * holes were closed, or what share of the area the proxy carries and why the mesh itself has no shell; size, claims,
+ * time; and what stands in the way, if it is not certified.
  *
- * Lengths are in user units, times in seconds. Facets and vertices that offend are `Shell_of_soup_3::offending_simplices`.
+ * Lengths are in user units, times in seconds. Facets and vertices that offend are
+ * `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; formats and locale are kept
  * \param result the shell
@@ -99,25 +112,32 @@ private:
  * \param file the name of the file that it comes from, in UTF-8
  * \return whether it could be written
  */
-inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const Soup_shares& shares, const std::string& file)
+inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const Soup_shares& shares,
+                         const std::string& file)
 {
   const std::locale locale = out.imbue(std::locale::classic());
   const std::ios_base::fmtflags flags = out.flags(std::ios_base::dec);
   const std::streamsize precision = out.precision(10);
   {
     internal::JSON_object json(out, true);
-    const auto object = [&](const char* name) { json.begin(name); return internal::JSON_object(out, false); };
+    const auto object = [&](const char* name) {
+      json.begin(name);
+      return internal::JSON_object(out, false);
+    };
     const Shell_report& r = result.shell().report();
-    json("file", file)("status", !result ? "refused" : result.is_certified() ? "certified" : "not certified")("message", result.message());
+    json("file", file)("status", !result                 ? "refused"
+                                 : result.is_certified() ? "certified"
+                                                         : "not certified")("message", result.message());
     if(result) json("kind", name(result.kind()));
     const Soup_repairs& repairs = result.repairs;
-    object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)("split_polygons", repairs.split_polygons)
-      ("doubled_polygons", repairs.doubled_polygons)("turned_polygons", repairs.turned_polygons)
-      ("degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
+    object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)(
+      "split_polygons", repairs.split_polygons)("doubled_polygons", repairs.doubled_polygons)("turned_polygons",
+                                                                                              repairs.turned_polygons)(
+      "degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
-      object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)
-        ("vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
+      object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(
+        "vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
         object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS
                                         ? "Its shell is not certified."
@@ -125,12 +145,14 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
     }
     if(result.proxy) {
       const Proxy_report& proxy = result.proxy->report();
-      object("proxy")("alpha", proxy.alpha)("offset", proxy.offset)("wraps", proxy.wraps)("carried", shares.carried)
-        ("continued", shares.continued)("hidden", shares.hidden)("polygons_left_out", result.proxy->soup().polygons_left_out());
+      object("proxy")("alpha", proxy.alpha)("offset", proxy.offset)("wraps", proxy.wraps)("carried", shares.carried)(
+        "continued", shares.continued)("hidden", shares.hidden)("polygons_left_out",
+                                                                result.proxy->soup().polygons_left_out());
     }
     if(result && result.kind() == Shell_kind::VIRTUALLY_CLOSED)
-      object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)
-        ("triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset", r.closing.largest_offset);
+      object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)(
+        "triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset",
+                                                                                  r.closing.largest_offset);
     if(result && !r.truncation.vertices.empty()) {
       std::vector<std::size_t> truncated, others;
       for(const Truncation_report::Vertex& v : r.truncation.vertices)
@@ -138,10 +160,12 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       object("truncation")("vertices", truncated)("not_truncated", others);
     }
     if(result) {
-      object("shell")("facets", r.triangles)("components", r.components)("thickness", result.shell().thickness())
-        ("narrowed_area", r.narrowed_area)("cells", r.cells)("unknowns", r.unknowns)("rounds", r.rounds.size())("unit", r.unit);
+      object("shell")("facets", r.triangles)("components", r.components)("thickness", result.shell().thickness())(
+        "narrowed_area", r.narrowed_area)("cells", r.cells)("unknowns", r.unknowns)("rounds", r.rounds.size())("unit",
+                                                                                                               r.unit);
       internal::JSON_object claims = object("claims");
-      for(std::size_t c = 0; c < r.certificate.verdicts.size(); ++c) claims(name(Claim(c)), name(r.certificate.verdicts[c]));
+      for(std::size_t c = 0; c < r.certificate.verdicts.size(); ++c)
+        claims(name(Claim(c)), name(r.certificate.verdicts[c]));
     }
     json("seconds", result.seconds);
     if(r.limit.resource != Refinement_resource::NONE) json("limit", message(r.limit));

@@ -15,8 +15,14 @@ namespace Bspline_shells {
 
 namespace internal {
 
-constexpr int factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
-constexpr int binomial(int n, int k) { return factorial(n) / (factorial(k) * factorial(n - k)); }
+constexpr int factorial(int n)
+{
+  return n < 2 ? 1 : n * factorial(n - 1);
+}
+constexpr int binomial(int n, int k)
+{
+  return factorial(n) / (factorial(k) * factorial(n - k));
+}
 
 // exponents of the barycentric coordinates in the Bernstein polynomials of a triangle, by decreasing first exponent
 template <int degree>
@@ -29,22 +35,23 @@ struct Triangle_indices
   {
     for(int i = degree, n = 0; i >= 0; --i)
       for(int j = degree - i; j >= 0; --j, ++n) {
-        exponent[n][0] = i; exponent[n][1] = j; exponent[n][2] = degree - i - j;
+        exponent[n][0] = i;
+        exponent[n][1] = j;
+        exponent[n][2] = degree - i - j;
       }
   }
   static constexpr int index(int i, int j) { return (degree - i) * (degree - i + 1) / 2 + (degree - i - j); }
   constexpr int multinomial(int n) const
   {
-    return factorial(degree) /
-           (factorial(exponent[n][0]) * factorial(exponent[n][1]) * factorial(exponent[n][2]));
+    return factorial(degree) / (factorial(exponent[n][0]) * factorial(exponent[n][1]) * factorial(exponent[n][2]));
   }
 };
 
 // where the product of three cubic Bernstein polynomials of a triangle goes among those of degree nine
 struct Triangle_product_table
 {
-  unsigned char pair[10][10] = {};        // cubic x cubic -> degree six
-  unsigned char triple[28][10] = {};      // degree six x cubic -> degree nine
+  unsigned char pair[10][10] = {};   // cubic x cubic -> degree six
+  unsigned char triple[28][10] = {}; // degree six x cubic -> degree nine
 
   constexpr Triangle_product_table()
   {
@@ -52,11 +59,11 @@ struct Triangle_product_table
     constexpr Triangle_indices<6> sextic;
     for(int b = 0; b < 10; ++b) {
       for(int a = 0; a < 10; ++a)
-        pair[a][b] = static_cast<unsigned char>(Triangle_indices<6>::index(cubic.exponent[a][0] + cubic.exponent[b][0],
-                                                                           cubic.exponent[a][1] + cubic.exponent[b][1]));
+        pair[a][b] = static_cast<unsigned char>(Triangle_indices<6>::index(
+          cubic.exponent[a][0] + cubic.exponent[b][0], cubic.exponent[a][1] + cubic.exponent[b][1]));
       for(int a = 0; a < 28; ++a)
-        triple[a][b] = static_cast<unsigned char>(Triangle_indices<9>::index(sextic.exponent[a][0] + cubic.exponent[b][0],
-                                                                             sextic.exponent[a][1] + cubic.exponent[b][1]));
+        triple[a][b] = static_cast<unsigned char>(Triangle_indices<9>::index(
+          sextic.exponent[a][0] + cubic.exponent[b][0], sextic.exponent[a][1] + cubic.exponent[b][1]));
     }
   }
 };
@@ -67,7 +74,8 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
 {
   const NT u1 = NT(1) - u, v1 = NT(1) - v, w1 = NT(1) - w;
   const NT m(multiplicity);
-  return { m * (u1*v1*w1), m * (u*v1*w1 + u1*v*w1 + u1*v1*w), m * (u*v*w1 + u*v1*w + u1*v*w), m * (u*v*w) };
+  return { m * (u1 * v1 * w1), m * (u * v1 * w1 + u1 * v * w1 + u1 * v1 * w),
+           m * (u * v * w1 + u * v1 * w + u1 * v * w), m * (u * v * w) };
 }
 
 } // namespace internal
@@ -92,7 +100,7 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
 {
   std::array<internal::Weights<NT>, 4> weights[3];
   for(int a = 0; a < 3; ++a)
-    for(int n = 0; n < 4; ++n)   // n arguments at q
+    for(int n = 0; n < 4; ++n) // n arguments at q
       weights[a][n] = internal::polar_weights(n > 2 ? q[a] : p[a], n > 1 ? q[a] : p[a], n > 0 ? q[a] : p[a],
                                               internal::binomial(3, n));
   std::array<NT, 10> r;
@@ -101,8 +109,7 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
     const std::array<NT, 16> z = internal::contract_slowest<16>(c, weights[2][i]);
     for(int j = 0; j < 4; ++j) {
       const std::array<NT, 4> y = internal::contract_slowest<4>(z.data(), weights[1][j]);
-      for(int k = 0; k < 4; ++k)
-        r[i+j+k] += internal::dot4(y.data(), weights[0][k]);
+      for(int k = 0; k < 4; ++k) r[i + j + k] += internal::dot4(y.data(), weights[0][k]);
     }
   }
   for(int m = 0; m < 10; ++m) r[m] = r[m] / NT(internal::binomial(9, m));
@@ -118,8 +125,8 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
  * `p`, `q` and `r`. See `segment_bernstein_form()` for positions, number type and the hull property.
  */
 template <typename NT>
-std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT, 3>& p,
-                                           const std::array<NT, 3>& q, const std::array<NT, 3>& r)
+std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT, 3>& p, const std::array<NT, 3>& q,
+                                           const std::array<NT, 3>& r)
 {
   static constexpr internal::Triangle_indices<3> cubic;
   static constexpr internal::Triangle_indices<9> nonic;
@@ -149,8 +156,7 @@ std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT,
   std::array<NT, 55> f;
   f.fill(NT(0));
   for(int n = 0; n < 28; ++n)
-    for(int k = 0; k < 10; ++k)
-      f[table.triple[n][k]] += internal::dot4(yz[n].data(), weights[0][k]);
+    for(int k = 0; k < 10; ++k) f[table.triple[n][k]] += internal::dot4(yz[n].data(), weights[0][k]);
   for(int m = 0; m < 55; ++m) f[m] = f[m] / NT(nonic.multinomial(m));
   return f;
 }

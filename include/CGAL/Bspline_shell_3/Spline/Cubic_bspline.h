@@ -34,41 +34,36 @@ public:
   static Weights values(const NT& t)
   {
     const NT s = NT(1) - t;
-    return { s*s*s / NT(6),
-             (NT(4) + NT(3)*t*(t*(t - NT(2)))) / NT(6),
-             (NT(4) + NT(3)*s*(s*(s - NT(2)))) / NT(6),
-             t*t*t / NT(6) };
+    return { s * s * s / NT(6), (NT(4) + NT(3) * t * (t * (t - NT(2)))) / NT(6),
+             (NT(4) + NT(3) * s * (s * (s - NT(2)))) / NT(6), t * t * t / NT(6) };
   }
 
   /// the first derivatives, per cell unit
   static Weights first_derivatives(const NT& t)
   {
     const NT s = NT(1) - t;
-    return { -s*s / NT(2),
-             t*(NT(3)*t - NT(4)) / NT(2),
-             s*(NT(4) - NT(3)*s) / NT(2),
-             t*t / NT(2) };
+    return { -s * s / NT(2), t * (NT(3) * t - NT(4)) / NT(2), s * (NT(4) - NT(3) * s) / NT(2), t * t / NT(2) };
   }
 
   /// the second derivatives, per cell unit squared
   static Weights second_derivatives(const NT& t)
   {
     const NT s = NT(1) - t;
-    return { s, NT(3)*t - NT(2), NT(3)*s - NT(2), t };
+    return { s, NT(3) * t - NT(2), NT(3) * s - NT(2), t };
   }
 
   /// the cubic with the four B-spline coefficients `c`, in Bernstein form over the cell
   static Weights bernstein_coefficients(const Weights& c)
   {
-    const NT left = (c[0] + NT(4)*c[1] + c[2]) / NT(6);
-    const NT right = (c[1] + NT(4)*c[2] + c[3]) / NT(6);
-    return { left, (NT(2)*c[1] + c[2]) / NT(3), (c[1] + NT(2)*c[2]) / NT(3), right };
+    const NT left = (c[0] + NT(4) * c[1] + c[2]) / NT(6);
+    const NT right = (c[1] + NT(4) * c[2] + c[3]) / NT(6);
+    return { left, (NT(2) * c[1] + c[2]) / NT(3), (c[1] + NT(2) * c[2]) / NT(3), right };
   }
 
   /// \f$b(t) = \sum_{j=-2}^{2} m_{j+2}\, b(2t - j)\f$: the mask of the two-scale relation
   static std::array<NT, 5> two_scale_mask()
   {
-    return { NT(1)/NT(8), NT(4)/NT(8), NT(6)/NT(8), NT(4)/NT(8), NT(1)/NT(8) };
+    return { NT(1) / NT(8), NT(4) / NT(8), NT(6) / NT(8), NT(4) / NT(8), NT(1) / NT(8) };
   }
 };
 

@@ -19,10 +19,18 @@ struct Level_range
   double min = std::numeric_limits<double>::infinity();
   double max = -std::numeric_limits<double>::infinity();
 
-  void include(double x) { min = (std::min)(min, x); max = (std::max)(max, x); }
+  void include(double x)
+  {
+    min = (std::min)(min, x);
+    max = (std::max)(max, x);
+  }
   /// of the values; less than zero if there is none
   double largest_size() const { return (std::max)(-min, max); }
-  void include(const Level_range& r) { min = (std::min)(min, r.min); max = (std::max)(max, r.max); }
+  void include(const Level_range& r)
+  {
+    min = (std::min)(min, r.min);
+    max = (std::max)(max, r.max);
+  }
 };
 
 } // namespace Bspline_shells

@@ -23,22 +23,22 @@ namespace Bspline_shells {
  * \brief a leaf cell of a field: a closed axis-parallel cube and the tricubic polynomial that the field is on it.
  *
  * The polynomial is given by 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the
- * field's value. They are copies, rounded from the coefficients of the spline: each is within `error_radius()` of the exact
- * one, and a bound on the spline must add that radius.
+ * field's value. They are copies, rounded from the coefficients of the spline: each is within `error_radius()` of the
+ * exact one, and a bound on the spline must add that radius.
  *
  * A cell is a view: it is valid as long as the field that it comes from is neither changed nor destroyed.
  * It is the only thing that bounds, certificates, tracing and level sets know of a field.
  */
 class Tricubic_cell_3
 {
-  template <int orders> using Basis_jet = internal::Basis_jet<double, orders>;
+  template <int orders>
+  using Basis_jet = internal::Basis_jet<double, orders>;
 
 public:
-  typedef internal::First_order_jet<double>  First_order_jet;   ///< `value`, `gradient` (x, y, z)
-  typedef internal::Second_order_jet<double> Second_order_jet;  ///< and `hessian` (xx, yy, zz, xy, xz, yz)
+  typedef internal::First_order_jet<double> First_order_jet;   ///< `value`, `gradient` (x, y, z)
+  typedef internal::Second_order_jet<double> Second_order_jet; ///< and `hessian` (xx, yy, zz, xy, xz, yz)
 
-  Tricubic_cell_3(const std::array<double, 3>& corner, double width,
-                  const double* coefficients, double error_radius)
+  Tricubic_cell_3(const std::array<double, 3>& corner, double width, const double* coefficients, double error_radius)
     : m_corner(corner), m_width(width), m_coefficients(coefficients), m_error_radius(error_radius)
   {}
 
@@ -49,13 +49,13 @@ public:
   /// the closed cell; its corners are exact
   Bbox_3 bbox() const
   {
-    return Bbox_3(m_corner[0], m_corner[1], m_corner[2],
-                  m_corner[0] + m_width, m_corner[1] + m_width, m_corner[2] + m_width);
+    return Bbox_3(m_corner[0], m_corner[1], m_corner[2], m_corner[0] + m_width, m_corner[1] + m_width,
+                  m_corner[2] + m_width);
   }
   /// the 64 Bernstein coefficients
   const double* coefficients() const { return m_coefficients; }
-  /// how far each of the coefficients can be from the exact one, and so the polynomial from the spline on the cell. Infinite if
-  /// the spline has coefficients that are no finite numbers, or near the largest.
+  /// how far each of the coefficients can be from the exact one, and so the polynomial from the spline on the cell.
+  /// Infinite if the spline has coefficients that are no finite numbers, or near the largest.
   double error_radius() const { return m_error_radius; }
 
   /// the range of the Bernstein coefficients, which encloses the polynomial on the cell
@@ -76,7 +76,10 @@ public:
   /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]` in user units; derivatives are per user unit.
   /// @{
   template <typename Point>
-  double value(const Point& p) const { return local_value(local_coordinates(p)); }
+  double value(const Point& p) const
+  {
+    return local_value(local_coordinates(p));
+  }
   /// the same at local coordinates
   double local_value(const std::array<double, 3>& t) const
   {
@@ -124,17 +127,17 @@ private:
   static Weights bernstein(double t)
   {
     const double s = 1 - t;
-    return { s*s*s, 3*s*s*t, 3*s*t*t, t*t*t };
+    return { s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t };
   }
   static Weights bernstein_derivative(double t)
   {
     const double s = 1 - t;
-    return { -3*s*s, 3*s*(s - 2*t), 3*t*(2*s - t), 3*t*t };
+    return { -3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t };
   }
   static Weights bernstein_second_derivative(double t)
   {
     const double s = 1 - t;
-    return { 6*s, 6*(t - 2*s), 6*(s - 2*t), 6*t };
+    return { 6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t };
   }
 
   std::array<double, 3> m_corner;

@@ -40,8 +40,12 @@ Level_range bernstein_range(const std::array<double, N>& coefficients)
   for(double c : coefficients) largest = (std::max)(largest, std::abs(c));
   const double tolerance = 2 * std::numeric_limits<double>::epsilon() * largest;
 
-  struct Interval { Coefficients coefficients; std::size_t depth; };
-  std::array<Interval, max_depth + 1> stack;      // one of each depth waits, and one of the last depth more
+  struct Interval
+  {
+    Coefficients coefficients;
+    std::size_t depth;
+  };
+  std::array<Interval, max_depth + 1> stack; // one of each depth waits, and one of the last depth more
   std::size_t size = 0;
   stack[size++] = { coefficients, 0 };
   while(size > 0) {
@@ -55,7 +59,7 @@ Level_range bernstein_range(const std::array<double, N>& coefficients)
     Interval right = left;
     for(std::size_t n = 1; n < N; ++n) {
       for(std::size_t i = 0; i + n < N; ++i)
-        right.coefficients[i] = (right.coefficients[i] + right.coefficients[i+1]) / 2;
+        right.coefficients[i] = (right.coefficients[i] + right.coefficients[i + 1]) / 2;
       left.coefficients[n] = right.coefficients[0];
     }
     range.include(right.coefficients.front());

@@ -24,14 +24,16 @@ namespace Bspline_shells {
  *
  * \brief \f$g - \frac{1}{2} (x - c) \cdot \nabla f\f$, which is \f$g\f$ wherever the gradient of \f$f\f$ vanishes.
  *
- * By Euler's identity, that is constant for \f$g = f\f$ if \f$f\f$ is quadratic with a critical point at \f$c\f$, and nearly so on a box that is small
- * compared with its third derivatives: its coefficients enclose the values of \f$g\f$ at critical points of \f$f\f$ far more closely than those of
- * \f$g\f$, and across a wall in whose middle all points are nearly critical, whatever its direction. As \f$f\f$ is of degree three along each axis, so is
- * this.
+ * By Euler's identity, that is constant for \f$g = f\f$ if \f$f\f$ is quadratic with a critical point at \f$c\f$, and
+ * nearly so on a box that is small compared with its third derivatives: its coefficients enclose the values of \f$g\f$
+ * at critical points of \f$f\f$ far more closely than those of
+ * \f$g\f$, and across a wall in whose middle all points are nearly critical, whatever its direction. As \f$f\f$ is of
+ *   degree three along each axis, so is this.
  *
  * \param center any point, in local coordinates; rounding does no harm
  */
-inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, const Enclosed_tricubic& f, const std::array<double, 3>& center)
+inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, const Enclosed_tricubic& f,
+                                                   const std::array<double, 3>& center)
 {
   Enclosed_tricubic r = g;
   std::array<double, 3> steepest = {};
@@ -39,18 +41,20 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
     const double* b = &f.coefficients[std::size_t(n)];
     double* v = &r.coefficients[std::size_t(n)];
     const double c = center[std::size_t(axis)];
-    const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+    const double s0 = b[stride] - b[0], s1 = b[2 * stride] - b[stride], s2 = b[3 * stride] - b[2 * stride];
     // half of (t - c) times the derivative 3 s0, 3 s1, 3 s2
     v[0] += 1.5 * c * s0;
     v[stride] += c * s1 - (0.5 - 0.5 * c) * s0;
-    v[2*stride] -= (1 - c) * s1 - 0.5 * c * s2;
-    v[3*stride] -= 1.5 * (1 - c) * s2;
+    v[2 * stride] -= (1 - c) * s1 - 0.5 * c * s2;
+    v[3 * stride] -= 1.5 * (1 - c) * s2;
     double& most = steepest[std::size_t(axis)];
     most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
-  // Of the weights of differences along an axis, absolute values sum to at most 1.5 (|c| + |1 - c|). On the way of one term are nine roundings. What
-  // overflows is infinite here, too.
-  double error = g.radius + 8 * internal::rounding * (internal::largest_size(r.coefficients) + internal::largest_size(g.coefficients));
+  // Of the weights of differences along an axis, absolute values sum to at most 1.5 (|c| + |1 - c|). On the way of one
+  // term are nine roundings. What overflows is infinite here, too.
+  double error = g.radius
+                 + 8 * internal::rounding
+                     * (internal::largest_size(r.coefficients) + internal::largest_size(g.coefficients));
   for(std::size_t a = 0; a < 3; ++a) {
     const double weight = 1.5 * (std::abs(center[a]) + std::abs(1 - center[a]));
     error += 2 * weight * f.radius + 12 * internal::rounding * (weight * steepest[a]);
@@ -66,20 +70,21 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
  */
 struct Critical_center
 {
-  std::array<double, 3> point;      ///< local coordinates
-  double value;                     ///< that the function has at critical points, in the mean
-  double slope;                     ///< left at the point, relative to the curvature: a distance in units of the box
+  std::array<double, 3> point; ///< local coordinates
+  double value;                ///< that the function has at critical points, in the mean
+  double slope;                ///< left at the point, relative to the curvature: a distance in units of the box
 };
 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief a center for which `values_at_critical_points()` of a function itself hardly vary: in the mean on the box, they have no slope. It is where the
- * gradient would vanish, if the function were quadratic; along directions in which it hardly curves, near the middle of the box. Not rigorous.
+ * \brief a center for which `values_at_critical_points()` of a function itself hardly vary: in the mean on the box,
+ * they have no slope. It is where the gradient would vanish, if the function were quadratic; along directions in which
+ * it hardly curves, near the middle of the box. Not rigorous.
  */
 inline Critical_center critical_center(const Enclosed_tricubic& f)
 {
-  constexpr double flat = 0.1;        // relative to the largest curvature
+  constexpr double flat = 0.1; // relative to the largest curvature
   // means of the function, and of its partial derivatives, on the faces of the box
   double face[3][2] = {}, slope[3][3][2] = {}, mean = 0;
   std::array<double, 3> x = {};
@@ -87,16 +92,16 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
     const double* b = &f.coefficients[std::size_t(n)];
     const std::array<int, 3> at = { n & 3, (n >> 2) & 3, n >> 4 };
     face[axis][0] += b[0] / 16;
-    face[axis][1] += b[3*stride] / 16;
+    face[axis][1] += b[3 * stride] / 16;
     slope[axis][axis][0] += 3 * (b[stride] - b[0]) / 16;
-    slope[axis][axis][1] += 3 * (b[3*stride] - b[2*stride]) / 16;
-    const double difference = b[3*stride] - b[0];
+    slope[axis][axis][1] += 3 * (b[3 * stride] - b[2 * stride]) / 16;
+    const double difference = b[3 * stride] - b[0];
     for(int other : { (axis + 1) % 3, (axis + 2) % 3 })
       if(at[other] % 3 == 0) slope[axis][other][at[other] / 3] += difference / 4;
-    if(axis == 0) mean += (b[0] + b[stride] + b[2*stride] + b[3*stride]) / 64;
+    if(axis == 0) mean += (b[0] + b[stride] + b[2 * stride] + b[3 * stride]) / 64;
   });
-  // Integrals of x_b times a derivative along b are those on faces, by parts: H (c - m) = the mean slopes of faces - 4 mean slopes.
-  // Both sides are scaled, as squares of small or large numbers would vanish or overflow.
+  // Integrals of x_b times a derivative along b are those on faces, by parts: H (c - m) = the mean slopes of faces - 4
+  // mean slopes. Both sides are scaled, as squares of small or large numbers would vanish or overflow.
   double H[3][3], M[3][3], largest = 0, squared = 0;
   for(int a = 0; a < 3; ++a)
     for(int b = 0; b < 3; ++b) {
@@ -146,7 +151,8 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// encloses the values that a function takes where its gradient vanishes; empty (`min > max`) if it certainly does nowhere
+/// encloses the values that a function takes where its gradient vanishes; empty (`min > max`) if it certainly does
+/// nowhere
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {
   const Level_range all = f.range(), close = values_at_critical_points(f, f, critical_center(f).point).range();

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound, whatever the size: squares of small numbers would vanish, squares of large ones overflow. Infinite if a component
-// is infinite; NaN if one is NaN.
+// Returns an upper bound, whatever the size: squares of small numbers would vanish, squares of large ones overflow.
+// Infinite if a component is infinite; NaN if one is NaN.
 inline double length_bound(const std::array<double, 3>& v)
 {
   const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
@@ -32,7 +32,7 @@ inline double length_bound(const std::array<double, 3>& v)
   return largest * (std::sqrt(squared) * (1 + 16 * rounding)) + std::numeric_limits<double>::denorm_min();
 }
 
-typedef std::array<std::array<double, 64>, 3> Gradient_vectors;      // by axis
+typedef std::array<std::array<double, 64>, 3> Gradient_vectors; // by axis
 
 // the coefficients of the partial derivatives raised to degree three; not rigorous
 inline Gradient_vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
@@ -41,11 +41,11 @@ inline Gradient_vectors control_vectors_of_gradient(const Enclosed_tricubic& f)
   for_each_coefficient_line([&](int axis, int n, auto stride) {
     const double* b = &f.coefficients[std::size_t(n)];
     double* g = &gradient[std::size_t(axis)][std::size_t(n)];
-    const double s0 = b[stride] - b[0], s1 = b[2*stride] - b[stride], s2 = b[3*stride] - b[2*stride];
+    const double s0 = b[stride] - b[0], s1 = b[2 * stride] - b[stride], s2 = b[3 * stride] - b[2 * stride];
     g[0] = 3 * s0;
     g[stride] = s0 + 2 * s1;
-    g[2*stride] = 2 * s1 + s2;
-    g[3*stride] = 3 * s2;
+    g[2 * stride] = 2 * s1 + s2;
+    g[3 * stride] = 3 * s2;
   });
   return gradient;
 }
@@ -90,8 +90,8 @@ inline bool approach(std::array<double, 3>& v, const Gradient_vectors& vectors, 
 
 constexpr int max_steps_of_direction = 12;
 
-// The convex hull of the control vectors has a point nearest to the origin. Returns the direction of a point near it, scaled to unit size.
-// The point is approached from the mean of the vectors, towards the worst of them.
+// The convex hull of the control vectors has a point nearest to the origin. Returns the direction of a point near it,
+// scaled to unit size. The point is approached from the mean of the vectors, towards the worst of them.
 inline std::array<double, 3> nearest_of_hull(const Gradient_vectors& gradient)
 {
   std::array<double, 3> nearest = mean(gradient);
@@ -103,8 +103,8 @@ inline std::array<double, 3> nearest_of_hull(const Gradient_vectors& gradient)
   return scaled_to_unit(nearest);
 }
 
-// Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their convex hull is the best one. It is
-// approached from their mean, towards the worst of them.
+// Any direction would do along which all control vectors of the gradient point: the nearest to the origin of their
+// convex hull is the best one. It is approached from their mean, towards the worst of them.
 inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<double, 3>& direction)
 {
   const Gradient_vectors gradient = control_vectors_of_gradient(f);
@@ -117,7 +117,7 @@ inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<
       const double largest = (std::max)({ std::abs(unit[0]), std::abs(unit[1]), std::abs(unit[2]) });
       for(int a = 0; a < 3; ++a) direction[a] = unit[a] / largest;
       const double slope = enclosed_derivative(f, direction).range().min;
-      return slope > 0 && slope > steepest * length_bound(direction);     // otherwise by rounding only
+      return slope > 0 && slope > steepest * length_bound(direction); // otherwise by rounding only
     }
     if(!approach(nearest, gradient, worst)) return false;
   }

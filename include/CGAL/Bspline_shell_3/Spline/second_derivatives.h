@@ -55,8 +55,8 @@ struct Symmetric_matrix_range_3
     return sum;
   }
 
-  /// A matrix whose quadratic form is at least that of each of them, rounded: their center, with the row sums of their radius added to the diagonal,
-  /// as \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$.
+  /// A matrix whose quadratic form is at least that of each of them, rounded: their center, with the row sums of their
+  /// radius added to the diagonal, as \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$.
   Symmetric_matrix_3 largest_form() const
   {
     Symmetric_matrix_3 q, radius;
@@ -82,9 +82,10 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
   const std::array<double, 64>& b = f.coefficients;
   const double largest = internal::largest_size(b);
   // a difference of four coefficients, and three roundings of at most four times the largest
-  const double error = (1 + 16 * internal::rounding) * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
+  const double error = (1 + 16 * internal::rounding)
+                       * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
   Symmetric_matrix_range_3 h;
-  if(!(16 * largest + error < std::numeric_limits<double>::infinity())) {       // otherwise differences are finite, too
+  if(!(16 * largest + error < std::numeric_limits<double>::infinity())) { // otherwise differences are finite, too
     h.least.fill(-std::numeric_limits<double>::infinity());
     h.most.fill(std::numeric_limits<double>::infinity());
     return h;
@@ -100,8 +101,8 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
       for(int k = 0; k < 4; ++k)
         for(int j = 0; j < 4; ++j) {
           const double* p = &b[k * u + j * t];
-          include(p[2*s] - 2 * p[s] + p[0]);
-          include(p[3*s] - 2 * p[2*s] + p[s]);
+          include(p[2 * s] - 2 * p[s] + p[0]);
+          include(p[3 * s] - 2 * p[2 * s] + p[s]);
         }
     } else {
       const int s = stride[(m + 1) % 3], t = stride[(m + 2) % 3], u = stride[m % 3];

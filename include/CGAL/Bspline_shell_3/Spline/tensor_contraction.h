@@ -20,7 +20,7 @@ using Weights = std::array<NT, 4>;
 template <typename NT>
 inline NT dot4(const NT* c, const Weights<NT>& w)
 {
-  return c[0]*w[0] + c[1]*w[1] + c[2]*w[2] + c[3]*w[3];
+  return c[0] * w[0] + c[1] * w[1] + c[2] * w[2] + c[3] * w[3];
 }
 
 // r[m] = sum_k c[size k + m] w[k]: along the slowest axis, so that neighboring results are worked out at once
@@ -29,7 +29,7 @@ inline std::array<NT, size> contract_slowest(const Coefficient* c, const Weights
 {
   std::array<NT, size> r;
   for(int m = 0; m < size; ++m)
-    r[m] = w[0]*c[m] + w[1]*c[size+m] + w[2]*c[2*size+m] + w[3]*c[3*size+m];
+    r[m] = w[0] * c[m] + w[1] * c[size + m] + w[2] * c[2 * size + m] + w[3] * c[3 * size + m];
   return r;
 }
 

@@ -11,15 +11,15 @@
 #include <CGAL/version_macros.h>
 
 #if CGAL_VERSION_MAJOR >= 6
-#  include <CGAL/AABB_traits_3.h>
-#  include <CGAL/AABB_triangle_primitive_3.h>
-#  include <optional>
-#  include <variant>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#include <optional>
+#include <variant>
 #else
-#  include <CGAL/AABB_traits.h>
-#  include <CGAL/AABB_triangle_primitive.h>
-#  include <boost/optional.hpp>
-#  include <boost/variant/get.hpp>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <boost/optional.hpp>
+#include <boost/variant/get.hpp>
 #endif
 
 namespace CGAL {
@@ -32,9 +32,12 @@ using AABB_traits_3 = CGAL::AABB_traits_3<Kernel, Primitive>;
 template <typename Kernel, typename Iterator>
 using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
 template <typename T>
-using Optional = std::optional<T>;        // of policies of edge collapse
+using Optional = std::optional<T>; // of policies of edge collapse
 template <typename T, typename Variant>
-const T* get_if(const Variant& variant) { return std::get_if<T>(&variant); }
+const T* get_if(const Variant& variant)
+{
+  return std::get_if<T>(&variant);
+}
 #else
 template <typename Kernel, typename Primitive>
 using AABB_traits_3 = CGAL::AABB_traits<Kernel, Primitive>;
@@ -43,7 +46,10 @@ using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive<Kernel, Iterator
 template <typename T>
 using Optional = boost::optional<T>;
 template <typename T, typename Variant>
-const T* get_if(const Variant& variant) { return boost::get<T>(&variant); }
+const T* get_if(const Variant& variant)
+{
+  return boost::get<T>(&variant);
+}
 #endif
 
 } // namespace internal

@@ -45,9 +45,9 @@ struct Parameter_bounds
  */
 struct Invalid_parameter
 {
-  const char* name = nullptr;         ///< of the named parameter or the argument; null if no parameter is invalid
-  double value = 0;                   ///< that was given; if it is a function, a value that it returned
-  Parameter_bounds bounds;            ///< of the values that are allowed
+  const char* name = nullptr; ///< of the named parameter or the argument; null if no parameter is invalid
+  double value = 0;           ///< that was given; if it is a function, a value that it returned
+  Parameter_bounds bounds;    ///< of the values that are allowed
 
   /// whether a parameter is invalid
   explicit operator bool() const { return name != nullptr; }

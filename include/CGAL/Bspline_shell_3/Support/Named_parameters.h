@@ -15,39 +15,138 @@ namespace Bspline_shells {
 
 namespace parameter_tags {
 
-enum resolution_t { resolution };
-enum relative_thickness_t { relative_thickness };
-enum thickness_t { thickness };
-enum sizing_t { sizing };
-enum constant_thresholds_t { constant_thresholds };
-enum time_limit_t { time_limit };
-enum number_of_rings_t { number_of_rings };
-enum dense_grid_t { dense_grid };
-enum energy_weights_t { energy_weights };
-enum spd_solver_t { spd_solver };
-enum signed_distance_oracle_t { signed_distance_oracle };
-enum memory_limit_t { memory_limit };
-enum effort_limit_t { effort_limit };
-enum allow_self_intersections_t { allow_self_intersections };
-enum allow_singular_vertices_t { allow_singular_vertices };
-enum virtual_closing_t { virtual_closing };
-enum closing_t { closing };
-enum truncate_t { truncate };
-enum least_cone_margin_t { least_cone_margin };
-enum alpha_t { alpha };
-enum offset_t { offset };
-enum allow_open_shell_t { allow_open_shell };
-enum skip_open_components_t { skip_open_components };
-enum tolerance_t { tolerance };
-enum interpolation_t { interpolation };
-enum mapping_t { mapping };
-enum symmetry_t { symmetry };
-enum linear_reconstruction_t { linear_reconstruction };
-enum samples_per_facet_t { samples_per_facet };
-enum default_value_t { default_value };
-enum stop_t { stop };
-enum locate_vertices_t { locate_vertices };
-enum freeze_rejected_facets_t { freeze_rejected_facets };
+enum resolution_t
+{
+  resolution
+};
+enum relative_thickness_t
+{
+  relative_thickness
+};
+enum thickness_t
+{
+  thickness
+};
+enum sizing_t
+{
+  sizing
+};
+enum constant_thresholds_t
+{
+  constant_thresholds
+};
+enum time_limit_t
+{
+  time_limit
+};
+enum number_of_rings_t
+{
+  number_of_rings
+};
+enum dense_grid_t
+{
+  dense_grid
+};
+enum energy_weights_t
+{
+  energy_weights
+};
+enum spd_solver_t
+{
+  spd_solver
+};
+enum signed_distance_oracle_t
+{
+  signed_distance_oracle
+};
+enum memory_limit_t
+{
+  memory_limit
+};
+enum effort_limit_t
+{
+  effort_limit
+};
+enum allow_self_intersections_t
+{
+  allow_self_intersections
+};
+enum allow_singular_vertices_t
+{
+  allow_singular_vertices
+};
+enum virtual_closing_t
+{
+  virtual_closing
+};
+enum closing_t
+{
+  closing
+};
+enum truncate_t
+{
+  truncate
+};
+enum least_cone_margin_t
+{
+  least_cone_margin
+};
+enum alpha_t
+{
+  alpha
+};
+enum offset_t
+{
+  offset
+};
+enum allow_open_shell_t
+{
+  allow_open_shell
+};
+enum skip_open_components_t
+{
+  skip_open_components
+};
+enum tolerance_t
+{
+  tolerance
+};
+enum interpolation_t
+{
+  interpolation
+};
+enum mapping_t
+{
+  mapping
+};
+enum symmetry_t
+{
+  symmetry
+};
+enum linear_reconstruction_t
+{
+  linear_reconstruction
+};
+enum samples_per_facet_t
+{
+  samples_per_facet
+};
+enum default_value_t
+{
+  default_value
+};
+enum stop_t
+{
+  stop
+};
+enum locate_vertices_t
+{
+  locate_vertices
+};
+enum freeze_rejected_facets_t
+{
+  freeze_rejected_facets
+};
 
 } // namespace parameter_tags
 
@@ -60,59 +159,62 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
   explicit Named_parameters(const T& v) : Pack(v) {}
   template <typename B>
-  Named_parameters(const T& v, const B& base) : Pack(v, base) {}
+  Named_parameters(const T& v, const B& base) : Pack(v, base)
+  {}
 
-#define CGAL_BSPLINE_SHELLS_ADD_PARAMETER(TAG, NAME)                                              \
-  template <typename K>                                                                           \
-  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                           \
-  { return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this)); }
+#define CGAL_BSPLINE_SHELLS_ADD_PARAMETER(TAG, NAME)                                                                   \
+  template <typename K>                                                                                                \
+  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                                                \
+  {                                                                                                                    \
+    return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this));                                         \
+  }
 
-#define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                       \
-  ADD(parameter_tags::resolution_t, resolution)                                                   \
-  ADD(parameter_tags::relative_thickness_t, relative_thickness)                                   \
-  ADD(parameter_tags::thickness_t, thickness)                                                     \
-  ADD(parameter_tags::sizing_t, sizing)                                                           \
-  ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                 \
-  ADD(parameter_tags::time_limit_t, time_limit)                                                   \
-  ADD(parameter_tags::number_of_rings_t, number_of_rings)                                         \
-  ADD(parameter_tags::dense_grid_t, dense_grid)                                                   \
-  ADD(parameter_tags::energy_weights_t, energy_weights)                                           \
-  ADD(parameter_tags::spd_solver_t, spd_solver)                                                   \
-  ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                           \
-  ADD(parameter_tags::memory_limit_t, memory_limit)                                               \
-  ADD(parameter_tags::effort_limit_t, effort_limit)                                               \
-  ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                       \
-  ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                         \
-  ADD(parameter_tags::virtual_closing_t, virtual_closing)                                         \
-  ADD(parameter_tags::closing_t, closing)                                                         \
-  ADD(parameter_tags::truncate_t, truncate)                                                       \
-  ADD(parameter_tags::least_cone_margin_t, least_cone_margin)                                     \
-  ADD(parameter_tags::alpha_t, alpha)                                                             \
-  ADD(parameter_tags::offset_t, offset)                                                           \
-  ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                       \
-  ADD(parameter_tags::skip_open_components_t, skip_open_components)                               \
-  ADD(parameter_tags::tolerance_t, tolerance)                                                     \
-  ADD(parameter_tags::interpolation_t, interpolation)                                             \
-  ADD(parameter_tags::mapping_t, mapping)                                                         \
-  ADD(parameter_tags::symmetry_t, symmetry)                                                       \
-  ADD(parameter_tags::linear_reconstruction_t, linear_reconstruction)                             \
-  ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                     \
-  ADD(parameter_tags::default_value_t, default_value)                                             \
-  ADD(parameter_tags::stop_t, stop)                                                               \
-  ADD(parameter_tags::locate_vertices_t, locate_vertices)                                         \
-  ADD(parameter_tags::freeze_rejected_facets_t, freeze_rejected_facets)                           \
-  ADD(internal_np::vertex_point_t, vertex_point_map)                                              \
-  ADD(internal_np::grid_spacing_t, grid_spacing)                                                  \
-  ADD(internal_np::visitor_t, visitor)                                                            \
-  ADD(internal_np::filter_t, filter)                                                              \
-  ADD(internal_np::get_cost_policy_t, get_cost)                                                   \
-  ADD(internal_np::get_placement_policy_t, get_placement)                                         \
-  ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                \
-  ADD(internal_np::vertex_is_constrained_t, vertex_is_constrained_map)                            \
-  ADD(internal_np::protect_constraints_t, protect_constraints)                                    \
-  ADD(internal_np::do_project_t, do_project)                                                      \
-  ADD(internal_np::number_of_iterations_t, number_of_iterations)                                  \
-  ADD(internal_np::number_of_relaxation_steps_t, number_of_relaxation_steps)                      \
+#define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                                            \
+  ADD(parameter_tags::resolution_t, resolution)                                                                        \
+  ADD(parameter_tags::relative_thickness_t, relative_thickness)                                                        \
+  ADD(parameter_tags::thickness_t, thickness)                                                                          \
+  ADD(parameter_tags::sizing_t, sizing)                                                                                \
+  ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                                      \
+  ADD(parameter_tags::time_limit_t, time_limit)                                                                        \
+  ADD(parameter_tags::number_of_rings_t, number_of_rings)                                                              \
+  ADD(parameter_tags::dense_grid_t, dense_grid)                                                                        \
+  ADD(parameter_tags::energy_weights_t, energy_weights)                                                                \
+  ADD(parameter_tags::spd_solver_t, spd_solver)                                                                        \
+  ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                                                \
+  ADD(parameter_tags::memory_limit_t, memory_limit)                                                                    \
+  ADD(parameter_tags::effort_limit_t, effort_limit)                                                                    \
+  ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                                            \
+  ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                                              \
+  ADD(parameter_tags::virtual_closing_t, virtual_closing)                                                              \
+  ADD(parameter_tags::closing_t, closing)                                                                              \
+  ADD(parameter_tags::truncate_t, truncate)                                                                            \
+  ADD(parameter_tags::least_cone_margin_t, least_cone_margin)                                                          \
+  ADD(parameter_tags::alpha_t, alpha)                                                                                  \
+  ADD(parameter_tags::offset_t, offset)                                                                                \
+  ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                                            \
+  ADD(parameter_tags::skip_open_components_t, skip_open_components)                                                    \
+  ADD(parameter_tags::tolerance_t, tolerance)                                                                          \
+  ADD(parameter_tags::interpolation_t, interpolation)                                                                  \
+  ADD(parameter_tags::mapping_t, mapping)                                                                              \
+  ADD(parameter_tags::symmetry_t, symmetry)                                                                            \
+  ADD(parameter_tags::linear_reconstruction_t, linear_reconstruction)                                                  \
+  ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                                          \
+  ADD(parameter_tags::default_value_t, default_value)                                                                  \
+  ADD(parameter_tags::stop_t, stop)                                                                                    \
+  ADD(parameter_tags::locate_vertices_t, locate_vertices)                                                              \
+  ADD(parameter_tags::freeze_rejected_facets_t, freeze_rejected_facets)                                                \
+  ADD(internal_np::vertex_point_t, vertex_point_map)                                                                   \
+  ADD(internal_np::grid_spacing_t, grid_spacing)                                                                       \
+  ADD(internal_np::visitor_t, visitor)                                                                                 \
+  ADD(internal_np::filter_t, filter)                                                                                   \
+  ADD(internal_np::get_cost_policy_t, get_cost)                                                                        \
+  ADD(internal_np::get_placement_policy_t, get_placement)                                                              \
+  ADD(internal_np::edge_is_constrained_t, edge_is_constrained_map)                                                     \
+  ADD(internal_np::vertex_is_constrained_t, vertex_is_constrained_map)                                                 \
+  ADD(internal_np::protect_constraints_t, protect_constraints)                                                         \
+  ADD(internal_np::do_project_t, do_project)                                                                           \
+  ADD(internal_np::number_of_iterations_t, number_of_iterations)                                                       \
+  ADD(internal_np::number_of_relaxation_steps_t, number_of_relaxation_steps)                                           \
   ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
 
   CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
@@ -121,8 +223,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
 namespace internal {
 
-// An object that its use changes, such as a solver: a reference to what was passed with `std::ref`, a copy of what was passed by value, as
-// packs are constant, or a new `Default`. Use: `auto&& solver = argument<Default>(np, tag)`.
+// An object that its use changes, such as a solver: a reference to what was passed with `std::ref`, a copy of what was
+// passed by value, as packs are constant, or a new `Default`. Use: `auto&& solver = argument<Default>(np, tag)`.
 template <typename Default, typename NP, typename Tag, typename... Arguments>
 decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_default)
 {
@@ -143,9 +245,12 @@ decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_
 /// `parameters::resolution(60).vertex_point_map(vpm)`. They are described with the functions that read them.
 namespace parameters {
 
-#define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                           \
-  template <typename K>                                                                           \
-  Named_parameters<K, TAG> NAME(const K& k) { return Named_parameters<K, TAG>(k); }
+#define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                                                \
+  template <typename K>                                                                                                \
+  Named_parameters<K, TAG> NAME(const K& k)                                                                            \
+  {                                                                                                                    \
+    return Named_parameters<K, TAG>(k);                                                                                \
+  }
 
 CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS)
 #undef CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS

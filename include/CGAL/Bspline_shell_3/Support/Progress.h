@@ -15,23 +15,23 @@ namespace Bspline_shells {
 /// the steps from a mesh to its shell
 enum class Shell_step
 {
-  CHECK,       ///< copy, triangulate and check the mesh
-  CELLS,       ///< cut the mesh, choose the cells
-  DISTANCE,    ///< sample the signed distance
-  FIT,         ///< assemble and solve
-  BOUNDS,      ///< extrema on the mesh
-  CERTIFICATE  ///< thresholds and proofs
+  CHECK,      ///< copy, triangulate and check the mesh
+  CELLS,      ///< cut the mesh, choose the cells
+  DISTANCE,   ///< sample the signed distance
+  FIT,        ///< assemble and solve
+  BOUNDS,     ///< extrema on the mesh
+  CERTIFICATE ///< thresholds and proofs
 };
 
 /// \ingroup PkgBsplineShell3Support
 inline const char* name(Shell_step step)
 {
   switch(step) {
-    case Shell_step::CHECK:    return "check";
-    case Shell_step::CELLS:    return "cells";
+    case Shell_step::CHECK: return "check";
+    case Shell_step::CELLS: return "cells";
     case Shell_step::DISTANCE: return "distance";
-    case Shell_step::FIT:      return "fit";
-    case Shell_step::BOUNDS:   return "bounds";
+    case Shell_step::FIT: return "fit";
+    case Shell_step::BOUNDS: return "bounds";
     case Shell_step::CERTIFICATE: return "certificate";
   }
   return "";

@@ -20,28 +20,37 @@ namespace internal {
 
 // A call of a front door, which ends early when its time is over or its visitor cancels it.
 //
-// Passes call `Run::poll()` between pieces of work of about a millisecond or less; `for_each_chunk()` does so before each chunk. Once the run has
-// ended, `poll()` throws `Run::Ended`, so that no code sees a result that is not complete. The front door catches the exception; it never reaches
-// the caller. Time has no other influence on a result.
+// Passes call `Run::poll()` between pieces of work of about a millisecond or less; `for_each_chunk()` does so before
+// each chunk. Once the run has ended, `poll()` throws `Run::Ended`, so that no code sees a result that is not complete.
+// The front door catches the exception; it never reaches the caller. Time has no other influence on a result.
 //
-// The run of a thread is found without being passed down: `Run::Scope` sets it, and `for_each_chunk()` sets it in its worker threads.
+// The run of a thread is found without being passed down: `Run::Scope` sets it, and `for_each_chunk()` sets it in its
+// worker threads.
 class Run
 {
   typedef std::chrono::steady_clock Clock;
 public:
   // thrown by `poll()`
-  struct Ended {};
+  struct Ended
+  {};
 
-  enum class End { NONE, OUT_OF_TIME, CANCELED };
+  enum class End
+  {
+    NONE,
+    OUT_OF_TIME,
+    CANCELED
+  };
 
-  // `go_on` is called by polls of the thread that constructs this object, and may be empty. A run within another one ends no later than that,
-  // and has its `go_on` unless it has its own.
+  // `go_on` is called by polls of the thread that constructs this object, and may be empty. A run within another one
+  // ends no later than that, and has its `go_on` unless it has its own.
   explicit Run(double max_seconds, std::function<bool()> go_on = std::function<bool()>())
     : m_go_on(std::move(go_on)), m_thread(std::this_thread::get_id())
   {
-    constexpr double forever = 1e9;       // seconds; more may overflow
+    constexpr double forever = 1e9; // seconds; more may overflow
     if(max_seconds < forever)
-      m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((std::max)(0., max_seconds)));
+      m_deadline = Clock::now()
+                   + std::chrono::duration_cast<Clock::duration>(
+                     std::chrono::duration<double>((std::max)(0., max_seconds)));
     if(const Run* outer = current()) {
       m_deadline = (std::min)(m_deadline, outer->m_deadline);
       if(!m_go_on && outer->m_thread == m_thread) m_go_on = outer->m_go_on;
@@ -102,7 +111,7 @@ private:
   {
     if(m_end != End::NONE) return false;
     if(m_go_on && std::this_thread::get_id() == m_thread) {
-      const Scope none(nullptr);      // the visitor may call functions that poll
+      const Scope none(nullptr); // the visitor may call functions that poll
       if(!m_go_on()) stop(End::CANCELED);
     }
     if(m_deadline != Clock::time_point::max() && Clock::now() >= m_deadline) stop(End::OUT_OF_TIME);
@@ -131,7 +140,10 @@ struct Go_on
 template <typename Visitor>
 struct Go_on<Visitor, std::void_t<decltype(bool(std::declval<Visitor&>().go_on()))> >
 {
-  static std::function<bool()> of(Visitor& visitor) { return [&visitor] { return bool(visitor.go_on()); }; }
+  static std::function<bool()> of(Visitor& visitor)
+  {
+    return [&visitor] { return bool(visitor.go_on()); };
+  }
 };
 
 } // namespace internal

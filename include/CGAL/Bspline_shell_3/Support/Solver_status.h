@@ -14,11 +14,11 @@ namespace Bspline_shells {
 enum class Solver_status
 {
   SUCCESS,
-  NOT_POSITIVE_DEFINITE,    ///< the factorization broke down
-  NOT_CONVERGED,            ///< the iteration limit was reached before the tolerance
-  OUT_OF_MEMORY,            ///< the factorization needs more memory, or larger integers, than there are
-  NOT_FINITE,               ///< the solution has infinite components, or some that are not numbers
-  WRONG_SOLUTION            ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
+  NOT_POSITIVE_DEFINITE, ///< the factorization broke down
+  NOT_CONVERGED,         ///< the iteration limit was reached before the tolerance
+  OUT_OF_MEMORY,         ///< the factorization needs more memory, or larger integers, than there are
+  NOT_FINITE,            ///< the solution has infinite components, or some that are not numbers
+  WRONG_SOLUTION         ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
 };
 
 } // namespace Bspline_shells

@@ -22,10 +22,11 @@ namespace Bspline_shells {
 enum class Arithmetic_status
 {
   SOUND,
-  NOT_IEEE,              ///< `double` is not that of IEEE 754, or results are kept in a wider format
-  FLUSHES_TO_ZERO,       ///< subnormal numbers are lost
-  REORDERED,             ///< the compiler takes floating point operations for those of real numbers (`-ffast-math` and parts of it)
-  ROUNDING_MODE_IGNORED, ///< the compiler takes the rounding mode for constant (no `-frounding-math`): exact predicates may fail
+  NOT_IEEE,        ///< `double` is not that of IEEE 754, or results are kept in a wider format
+  FLUSHES_TO_ZERO, ///< subnormal numbers are lost
+  REORDERED, ///< the compiler takes floating point operations for those of real numbers (`-ffast-math` and parts of it)
+  ROUNDING_MODE_IGNORED, ///< the compiler takes the rounding mode for constant (no `-frounding-math`): exact predicates
+                         ///< may fail
   NO_DIRECTED_ROUNDING   ///< the rounding mode has no effect: exact predicates fail
 };
 
@@ -33,14 +34,18 @@ inline const char* message(Arithmetic_status status)
 {
   switch(status) {
     case Arithmetic_status::SOUND: return "The arithmetic is sound.";
-    case Arithmetic_status::NOT_IEEE: return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
-    case Arithmetic_status::FLUSHES_TO_ZERO: return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
+    case Arithmetic_status::NOT_IEEE:
+      return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
+    case Arithmetic_status::FLUSHES_TO_ZERO:
+      return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
     case Arithmetic_status::REORDERED: return "Floating point operations are reordered: compile without -ffast-math.";
     case Arithmetic_status::ROUNDING_MODE_IGNORED:
-      return "The compiler moves floating point operations across changes of the rounding mode: compile with -frounding-math, which the target "
+      return "The compiler moves floating point operations across changes of the rounding mode: compile with "
+             "-frounding-math, which the target "
              "CGAL::CGAL brings.";
     case Arithmetic_status::NO_DIRECTED_ROUNDING:
-      return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, which the target "
+      return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, "
+             "which the target "
              "CGAL::CGAL brings.";
   }
   return "";
@@ -49,22 +54,24 @@ inline const char* message(Arithmetic_status status)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief tests, in any build, what no assertion could: what the compiler says of its options, and single operations with known results.
- * Takes less than a microsecond; leaves the rounding mode as it was.
+ * \brief tests, in any build, what no assertion could: what the compiler says of its options, and single operations
+ * with known results. Takes less than a microsecond; leaves the rounding mode as it was.
  *
- * The macros describe the current translation unit only. All files of a program that include the package must be compiled with the same
- * options, as the linker keeps one of several copies of a function. GCC 12 defines a macro for each option; Clang, and older versions that may
- * not, have none for `-frounding-math`, so that there the operations alone are tested.
+ * The macros describe the current translation unit only. All files of a program that include the package must be
+ * compiled with the same options, as the linker keeps one of several copies of a function. GCC 12 defines a macro for
+ * each option; Clang, and older versions that may not, have none for `-frounding-math`, so that there the operations
+ * alone are tested.
  */
 inline Arithmetic_status arithmetic_self_test()
 {
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__) \
-    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)                            \
+  || defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
   constexpr bool reorders = true;
 #else
   constexpr bool reorders = false;
 #endif
-#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__ROUNDING_MATH__)
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER)                           \
+  && !defined(__ROUNDING_MATH__)
   constexpr bool ignores_mode = true;
 #else
   constexpr bool ignores_mode = false;

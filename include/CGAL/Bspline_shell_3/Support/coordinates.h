@@ -17,12 +17,14 @@
 
 namespace CGAL {
 
-template <typename ET> class Lazy_exact_nt;
+template <typename ET>
+class Lazy_exact_nt;
 
 namespace Bspline_shells {
 namespace internal {
 
-// Vectors as three coordinates u[0], u[1], u[2], of doubles or exact numbers: where a kernel's vectors would only be in the way.
+// Vectors as three coordinates u[0], u[1], u[2], of doubles or exact numbers: where a kernel's vectors would only be in
+// the way.
 
 template <typename U, typename V>
 auto dot(const U& u, const V& v)
@@ -39,12 +41,18 @@ auto cross(const U& u, const V& v)
 }
 
 template <typename Vector>
-double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
+double norm(const Vector& v)
+{
+  return std::sqrt(dot(v, v));
+}
 
 // Returns the double that stands for a number of the user. All code rounds numbers in this way, as proofs hold for the
 // rounded mesh: to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
 template <typename NT>
-double rounded(const NT& x) { return CGAL::to_double(x); }
+double rounded(const NT& x)
+{
+  return CGAL::to_double(x);
+}
 template <typename ET>
 double rounded(const Lazy_exact_nt<ET>& x)
 {
@@ -55,7 +63,10 @@ double rounded(const Lazy_exact_nt<ET>& x)
 
 // Rounds the coordinates of a point or vector.
 template <typename Vector>
-std::array<double, 3> rounded_coordinates(const Vector& v) { return { rounded(v[0]), rounded(v[1]), rounded(v[2]) }; }
+std::array<double, 3> rounded_coordinates(const Vector& v)
+{
+  return { rounded(v[0]), rounded(v[1]), rounded(v[2]) };
+}
 
 struct Hash_coordinates
 {

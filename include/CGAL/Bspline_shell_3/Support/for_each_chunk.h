@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The size of chunks of things that are cheap where they are many, and may be expensive where they are few, as the facets of a mesh: at most `most`,
-// and less where that would leave but a few chunks.
+// The size of chunks of things that are cheap where they are many, and may be expensive where they are few, as the
+// facets of a mesh: at most `most`, and less where that would leave but a few chunks.
 inline std::size_t chunk_size(std::size_t size, std::size_t most)
 {
   constexpr std::size_t few = 64;
@@ -31,8 +31,8 @@ inline std::size_t chunk_size(std::size_t size, std::size_t most)
 }
 
 // Calls f(begin, end) for consecutive chunks of [0, size). Where the chunks begin depends on `size` and `chunk` alone,
-// never on the number of threads: what is computed per chunk is the same with any number. Throws `Run::Ended` if the run
-// of this thread ends before.
+// never on the number of threads: what is computed per chunk is the same with any number. Throws `Run::Ended` if the
+// run of this thread ends before.
 template <typename ConcurrencyTag, typename Function>
 void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
 {
@@ -41,19 +41,20 @@ void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
   CGAL::for_each<ConcurrencyTag>(boost::irange<std::size_t>(0, chunks), [&](const std::size_t& c) {
     const Run::Scope scope(run);
     Run::poll();
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // the mode belongs to the thread
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the mode belongs to the thread
     f(c * chunk, (std::min)(size, (c + 1) * chunk));
     return true;
   });
 }
 
-// The same for functions that find any number of things: f(begin, end, found) appends to `found` what it finds in a chunk. Returns all of it, in the
-// order of the chunks.
+// The same for functions that find any number of things: f(begin, end, found) appends to `found` what it finds in a
+// chunk. Returns all of it, in the order of the chunks.
 template <typename ConcurrencyTag, typename T, typename Function>
 std::vector<T> collect_from_chunks(std::size_t size, std::size_t chunk, const Function& f)
 {
   std::vector<std::vector<T> > found((size + chunk - 1) / chunk);
-  for_each_chunk<ConcurrencyTag>(size, chunk, [&](std::size_t begin, std::size_t end) { f(begin, end, found[begin / chunk]); });
+  for_each_chunk<ConcurrencyTag>(size, chunk,
+                                 [&](std::size_t begin, std::size_t end) { f(begin, end, found[begin / chunk]); });
   std::size_t total = 0;
   for(const std::vector<T>& part : found) total += part.size();
   std::vector<T> all;

@@ -10,7 +10,6 @@
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,10 +19,10 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Calls f(n, point(n)) for all n < size, and in between, from the calling thread, visitor.advance(done, size). Stops if that is false: tells
-// whether all was done. Points near each other are dealt with one after the other, as what they need is then in the processor's
-// cache: for a million random points on 52 K facets, this makes the projection three times as fast. Each chunk gets a copy of `f`, which may
-// remember the last point. `point(n)` has three coordinates.
+// Calls f(n, point(n)) for all n < size, and in between, from the calling thread, visitor.advance(done, size). Stops if
+// that is false: tells whether all was done. Points near each other are dealt with one after the other, as what they
+// need is then in the processor's cache: for a million random points on 52 K facets, this makes the projection three
+// times as fast. Each chunk gets a copy of `f`, which may remember the last point. `point(n)` has three coordinates.
 template <typename ConcurrencyTag, typename Visitor, typename PointOf, typename Function>
 bool for_each_point(std::size_t size, const PointOf& point, Visitor& visitor, const Function& f)
 {

@@ -6,13 +6,13 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H
 
-// By default the package is header-only. CMake's target Bspline_shell_3::Instances defines CGAL_BSPLINE_SHELL_3_INSTANCES, and links a
-// library of what is no template, or an instance that nearly every program needs. Headers then leave out their *_impl.h, and declare these
-// instances at their ends.
+// By default the package is header-only. CMake's target Bspline_shell_3::Instances defines
+// CGAL_BSPLINE_SHELL_3_INSTANCES, and links a library of what is no template, or an instance that nearly every program
+// needs. Headers then leave out their *_impl.h, and declare these instances at their ends.
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
-#  define CGAL_BSPLINE_SHELL_3_INLINE
+#define CGAL_BSPLINE_SHELL_3_INLINE
 #else
-#  define CGAL_BSPLINE_SHELL_3_INLINE inline
+#define CGAL_BSPLINE_SHELL_3_INLINE inline
 #endif
 
 #endif // CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H

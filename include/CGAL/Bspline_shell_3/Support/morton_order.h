@@ -33,14 +33,15 @@ inline std::uint64_t spread_bits(std::uint64_t x)
 {
   x = (x | x << 32) & 0x001f00000000ffff;
   x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x <<  8) & 0x100f00f00f00f00f;
-  x = (x | x <<  4) & 0x10c30c30c30c30c3;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// The numbers of points in Morton's order, as the last `number_bits` bits of keys that are sorted. Before them, a key has as many bits of the point's
-// place in the box of all as there is room for: points with the same ones are ordered by their numbers. Points that are not finite come last.
-// A million points take 40 ns each. With CGAL::hilbert_sort(), which moves the points themselves, it was a seventh of the time of a projection.
+// The numbers of points in Morton's order, as the last `number_bits` bits of keys that are sorted. Before them, a key
+// has as many bits of the point's place in the box of all as there is room for: points with the same ones are ordered
+// by their numbers. Points that are not finite come last. A million points take 40 ns each. With CGAL::hilbert_sort(),
+// which moves the points themselves, it was a seventh of the time of a projection.
 struct Morton_order
 {
   std::vector<std::uint64_t> keys;
@@ -52,7 +53,9 @@ struct Morton_order
 template <typename ConcurrencyTag>
 Morton_order morton_order(const std::vector<std::array<double, 3> >& points)
 {
-  const auto is_finite = [](const std::array<double, 3>& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
+  const auto is_finite = [](const std::array<double, 3>& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low = { infinity, infinity, infinity }, high = { -infinity, -infinity, -infinity };
   for(const std::array<double, 3>& p : points) {
@@ -62,7 +65,7 @@ Morton_order morton_order(const std::vector<std::array<double, 3> >& points)
       high[a] = (std::max)(high[a], p[a]);
     }
   }
-  double half_side = 0;                     // of the longest; no difference of finite numbers overflows by halves
+  double half_side = 0; // of the longest; no difference of finite numbers overflows by halves
   for(int a = 0; a < 3; ++a) half_side = (std::max)(half_side, high[a] / 2 - low[a] / 2);
 
   Morton_order order;

@@ -17,9 +17,9 @@ namespace Bspline_shells {
 enum class Level_set_status
 {
   SUCCESS,
-  LEVEL_SET_EMPTY,           ///< the field does not pass the level on the selected cells
-  LEVEL_SET_LEAVES_CELLS,    ///< the level set reaches a face of a selected cell that has no selected cell behind it
-  LEVEL_SET_UNRESOLVED       ///< the surfaces of several components of a shell cannot be told apart
+  LEVEL_SET_EMPTY,        ///< the field does not pass the level on the selected cells
+  LEVEL_SET_LEAVES_CELLS, ///< the level set reaches a face of a selected cell that has no selected cell behind it
+  LEVEL_SET_UNRESOLVED    ///< the surfaces of several components of a shell cannot be told apart
 };
 
 /// \ingroup PkgBsplineShell3Surface
@@ -27,8 +27,7 @@ enum class Level_set_status
 inline const char* message(Level_set_status status)
 {
   switch(status) {
-    case Level_set_status::SUCCESS:
-      return "The level set was extracted.";
+    case Level_set_status::SUCCESS: return "The level set was extracted.";
     case Level_set_status::LEVEL_SET_EMPTY:
       return "The field does not pass the level on the selected cells: choose a level between its least and largest "
              "value there.";

@@ -30,7 +30,10 @@ namespace internal {
 struct All_cells
 {
   template <typename Index>
-  bool operator()(Index) const { return true; }
+  bool operator()(Index) const
+  {
+    return true;
+  }
 };
 
 } // namespace internal
@@ -41,14 +44,13 @@ struct All_cells
  * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a
  * threshold. See `extract_shell_surface()` for the surfaces of a shell.
  *
- * Each leaf cell is cut into subcells and these into tetrahedra that also fit each other where small leaves meet larger ones. Each
- * tetrahedron that the level passes gets one or two triangles (*marching tetrahedra*). The mesh is closed and 2-manifold by
- * construction, across leaves of all sizes, also where the level set is
- * singular; there it is that of a slightly lower level. It is oriented the way the field grows: what is below the level
- * lies behind the facets. Its vertices lie on the level set up to rounding, but are kept off the ends of the
- * tetrahedra's edges by about a thousand roundings of the coordinates, so that no two coincide. Facets may be as small:
- * write them with all digits. Parts of the level set that lie within one tetrahedron, or closer together, may be missed
- * or joined.
+ * Each leaf cell is cut into subcells and these into tetrahedra that also fit each other where small leaves meet larger
+ * ones. Each tetrahedron that the level passes gets one or two triangles (*marching tetrahedra*). The mesh is closed
+ * and 2-manifold by construction, across leaves of all sizes, also where the level set is singular; there it is that of
+ * a slightly lower level. It is oriented the way the field grows: what is below the level lies behind the facets. Its
+ * vertices lie on the level set up to rounding, but are kept off the ends of the tetrahedra's edges by about a thousand
+ * roundings of the coordinates, so that no two coincide. Facets may be as small: write them with all digits. Parts of
+ * the level set that lie within one tetrahedron, or closer together, may be missed or joined.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
@@ -62,8 +64,8 @@ struct All_cells
  * \param np optional named parameters:
  *   - `filter(F)`: which cells to use, a functor `bool(Field::Cell_index)`; default all. It selects the components of a
  *     level set by the cells that they pass. Pass `std::cref(filter)` not to copy it
- *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so that only
- *     if all do there is none; default `false`
+ *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so
+ *     that only if all do there is none; default `false`
  *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2
  *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
  *
@@ -72,8 +74,8 @@ struct All_cells
  * \cgalHeading{Cost} one look at every cell, and time and memory linear in the number of subcells of the cells that the
  * level may pass. No cell is cut finer than its own size asks for.
  */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename Field, typename Level, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Level, typename TriangleMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Level_set_status extract_level_set(const Field& field, const Level& level, TriangleMesh& out,
                                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -94,8 +96,8 @@ Level_set_status extract_level_set(const Field& field, const Level& level, Trian
   std::vector<typename Soup::Point> points;
   std::vector<typename Soup::Triangle> triangles;
   const Threshold threshold(level);
-  const Level_set_status status =
-    Soup::template extract<ConcurrencyTag>(Cells(field, threshold), ratio, filter, skip_open, points, triangles);
+  const Level_set_status status = Soup::template extract<ConcurrencyTag>(Cells(field, threshold), ratio, filter,
+                                                                         skip_open, points, triangles);
   if(status == Level_set_status::SUCCESS)
     Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                           CGAL::parameters::vertex_point_map(vpm));

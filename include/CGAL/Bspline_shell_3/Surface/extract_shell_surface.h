@@ -70,7 +70,7 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
     double distance = std::numeric_limits<double>::infinity();
     std::size_t triangle = 0;
   };
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
   const auto corners = [&](std::size_t n) {
     const Soup_components::Triangle& t = triangles[n];
@@ -94,16 +94,18 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
     if(do_overlap(box, all)) boxes.emplace_back(box, n);
   }
   std::vector<Passed> passed(paths.size());
-  CGAL::box_intersection_d(segments.begin(), segments.end(), boxes.begin(), boxes.end(), [&](const Box& s, const Box& b) {
-    const std::array<Point_3, 3> t = corners(b.number);
-    const std::array<Point_3, 2>& line = lines[s.number];
-    const std::optional<int> crossing = facet_crossing(line[0], line[1], t[0], t[1], t[2]);
-    if(crossing && *crossing != 1) return;
-    const auto normal = CGAL::normal(t[0], t[1], t[2]);
-    const double distance = std::abs(normal * (t[0] - crossings[s.number]) / (normal * (line[1] - line[0])));
-    Passed& best = passed[s.number];
-    if(distance < best.distance || (distance == best.distance && b.number < best.triangle)) best = { distance, b.number };
-  });
+  CGAL::box_intersection_d(
+    segments.begin(), segments.end(), boxes.begin(), boxes.end(), [&](const Box& s, const Box& b) {
+      const std::array<Point_3, 3> t = corners(b.number);
+      const std::array<Point_3, 2>& line = lines[s.number];
+      const std::optional<int> crossing = facet_crossing(line[0], line[1], t[0], t[1], t[2]);
+      if(crossing && *crossing != 1) return;
+      const auto normal = CGAL::normal(t[0], t[1], t[2]);
+      const double distance = std::abs(normal * (t[0] - crossings[s.number]) / (normal * (line[1] - line[0])));
+      Passed& best = passed[s.number];
+      if(distance < best.distance || (distance == best.distance && b.number < best.triangle))
+        best = { distance, b.number };
+    });
 
   Soup_components components(points.size(), triangles);
   std::vector<char> is_kept(points.size(), 0);
@@ -150,13 +152,13 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  *
  * \return whether there is a mesh, or why not
  * \pre there is a shell; `subdivision_ratio` is at least 1 and at most 256
- * \cgalHeading{Cost} that of `extract_level_set()`, and that of `CGAL::box_intersection_d()` for components and triangles
+ * \cgalHeading{Cost} that of `extract_level_set()`, and that of `CGAL::box_intersection_d()` for components and
+ *   triangles
  */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename Field, typename Threshold, typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Threshold, typename TriangleMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& shell, const Threshold& threshold,
-                                       TriangleMesh& out,
-                                       const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+                                       TriangleMesh& out, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -171,9 +173,9 @@ Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& 
     const auto is_in_shell = [&](typename Field::Cell_index c) { return shell.shell_cells()[c] != 0; };
     return extract_level_set<ConcurrencyTag>(shell.field(), threshold, out,
                                              parameters::filter(is_in_shell)
-                                                        .skip_open_components(!Threshold::is_constant)
-                                                        .subdivision_ratio(ratio)
-                                                        .vertex_point_map(vpm));
+                                               .skip_open_components(!Threshold::is_constant)
+                                               .subdivision_ratio(ratio)
+                                               .vertex_point_map(vpm));
   }
   const Cells cells(shell.field(), threshold, *shell.proved_cover());
   const auto is_selected = [&](typename Cells::Index c) { return cells.is_selected(c); };
@@ -184,15 +186,18 @@ Level_set_status extract_shell_surface(const Bspline_shell_3<Field, Threshold>& 
   constexpr int finest = 16;
   double selected = 0;
   for(std::size_t c = 0; c < cells.number_of_cells(); ++c) selected += is_selected(typename Cells::Index(c));
-  for(int n = ratio; ; n *= 2) {
-    const Level_set_status status
-      = Soup::template extract<ConcurrencyTag>(cells, n, is_selected, false, points, triangles);
+  for(int n = ratio;; n *= 2) {
+    const Level_set_status status = Soup::template extract<ConcurrencyTag>(cells, n, is_selected, false, points,
+                                                                           triangles);
     if(status == Level_set_status::LEVEL_SET_LEAVES_CELLS) return status;
     const bool is_found = status == Level_set_status::SUCCESS;
-    if(is_found && (!shell.is_certified() ||
-                    internal::keep_components_on_paths(shell.field(), threshold, shell.report().certificate.paths,
-                                                       points, triangles))) break;
-    if(2 * n > finest || selected * std::pow(2 * n, 3) > most_subcells) return is_found ? Level_set_status::LEVEL_SET_UNRESOLVED : status;
+    if(is_found
+       && (!shell.is_certified()
+           || internal::keep_components_on_paths(shell.field(), threshold, shell.report().certificate.paths, points,
+                                                 triangles)))
+      break;
+    if(2 * n > finest || selected * std::pow(2 * n, 3) > most_subcells)
+      return is_found ? Level_set_status::LEVEL_SET_UNRESOLVED : status;
   }
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, out, CGAL::parameters::default_values(),
                                                         CGAL::parameters::vertex_point_map(vpm));

@@ -25,24 +25,21 @@ namespace Bspline_shells {
  *
  * \brief the linear function on a triangle with given values at its corners.
  *
- * Numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (rounded, by channel), points of a kernel, and all types with `T +
- * T` and `double * T`, as vectors of a kernel and of Eigen.
+ * Numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (rounded, by channel), points of a
+ * kernel, and all types with `T + T` and `double * T`, as vectors of a kernel and of Eigen.
  *
  * \cgalModels `AttributeInterpolation`
  */
 struct Barycentric_interpolation
 {
-  typedef std::array<double, 3> Weights;      ///< barycentric coordinates; negative ones extrapolate
+  typedef std::array<double, 3> Weights; ///< barycentric coordinates; negative ones extrapolate
 
   template <typename T>
   T operator()(const std::array<T, 3>& v, const Weights& w) const
   {
-    if constexpr(std::is_floating_point<T>::value)
-      return T(w[0]*v[0] + w[1]*v[1] + w[2]*v[2]);
-    else if constexpr(std::is_integral<T>::value)
-      return T(std::lround(w[0]*v[0] + w[1]*v[1] + w[2]*v[2]));
-    else
-      return T(w[0]*v[0] + w[1]*v[1] + w[2]*v[2]);
+    if constexpr(std::is_floating_point<T>::value) return T(w[0] * v[0] + w[1] * v[1] + w[2] * v[2]);
+    else if constexpr(std::is_integral<T>::value) return T(std::lround(w[0] * v[0] + w[1] * v[1] + w[2] * v[2]));
+    else return T(w[0] * v[0] + w[1] * v[1] + w[2] * v[2]);
   }
 
   template <typename T, std::size_t size>
@@ -56,7 +53,7 @@ struct Barycentric_interpolation
   IO::Color operator()(const std::array<IO::Color, 3>& v, const Weights& w) const
   {
     const auto channel = [&](std::size_t i) {
-      const double c = w[0]*v[0][i] + w[1]*v[1][i] + w[2]*v[2][i];
+      const double c = w[0] * v[0][i] + w[1] * v[1][i] + w[2] * v[2][i];
       return (unsigned char)(std::lround((std::min)((std::max)(c, 0.), 255.)));
     };
     return IO::Color(channel(0), channel(1), channel(2), channel(3));
@@ -65,12 +62,12 @@ struct Barycentric_interpolation
   template <typename K>
   Point_2<K> operator()(const std::array<Point_2<K>, 3>& v, const Weights& w) const
   {
-    return v[0] + (w[1]*(v[1] - v[0]) + w[2]*(v[2] - v[0]));
+    return v[0] + (w[1] * (v[1] - v[0]) + w[2] * (v[2] - v[0]));
   }
   template <typename K>
   Point_3<K> operator()(const std::array<Point_3<K>, 3>& v, const Weights& w) const
   {
-    return v[0] + (w[1]*(v[1] - v[0]) + w[2]*(v[2] - v[0]));
+    return v[0] + (w[1] * (v[1] - v[0]) + w[2] * (v[2] - v[0]));
   }
 };
 

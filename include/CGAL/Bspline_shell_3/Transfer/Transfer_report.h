@@ -22,19 +22,22 @@ namespace Bspline_shells {
  */
 struct Transfer_report
 {
-  std::size_t transferred = 0;        ///< simplices of the target that got a value from the source
-  /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in `faces(mesh)`, in that order.
-  /// They have the `default_value()` of the call, or, without one, what they had before.
+  std::size_t transferred = 0; ///< simplices of the target that got a value from the source
+  /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in
+  /// `faces(mesh)`, in that order. They have the `default_value()` of the call, or, without one, what they had before.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
-  /// open meshes: simplices among those whose curves, or some of them, miss the source by less than the tolerance, and got values from its border
+  /// open meshes: simplices among those whose curves, or some of them, miss the source by less than the tolerance, and
+  /// got values from its border
   std::size_t snapped = 0;
-  /// soups and proxies: simplices of the target, by position, whose values come, in part at least, from images that are continued
+  /// soups and proxies: simplices of the target, by position, whose values come, in part at least, from images that are
+  /// continued
   /// (`Projected_point::is_continued`)
   std::vector<std::size_t> continued;
-  /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as seen from the
-  /// facet's center, are extrapolated from this side.
+  /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as
+  /// seen from the facet's center, are extrapolated from this side.
   std::vector<std::size_t> facets_across_seams;
-  /// averages: vertices of the source, by position, whose values are in none of them as they have no image; each with a reason
+  /// averages: vertices of the source, by position, whose values are in none of them as they have no image; each with a
+  /// reason
   std::vector<std::pair<std::size_t, Flow_status> > left_out;
 
   /// whether all simplices of the target got a value

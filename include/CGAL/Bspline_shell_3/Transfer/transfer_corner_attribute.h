@@ -44,19 +44,23 @@ public:
     for(Index f = 0; f < surface.number_of_facets(); ++f) {
       auto h = halfedge(surface.face_of(f), mesh);
       for(int i = 0; i < 3; ++i, h = next(h, mesh))
-        m_is_seam[3*f + i] = surface.neighbor(f, i) == Target::npos
-                          || !(get(values, h) == get(values, prev(opposite(h, mesh), mesh)))
-                          || !(get(values, prev(h, mesh)) == get(values, opposite(h, mesh)));
+        m_is_seam[3 * f + i] = surface.neighbor(f, i) == Target::npos
+                               || !(get(values, h) == get(values, prev(opposite(h, mesh), mesh)))
+                               || !(get(values, prev(h, mesh)) == get(values, opposite(h, mesh)));
     }
   }
 
-  // Whether the values go on from facet `f` to one with an area that a point of facet `g` is on, which may be on an edge or at a vertex of it;
-  // that facet replaces `g`. Looks no further than from a facet to its neighbors, or, where the two points are so near each other
-  // that the way may as well lead around a vertex, to those that have a vertex in common with it.
+  // Whether the values go on from facet `f` to one with an area that a point of facet `g` is on, which may be on an
+  // edge or at a vertex of it; that facet replaces `g`. Looks no further than from a facet to its neighbors, or, where
+  // the two points are so near each other that the way may as well lead around a vertex, to those that have a vertex in
+  // common with it.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {
     for(Index n : facets_at(g, barycentric))
-      if(m_surface->has_area(n) && (n == f || is_neighbor(f, n) || (around_vertices && is_around_vertex(f, n)))) { g = n; return true; }
+      if(m_surface->has_area(n) && (n == f || is_neighbor(f, n) || (around_vertices && is_around_vertex(f, n)))) {
+        g = n;
+        return true;
+      }
     return false;
   }
 
@@ -64,7 +68,7 @@ private:
   bool is_neighbor(Index f, Index n) const
   {
     for(int i = 0; i < 3; ++i)
-      if(m_surface->neighbor(f, i) == n && !m_is_seam[3*f + i]) return true;
+      if(m_surface->neighbor(f, i) == n && !m_is_seam[3 * f + i]) return true;
     return false;
   }
 
@@ -74,8 +78,8 @@ private:
     for(int side = 0; side < 2; ++side)
       for(int i = 0; i < 3; ++i) {
         Index facet = f;
-        int edge = i;       // leaves the vertex, or leads to it
-        while(!m_is_seam[3*facet + edge]) {
+        int edge = i; // leaves the vertex, or leads to it
+        while(!m_is_seam[3 * facet + edge]) {
           const Index g = m_surface->neighbor(facet, edge);
           if(g == n) return true;
           if(g == f) break;
@@ -94,7 +98,7 @@ private:
     for(int i = 0; i < edge; ++i) h = next(h, mesh);
     h = opposite(h, mesh);
     auto g = halfedge(face(h, mesh), mesh);
-    for(int i = 0; ; ++i, g = next(g, mesh))
+    for(int i = 0;; ++i, g = next(g, mesh))
       if(g == h) return i;
   }
 
@@ -109,18 +113,20 @@ private:
     }
     if(zeros == 1) {
       for(int i = 0; i < 3; ++i)
-        if(barycentric[(i + 2) % 3] <= on_edge && m_surface->neighbor(f, i) != Target::npos) result.push_back(m_surface->neighbor(f, i));
+        if(barycentric[(i + 2) % 3] <= on_edge && m_surface->neighbor(f, i) != Target::npos)
+          result.push_back(m_surface->neighbor(f, i));
     } else if(zeros == 2) {
       const auto& mesh = m_surface->mesh();
       auto h = halfedge(m_surface->face_of(f), mesh);
-      for(int i = 0; i < (corner + 2) % 3; ++i) h = next(h, mesh);       // to the corner
+      for(int i = 0; i < (corner + 2) % 3; ++i) h = next(h, mesh); // to the corner
       for(auto g : halfedges_around_target(h, mesh))
-        if(face(g, mesh) != boost::graph_traits<typename Target::Mesh>::null_face()) result.push_back(m_surface->facet_of(face(g, mesh)));
+        if(face(g, mesh) != boost::graph_traits<typename Target::Mesh>::null_face())
+          result.push_back(m_surface->facet_of(face(g, mesh)));
     }
     return result;
   }
 
-  static constexpr double on_edge = 1e-6;       // barycentric coordinate
+  static constexpr double on_edge = 1e-6; // barycentric coordinate
 
   const Target* m_surface;
   std::vector<char> m_is_seam;
@@ -131,31 +137,32 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives the corners of the target's facets the values that the source has there: texture coordinates, and other attributes that jump at
- * seams.
+ * \brief gives the corners of the target's facets the values that the source has there: texture coordinates, and other
+ * attributes that jump at seams.
  *
- * Corners are represented by halfedges: a halfedge stands for the corner of its face at its target. Seams are the edges of the source where the
- * values of the two facets differ. They are kept: from the centroid of a facet of the target to each of its corners, the source is followed
- * from facet to facet, and if the way meets a seam, the value at the corner is extrapolated from where it does, so that the facet
- * is mapped to one side of the seam and not across the texture.
+ * Corners are represented by halfedges: a halfedge stands for the corner of its face at its target. Seams are the edges
+ * of the source where the values of the two facets differ. They are kept: from the centroid of a facet of the target to
+ * each of its corners, the source is followed from facet to facet, and if the way meets a seam, the value at the corner
+ * is extrapolated from where it does, so that the facet is mapped to one side of the seam and not across the texture.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
- * \tparam SourceCornerMap a model of `ReadablePropertyMap` from halfedges of the source, whose values can be compared for equality. May
- *         be read from several threads at once.
+ * \tparam SourceCornerMap a model of `ReadablePropertyMap` from halfedges of the source, whose values can be compared
+ *   for equality. May be read from several threads at once.
  * \tparam TargetCornerMap a model of `WritablePropertyMap` from halfedges of the target
  * \param map the map from the source to the target
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
- *   - `interpolation(F)`: a model of `AttributeInterpolation` that may extrapolate; by default `Barycentric_interpolation`
+ *   - `interpolation(F)`: a model of `AttributeInterpolation` that may extrapolate; by default
+ *     `Barycentric_interpolation`
  *   - `default_value(x)`: what all corners of facets without values get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
  * \return which facets have no values from the source at their corners, and why; and which lie across seams
  * \cgalHeading{Cost} for each facet, four points to move if it meets few facets of the source, and more near seams
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceCornerMap, typename TargetCornerMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceCornerMap,
+          typename TargetCornerMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source_values, TargetCornerMap target_values,
                                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -168,10 +175,12 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   typedef typename Map::Projection_to_source::Hint Hint;
   typedef std::array<double, 3> Coordinates;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
-  const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
+  const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation),
+                                            Barycentric_interpolation());
 
   const auto put_default_values = [&](auto f) {
-    for(auto h : halfedges_around_face(halfedge(f, map.target()), map.target())) internal::put_default_value(np, target_values, h);
+    for(auto h : halfedges_around_face(halfedge(f, map.target()), map.target()))
+      internal::put_default_value(np, target_values, h);
   };
   const Source& source = map.to_source().target();
   const Target& target = map.to_target().target();
@@ -183,8 +192,17 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   const internal::Seams<Source> seams(source, source_values);
 
   // where the values of a corner come from: weights of the corners of a facet of the source
-  struct Corner { Index facet; Coordinates weights; };
-  struct Facet { Flow_status status = Flow_status::CANCELED; bool across = false, is_continued = false, is_snapped = false; std::array<Corner, 3> corners; };
+  struct Corner
+  {
+    Index facet;
+    Coordinates weights;
+  };
+  struct Facet
+  {
+    Flow_status status = Flow_status::CANCELED;
+    bool across = false, is_continued = false, is_snapped = false;
+    std::array<Corner, 3> corners;
+  };
   std::vector<Facet> facets(target.number_of_facets());
 
   // along a facet from its centroid to a corner
@@ -202,7 +220,10 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     while(t < 1) {
       const double next = (std::min)(t + step, 1.);
       const auto there = map.to_source()(traced(next), hint);
-      if(!there) { result.status = there.status; return; }
+      if(!there) {
+        result.status = there.status;
+        return;
+      }
       result.is_continued = result.is_continued || there.is_continued;
       result.is_snapped = result.is_snapped || there.is_snapped;
       Index g = source.facet_of(there.location.first);
@@ -223,28 +244,40 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     // linear beyond: the inverse map's differential on this side
     result.across = true;
     const auto& normal = source.normal(facet);
-    Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal) : map.to_source().differential(traced(t), image);
+    Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal)
+                                             : map.to_source().differential(traced(t), image);
     d.append_to_start(target.traced_derivative(typename Target::Index(n), at(t)));
-    if(!d) { result.status = d.status; return; }
-    if(internal::is_along(normal, d)) { result.status = Flow_status::FACES_WRONG_WAY; return; }
-    const Coordinates here = target.point(typename Target::Index(n), at(t)), &end = target.vertex(typename Target::Index(n), corner);
+    if(!d) {
+      result.status = d.status;
+      return;
+    }
+    if(internal::is_along(normal, d)) {
+      result.status = Flow_status::FACES_WRONG_WAY;
+      return;
+    }
+    const Coordinates here = target.point(typename Target::Index(n), at(t)),
+                      &end = target.vertex(typename Target::Index(n), corner);
     const Eigen::Vector3d step_on_source = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2]))
-                                         * Eigen::Vector3d(end[0] - here[0], end[1] - here[1], end[2] - here[2]);
+                                           * Eigen::Vector3d(end[0] - here[0], end[1] - here[1], end[2] - here[2]);
     const Coordinates beyond = { q[0] + step_on_source[0], q[1] + step_on_source[1], q[2] + step_on_source[2] };
     result.corners[corner].weights = source.position(facet, beyond).barycentric;
   };
 
-  internal::for_each_point<ConcurrencyTag>(facets.size(), [&](std::size_t n) {
-    return target.traced_point(typename Target::Index(n), { 1/3., 1/3., 1/3. });
-  }, visitor, [&, hint = Hint()](std::size_t n, const auto& p) mutable {
-    Facet& result = facets[n];
-    const auto center = map.to_source()(p, hint);
-    result.status = center.status;
-    result.is_continued = center.is_continued;
-    result.is_snapped = center.is_snapped;
-    for(int corner = 0; corner < 3 && result.status == Flow_status::SUCCESS; ++corner)
-      follow(Index(n), corner, source.facet_of(center.location.first), hint, result);
-  });
+  internal::for_each_point<ConcurrencyTag>(
+    facets.size(),
+    [&](std::size_t n) {
+      return target.traced_point(typename Target::Index(n), { 1 / 3., 1 / 3., 1 / 3. });
+    },
+    visitor,
+    [&, hint = Hint()](std::size_t n, const auto& p) mutable {
+      Facet& result = facets[n];
+      const auto center = map.to_source()(p, hint);
+      result.status = center.status;
+      result.is_continued = center.is_continued;
+      result.is_snapped = center.is_snapped;
+      for(int corner = 0; corner < 3 && result.status == Flow_status::SUCCESS; ++corner)
+        follow(Index(n), corner, source.facet_of(center.location.first), hint, result);
+    });
 
   for(std::size_t n = 0; n < facets.size(); ++n) {
     if(!internal::record(report, n, facets[n].status, facets[n].is_continued, facets[n].is_snapped)) {
@@ -252,11 +285,12 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
       continue;
     }
     if(facets[n].across) report.facets_across_seams.push_back(n);
-    auto h = prev(halfedge(target.face_of(typename Target::Index(n)), map.target()), map.target());      // to the first corner
+    // to the first corner
+    auto h = prev(halfedge(target.face_of(typename Target::Index(n)), map.target()), map.target());
     for(const Corner& corner : facets[n].corners) {
-      const auto g = halfedge(source.face_of(corner.facet), map.source());      // from the first corner to the second
-      const std::array<Value, 3> values = {{ get(source_values, prev(g, map.source())), get(source_values, g),
-                                             get(source_values, next(g, map.source())) }};
+      const auto g = halfedge(source.face_of(corner.facet), map.source()); // from the first corner to the second
+      const std::array<Value, 3> values = { { get(source_values, prev(g, map.source())), get(source_values, g),
+                                              get(source_values, next(g, map.source())) } };
       put(target_values, h, interpolate(values, corner.weights));
       h = next(h, map.target());
     }

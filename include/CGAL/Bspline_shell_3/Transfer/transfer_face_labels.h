@@ -29,26 +29,30 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives each facet of the target the label that most of it has on the source: materials, parts, boundary conditions.
+ * \brief gives each facet of the target the label that most of it has on the source: materials, parts, boundary
+ * conditions.
  *
- * A facet is sampled at the centroids of equal triangles that it is cut into; the label that most of them have is taken, and among equals
- * that of the facet's centroid, or else the one that comes first.
+ * A facet is sampled at the centroids of equal triangles that it is cut into; the label that most of them have is
+ * taken, and among equals that of the facet's centroid, or else the one that comes first.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
- * \tparam SourceLabelMap a model of `ReadablePropertyMap` from faces of the source to labels that can be compared for equality
+ * \tparam SourceLabelMap a model of `ReadablePropertyMap` from faces of the source to labels that can be compared for
+ *   equality
  * \tparam TargetLabelMap a model of `WritablePropertyMap` from faces of the target
  * \param map the map from the source to the target
  * \param source_labels the labels
  * \param target_labels what gets them
  * \param np optional named parameters
- *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square; by default 4. With 1, the label is that at the centroid.
+ *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square; by default 4. With 1, the
+ *     label is that at the centroid.
  *   - `default_value(x)`: what facets without a label get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid did not
+ * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid
+ *   did not
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap, typename TargetLabelMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap,
+          typename TargetLabelMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_labels, TargetLabelMap target_labels,
                                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -63,7 +67,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   const int parts = internal::parts_along_edge(wanted);
   std::vector<std::array<double, 3> > samples = internal::centroids_of_parts(parts);
   const bool has_centroid = parts % 3 != 0;
-  if(!has_centroid) samples.insert(samples.begin(), { 1/3., 1/3., 1/3. });
+  if(!has_centroid) samples.insert(samples.begin(), { 1 / 3., 1 / 3., 1 / 3. });
 
   const auto& target = map.to_target().target();
   Transfer_report report;
@@ -71,17 +75,23 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
     internal::fail_all_facets(report, map, [&](auto f) { internal::put_default_value(np, target_labels, f); });
     return report;
   }
-  struct Sample { typename Map::Source_image::Location::first_type facet; Flow_status status = Flow_status::CANCELED; bool is_continued = false, is_snapped = false; };
+  struct Sample
+  {
+    typename Map::Source_image::Location::first_type facet;
+    Flow_status status = Flow_status::CANCELED;
+    bool is_continued = false, is_snapped = false;
+  };
   std::vector<Sample> found(target.number_of_facets() * samples.size());
-  internal::for_each_point<ConcurrencyTag>(found.size(), [&](std::size_t n) {
-    return target.traced_point(Index(n / samples.size()), samples[n % samples.size()]);
-  }, visitor, [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
-    const auto image = map.to_source()(p, hint);
-    found[n].facet = image.location.first;
-    found[n].status = image.status;
-    found[n].is_continued = image.is_continued;
-    found[n].is_snapped = image.is_snapped;
-  });
+  internal::for_each_point<ConcurrencyTag>(
+    found.size(),
+    [&](std::size_t n) { return target.traced_point(Index(n / samples.size()), samples[n % samples.size()]); }, visitor,
+    [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+      const auto image = map.to_source()(p, hint);
+      found[n].facet = image.location.first;
+      found[n].status = image.status;
+      found[n].is_continued = image.is_continued;
+      found[n].is_snapped = image.is_snapped;
+    });
 
   std::vector<std::pair<Label, std::size_t> > votes;
   for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
@@ -97,8 +107,10 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
       if(vote == votes.end()) vote = votes.insert(vote, { label, 0 });
       if(i > 0 || has_centroid) ++vote->second;
     }
-    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& v, const auto& w) { return v.second < w.second; });
-    if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status, is_continued, is_snapped))
+    const auto most = std::max_element(votes.begin(), votes.end(),
+                                       [](const auto& v, const auto& w) { return v.second < w.second; });
+    if(internal::record(report, n, most != votes.end() ? Flow_status::SUCCESS : found[n * samples.size()].status,
+                        is_continued, is_snapped))
       put(target_labels, target.face_of(Index(n)), most->first);
     else internal::put_default_value(np, target_labels, target.face_of(Index(n)));
   }

@@ -36,8 +36,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with `mapping()`: the
- * images are tangent to the level sets of the field, and so do not jump from facet to facet. What a vector has along the curve is lost.
+ * \brief moves tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with
+ * `mapping()`: the images are tangent to the level sets of the field, and so do not jump from facet to facet. What a
+ * vector has along the curve is lost.
  */
 struct Tangent_vector_mapping
 {
@@ -52,10 +53,12 @@ struct Tangent_vector_mapping
 
 namespace internal {
 
-// The direction of which all rotations by 2 pi / N about the normal fit the images of the N vectors of a symmetric field best,
-// in the sense of the representation by N-th powers, next to the image of the first. Its length is the geometric mean of theirs.
+// The direction of which all rotations by 2 pi / N about the normal fit the images of the N vectors of a symmetric
+// field best, in the sense of the representation by N-th powers, next to the image of the first. Its length is the
+// geometric mean of theirs.
 inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential, const Eigen::Vector3d& source_normal,
-                                            const Eigen::Vector3d& target_normal, const Eigen::Vector3d& vector, int symmetry)
+                                            const Eigen::Vector3d& target_normal, const Eigen::Vector3d& vector,
+                                            int symmetry)
 {
   const Eigen::Vector3d first = differential * vector;
   if(symmetry == 1 || !(first.norm() > 0)) return first;
@@ -64,7 +67,8 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
   std::complex<double> power = 0;
   double log_length = 0;
   for(int k = 0; k < symmetry; ++k) {
-    const Eigen::Vector3d image = differential * (Eigen::AngleAxisd(2 * pi * k / symmetry, source_normal.normalized()) * vector);
+    const Eigen::Vector3d image = differential
+                                  * (Eigen::AngleAxisd(2 * pi * k / symmetry, source_normal.normalized()) * vector);
     power += std::polar(1., symmetry * std::atan2(y.dot(image), x.dot(image)));
     log_length += std::log(image.norm());
   }
@@ -80,7 +84,8 @@ struct Tangent_sample
   bool is_continued = false, is_snapped = false;
 };
 
-// `prepare(differential)` makes the differential that of the map to the target, and returns the normal of the plane in which the image is to be
+// `prepare(differential)` makes the differential that of the map to the target, and returns the normal of the plane in
+// which the image is to be
 template <typename Map, typename Point, typename Prepare>
 Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p,
                               typename Map::Projection_to_source::Hint& hint, const Prepare& prepare)
@@ -98,8 +103,9 @@ Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int sy
   const Eigen::Vector3d normal = prepare(differential);
   const auto facet = source.facet_of(image.location.first);
   if(is_along(normal, differential)) sample.status = Flow_status::FACES_WRONG_WAY;
-  else sample.vector = map_symmetric_vector(differential.onto_plane(normal), eigen_vector(source.normal(facet)), normal,
-                                            field(facet, image.location.second), symmetry);
+  else
+    sample.vector = map_symmetric_vector(differential.onto_plane(normal), eigen_vector(source.normal(facet)), normal,
+                                         field(facet, image.location.second), symmetry);
   return sample;
 }
 
@@ -119,39 +125,42 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at the facets of the source to those of the target, by the differential of the map: vector fields, line
- * fields, cross fields and others that are symmetric under rotations.
+ * \brief moves tangent vectors at the facets of the source to those of the target, by the differential of the map:
+ * vector fields, line fields, cross fields and others that are symmetric under rotations.
  *
- * The vector of a target's facet is the image of that of the source's facet where the curve through its centroid meets it; it is in
- * the facet's plane. For a symmetric field, given by one of its vectors for each facet, all of them are moved, and as they need not be
- * symmetric then, the symmetric ones that fit them best are returned.
+ * The vector of a target's facet is the image of that of the source's facet where the curve through its centroid meets
+ * it; it is in the facet's plane. For a symmetric field, given by one of its vectors for each facet, all of them are
+ * moved, and as they need not be symmetric then, the symmetric ones that fit them best are returned.
  *
- * Between meshes of different resolution, that loses much. To a *coarser* mesh, `samples_per_facet` averages what a facet covers. To a
- * *finer* one, `linear_reconstruction` makes a linear field of the vectors of a facet and its neighbors, instead of one vector for all facets that
- * come from the same one.
+ * Between meshes of different resolution, that loses much. To a *coarser* mesh, `samples_per_facet` averages what a
+ * facet covers. To a *finer* one, `linear_reconstruction` makes a linear field of the vectors of a facet and its
+ * neighbors, instead of one vector for all facets that come from the same one.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
- * \tparam SourceVectorMap a model of `ReadablePropertyMap` from faces of the source to vectors with `v[0]`, `v[1]`, `v[2]`
- * \tparam TargetVectorMap a model of `WritablePropertyMap` from faces of the target to vectors that are constructible from three numbers
+ * \tparam SourceVectorMap a model of `ReadablePropertyMap` from faces of the source to vectors with `v[0]`, `v[1]`,
+ *   `v[2]`
+ * \tparam TargetVectorMap a model of `WritablePropertyMap` from faces of the target to vectors that are constructible
+ *   from three numbers
  * \param map the map from the source to the target
  * \param source_vectors vectors in the planes of their facets
  * \param target_vectors what gets their images
  * \param np optional named parameters
  *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
- *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square, at the centroids of equal parts of the target's facet,
- *     the mean of which it gets: that of N-th powers for a symmetric field, with the mean length; by default 1
- *   - `linear_reconstruction(bool)`: whether the field is linear on each facet of the source (or its N-th power is, the length staying what it
- *     is): with the gradient that fits the vectors of its neighbors best, unfolded around common edges that are not sharper than 60 degrees; default
- *     `false`
+ *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square, at the centroids of equal
+ *     parts of the target's facet, the mean of which it gets: that of N-th powers for a symmetric field, with the mean
+ *     length; by default 1
+ *   - `linear_reconstruction(bool)`: whether the field is linear on each facet of the source (or its N-th power is, the
+ *     length staying what it is): with the gradient that fits the vectors of its neighbors best, unfolded around common
+ *     edges that are not sharper than 60 degrees; default `false`
  *   - `default_value(x)`: what facets without a vector get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A facet without an area has none: it
- *         faces no way.
+ * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A
+ *   facet without an area has none: it faces no way.
  * \pre `symmetry` is positive
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap, typename TargetVectorMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,
+          typename TargetVectorMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_vectors, TargetVectorMap target_vectors,
                                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -174,20 +183,22 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   }
   std::vector<Eigen::Vector3d> vectors = internal::eigen_vectors(source_vectors, faces(map.source()));
   typedef internal::Tangent_field Field;
-  const Field field = is_linear ? Field::linear(source, std::move(vectors), symmetry) : Field::constant(source, std::move(vectors));
+  const Field field = is_linear ? Field::linear(source, std::move(vectors), symmetry)
+                                : Field::constant(source, std::move(vectors));
   const std::vector<std::array<double, 3> > places = internal::centroids_of_parts(internal::parts_along_edge(wanted));
   const auto normal = [&](Index facet) { return internal::eigen_vector(target.normal(facet)); };
 
   std::vector<internal::Tangent_sample> samples(target.number_of_facets() * places.size());
-  internal::for_each_point<ConcurrencyTag>(samples.size(), [&](std::size_t n) {
-    return target.traced_point(Index(n / places.size()), places[n % places.size()]);
-  }, visitor, [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
-    const Index facet = Index(n / places.size());
-    samples[n] = internal::tangent_sample(map, field, symmetry, p, hint, [&](Flow_differential& differential) {
-      differential.prepend_to_end(target.traced_derivative(facet, places[n % places.size()]));
-      return normal(facet);
+  internal::for_each_point<ConcurrencyTag>(
+    samples.size(),
+    [&](std::size_t n) { return target.traced_point(Index(n / places.size()), places[n % places.size()]); }, visitor,
+    [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+      const Index facet = Index(n / places.size());
+      samples[n] = internal::tangent_sample(map, field, symmetry, p, hint, [&](Flow_differential& differential) {
+        differential.prepend_to_end(target.traced_derivative(facet, places[n % places.size()]));
+        return normal(facet);
+      });
     });
-  });
 
   for(std::size_t n = 0; n < target.number_of_facets(); ++n) {
     internal::Symmetric_mean mean(normal(Index(n)), symmetry);
@@ -208,8 +219,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
       // one vector is its own mean, but for rounding
       const Eigen::Vector3d v = arrived == 1 && places.size() == 1 ? samples[n].vector : mean();
       put(target_vectors, g, Vector(v[0], v[1], v[2]));
-    }
-    else internal::put_default_value(np, target_vectors, g);
+    } else internal::put_default_value(np, target_vectors, g);
   }
   return report;
 }
@@ -217,17 +227,20 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at the vertices of the source to those of the target: as `transfer_tangent_vectors()`, for fields that are given at
- * vertices, and interpolated between them.
+ * \brief moves tangent vectors at the vertices of the source to those of the target: as `transfer_tangent_vectors()`,
+ * for fields that are given at vertices, and interpolated between them.
  *
- * In each facet of the source the vectors of its vertices are rotated into its plane the shortest way, from the vertex's normal (the mean of the
- * facets', weighted by angles), and interpolated: N-th powers, for a symmetric field. Images are tangent to the level set of the shell's field
- * through the target's vertex, so that they do not depend on the target's facets.
+ * In each facet of the source the vectors of its vertices are rotated into its plane the shortest way, from the
+ * vertex's normal (the mean of the facets', weighted by angles), and interpolated: N-th powers, for a symmetric field.
+ * Images are tangent to the level set of the shell's field through the target's vertex, so that they do not depend on
+ * the target's facets.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
- * \tparam SourceVectorMap a model of `ReadablePropertyMap` from vertices of the source to vectors with `v[0]`, `v[1]`, `v[2]`
- * \tparam TargetVectorMap a model of `WritablePropertyMap` from vertices of the target to vectors that are constructible from three numbers
+ * \tparam SourceVectorMap a model of `ReadablePropertyMap` from vertices of the source to vectors with `v[0]`, `v[1]`,
+ *   `v[2]`
+ * \tparam TargetVectorMap a model of `WritablePropertyMap` from vertices of the target to vectors that are
+ *   constructible from three numbers
  * \param map the map from the source to the target
  * \param source_vectors vectors; what they have along the normals is lost
  * \param target_vectors what gets their images
@@ -238,9 +251,10 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * \return which vertices have no vector from the source, and why
  * \pre `symmetry` is positive
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap, typename TargetVectorMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap source_vectors, TargetVectorMap target_vectors,
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,
+          typename TargetVectorMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap source_vectors,
+                                                TargetVectorMap target_vectors,
                                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
@@ -254,14 +268,16 @@ Transfer_report transfer_vertex_tangent_vectors(const Map& map, SourceVectorMap 
   const auto& points = map.to_target().target().traced_vertices();
   std::vector<internal::Tangent_sample> samples(points.size());
   if(map.maps_points()) {
-    const auto field = internal::Tangent_field::interpolated(source, internal::eigen_vectors(source_vectors, vertices(map.source())),
-                                                             internal::positions_of_corners(source), symmetry);
-    internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-                                             [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
-      samples[n] = internal::tangent_sample(map, field, symmetry, p, hint, [](const Flow_differential& differential) { return differential.velocity; });
-    });
-  }
-  else
+    const auto field = internal::Tangent_field::interpolated(
+      source, internal::eigen_vectors(source_vectors, vertices(map.source())), internal::positions_of_corners(source),
+      symmetry);
+    internal::for_each_point<ConcurrencyTag>(
+      points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+      [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+        samples[n] = internal::tangent_sample(
+          map, field, symmetry, p, hint, [](const Flow_differential& differential) { return differential.velocity; });
+      });
+  } else
     for(internal::Tangent_sample& sample : samples) sample.status = map.status();
 
   Transfer_report report;

@@ -32,30 +32,33 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colors, vectors,
- * displacements, and whatever else can be interpolated.
+ * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colors,
+ * vectors, displacements, and whatever else can be interpolated.
  *
- * The value at a location of the source is interpolated from the three corners of its facet, and, if there is a `mapping()`,
- * handed to that together with the differential of the map. Values are sampled, which does not keep integrals; where the source has
- * far more vertices than the target, `average_vertex_attribute()` loses less. The maps are read and written from the calling thread.
+ * The value at a location of the source is interpolated from the three corners of its facet, and, if there is a
+ * `mapping()`, handed to that together with the differential of the map. Values are sampled, which does not keep
+ * integrals; where the source has far more vertices than the target, `average_vertex_attribute()` loses less. The maps
+ * are read and written from the calling thread.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
  * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
- * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be triangles
+ * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be
+ *   triangles
  * \param map the map from the source to the target; its inverse transfers the other way
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
  *   - `interpolation(F)`: a model of `AttributeInterpolation`; by default `Barycentric_interpolation`
- *   - `mapping(F)`: `F()(value, differential)` with the `Flow_differential` from the source to the target; by default values arrive as they are
+ *   - `mapping(F)`: `F()(value, differential)` with the `Flow_differential` from the source to the target; by default
+ *     values arrive as they are
  *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
  * \return which vertices have no value from the source, and why
  * \cgalHeading{Cost} some microseconds a vertex and core; with `mapping()` about twice as much
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
+          typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_values, TargetValueMap target_values,
                                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -64,32 +67,35 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   using CGAL::parameters::get_parameter_reference;
   typedef typename boost::property_traits<SourceValueMap>::value_type Value;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
-  const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation), Barycentric_interpolation());
+  const auto interpolate = choose_parameter(get_parameter(np, parameter_tags::interpolation),
+                                            Barycentric_interpolation());
   constexpr bool has_mapping = !CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, parameter_tags::mapping_t>::value;
 
   const auto& points = map.to_target().target().traced_vertices();
   std::vector<Flow_differential> differentials(has_mapping ? points.size() : 0);
   std::vector<typename Map::Source_image> images(points.size());
-  internal::for_each_point<ConcurrencyTag>(points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-                                           [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
-    if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
-    else images[n] = map.to_source()(p, hint);        // the target's facets do not matter
-    if constexpr(has_mapping)
-      if(images[n]) {
-        differentials[n] = internal::differential_from_image(map, images[n], p);
-        images[n].status = differentials[n].status;
-      }
-  });
+  internal::for_each_point<ConcurrencyTag>(
+    points.size(), [&](std::size_t n) { return points[n]; }, visitor,
+    [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
+      if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
+      else images[n] = map.to_source()(p, hint); // the target's facets do not matter
+      if constexpr(has_mapping)
+        if(images[n]) {
+          differentials[n] = internal::differential_from_image(map, images[n], p);
+          images[n].status = differentials[n].status;
+        }
+    });
 
   Transfer_report report;
   std::size_t n = 0;
   for(auto v : vertices(map.target())) {
     if(internal::record(report, n, images[n].status, images[n].is_continued, images[n].is_snapped)) {
-      const Value value = interpolate(internal::corner_values(map.source(), images[n].location.first, source_values), images[n].location.second);
-      if constexpr(has_mapping) put(target_values, v, get_parameter_reference(np, parameter_tags::mapping)(value, differentials[n]));
+      const Value value = interpolate(internal::corner_values(map.source(), images[n].location.first, source_values),
+                                      images[n].location.second);
+      if constexpr(has_mapping)
+        put(target_values, v, get_parameter_reference(np, parameter_tags::mapping)(value, differentials[n]));
       else put(target_values, v, value);
-    }
-    else internal::put_default_value(np, target_values, v);
+    } else internal::put_default_value(np, target_values, v);
     ++n;
   }
   return report;
@@ -98,14 +104,16 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves the values at the vertices of the source to the target, and gives each vertex of the target the average of those that arrive
- * on its facets.
+ * \brief moves the values at the vertices of the source to the target, and gives each vertex of the target the average
+ * of those that arrive on its facets.
  *
- * Each value is shared out to the three corners of the facet where it arrives, by its barycentric coordinates and the area of the source
- * around its vertex. Vertices of the target that nothing arrives at get the value that `transfer_vertex_attribute()` gives them.
+ * Each value is shared out to the three corners of the facet where it arrives, by its barycentric coordinates and the
+ * area of the source around its vertex. Vertices of the target that nothing arrives at get the value that
+ * `transfer_vertex_attribute()` gives them.
  *
  * \tparam Map a `Shell_map_3`
- * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source, to values with `T + T` and `double * T`
+ * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source, to values with `T + T` and
+ *   `double * T`
  * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target
  * \param map the map from the source to the target
  * \param source_values the attribute
@@ -113,11 +121,11 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param np optional named parameters
  *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
  *   - `visitor(V)`: a model of `FlowVisitor`
- * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices of the source without
- *         an image are left out, and named too.
+ * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices
+ *   of the source without an image are left out, and named too.
  */
-template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap, typename TargetValueMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
+          typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_values, TargetValueMap target_values,
                                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -141,7 +149,9 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
   std::vector<typename Map::Target_image> images(points.size());
   const bool complete = internal::for_each_point<ConcurrencyTag>(
     points.size(), [&](std::size_t n) { return points[n]; }, visitor,
-    [&, hint = typename Map::Projection_to_target::Hint()](std::size_t n, const auto& p) mutable { images[n] = map.to_target()(p, hint); });
+    [&, hint = typename Map::Projection_to_target::Hint()](std::size_t n, const auto& p) mutable {
+      images[n] = map.to_target()(p, hint);
+    });
 
   // a third of the facets' areas
   const std::vector<std::size_t> position = internal::positions_of_corners(source);
@@ -170,8 +180,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
         if(image.is_continued) is_continued[t] = 1;
         if(image.is_snapped) is_snapped[t] = 1;
       }
-    }
-    else report.left_out.emplace_back(n, image.status);
+    } else report.left_out.emplace_back(n, image.status);
     ++n;
   }
   std::vector<typename Map::Source_image> pulled(sum.size());
@@ -188,16 +197,19 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
       });
   n = 0;
   for(auto v : vertices(map.target())) {
-    if(internal::record(report, n, !complete ? Flow_status::CANCELED : sum[n] ? Flow_status::SUCCESS : pulled[n].status, is_continued[n] != 0,
-                        is_snapped[n] != 0)) {
+    if(internal::record(report, n,
+                        !complete ? Flow_status::CANCELED
+                        : sum[n]  ? Flow_status::SUCCESS
+                                  : pulled[n].status,
+                        is_continued[n] != 0, is_snapped[n] != 0)) {
       if(sum[n]) {
         if constexpr(std::is_integral<Value>::value) put(target_values, v, Value(std::lround(*sum[n] / weight[n])));
         else put(target_values, v, Value(1 / weight[n] * *sum[n]));
-      }
-      else put(target_values, v, Barycentric_interpolation()(
-             internal::corner_values(map.source(), pulled[n].location.first, source_values), pulled[n].location.second));
-    }
-    else internal::put_default_value(np, target_values, v);
+      } else
+        put(target_values, v,
+            Barycentric_interpolation()(internal::corner_values(map.source(), pulled[n].location.first, source_values),
+                                        pulled[n].location.second));
+    } else internal::put_default_value(np, target_values, v);
     ++n;
   }
   return report;

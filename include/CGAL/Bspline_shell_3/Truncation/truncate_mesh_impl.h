@@ -98,7 +98,8 @@ private:
 
   void sort_report()
   {
-    std::sort(m_report.vertices.begin(), m_report.vertices.end(), [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+    std::sort(m_report.vertices.begin(), m_report.vertices.end(),
+              [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   }
 
   // whether the vertex is on the border of an open mesh
@@ -137,18 +138,21 @@ private:
   {
     m_tree.insert(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
     m_tree.build();
-    const double largest = (std::max)({ std::abs(m_input.bbox().xmin()), std::abs(m_input.bbox().xmax()), std::abs(m_input.bbox().ymin()),
-                                        std::abs(m_input.bbox().ymax()), std::abs(m_input.bbox().zmin()), std::abs(m_input.bbox().zmax()) });
+    const double largest = (std::max)({ std::abs(m_input.bbox().xmin()), std::abs(m_input.bbox().xmax()),
+                                        std::abs(m_input.bbox().ymin()), std::abs(m_input.bbox().ymax()),
+                                        std::abs(m_input.bbox().zmin()), std::abs(m_input.bbox().zmax()) });
     for(Tip& tip : m_tips) {
       Run::poll();
       constexpr double part_of_edge = 1. / 3;
-      double r = (std::min)(m_largest_radius({ tip.center.x(), tip.center.y(), tip.center.z() }), part_of_edge * tip.shortest_edge());
+      double r = (std::min)(m_largest_radius({ tip.center.x(), tip.center.y(), tip.center.z() }),
+                            part_of_edge * tip.shortest_edge());
       std::vector<Face_index> near;
       m_tree.all_intersected_primitives(box_around(tip.center, 2 * r), std::back_inserter(near));
       for(Face_index f : near) {
         if(std::find(tip.facets.begin(), tip.facets.end(), f) != tip.facets.end()) continue;
         const auto t = m_input.triangle(f);
-        r = (std::min)(r, std::sqrt(CGAL::squared_distance(tip.center, Truncation_kernel::Triangle_3(t[0], t[1], t[2]))) / 2);
+        r = (std::min)(r, std::sqrt(CGAL::squared_distance(tip.center, Truncation_kernel::Triangle_3(t[0], t[1], t[2])))
+                            / 2);
       }
       tip.radius = r;
     }
@@ -221,7 +225,8 @@ private:
     std::unordered_set<Face_index> cut, near;
     std::vector<Face_index> boxed;
     for(const Tip& tip : m_tips) cut.insert(tip.facets.begin(), tip.facets.end());
-    for(const Tip& tip : m_tips) m_tree.all_intersected_primitives(box_around(tip.center, tip.radius), std::back_inserter(boxed));
+    for(const Tip& tip : m_tips)
+      m_tree.all_intersected_primitives(box_around(tip.center, tip.radius), std::back_inserter(boxed));
     for(Face_index f : cut) {
       const auto t = m_input.triangle(f);
       m_tree.all_intersected_primitives(t[0].bbox() + t[1].bbox() + t[2].bbox(), std::back_inserter(boxed));
@@ -262,9 +267,9 @@ private:
 } // namespace internal
 
 template <typename ConcurrencyTag>
-std::shared_ptr<const Shell_truncation_3>
-truncate_mesh(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius, double least_margin,
-              Truncation_report& report)
+std::shared_ptr<const Shell_truncation_3> truncate_mesh(
+  const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius,
+  double least_margin, Truncation_report& report)
 {
   report = Truncation_report();
   return internal::Mesh_truncator<ConcurrencyTag>(input, largest_radius, report)(least_margin);

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What can be said of a box by the field and the thresholds on it alone: whether it is excluded from the shell, or has no critical point there, and how
-// steep the field is.
+// What can be said of a box by the field and the thresholds on it alone: whether it is excluded from the shell, or has
+// no critical point there, and how steep the field is.
 template <typename Threshold>
 class Box_examination
 {
@@ -54,8 +54,7 @@ public:
     if constexpr(Threshold::is_constant) {
       const Level_range r = functions[0].range();
       return r.min >= m_inner.level() && r.max <= m_outer.level();
-    } else
-      return functions[1].range().min >= 0 && functions[2].range().max <= 0;
+    } else return functions[1].range().min >= 0 && functions[2].range().max <= 0;
   }
 
   // whether all of a face, an edge or a vertex of a box is certainly outside of the shell
@@ -64,8 +63,7 @@ public:
     if constexpr(Threshold::is_constant) {
       const Level_range r = functions[0].range_towards(direction);
       return r.max < m_inner.level() || r.min > m_outer.level();
-    } else
-      return functions[1].range_towards(direction).max < 0 || functions[2].range_towards(direction).min > 0;
+    } else return functions[1].range_towards(direction).max < 0 || functions[2].range_towards(direction).min > 0;
   }
 
   // finds the kind of a box and what proves it
@@ -110,20 +108,22 @@ public:
     const Critical_center center = critical_center(functions[0]);
     const Level_range thresholds = mean_thresholds(functions);
     if(!(center.value >= thresholds.min && center.value <= thresholds.max && center.slope < level)) return false;
-    if(std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; })) return false;
+    if(std::any_of(center.point.begin(), center.point.end(), [](double x) { return x < -near || x > 1 + near; }))
+      return false;
     const Level_range values = values_at_critical_points(functions[0], functions[0], center.point).range();
     return values.max - values.min < close * (std::max)(values.min, -values.max);
   }
 
-  // A lower bound of the length of the gradient in the shell, per unit of the box, which is not undecided: along its direction or a better one, or towards
-  // its center.
+  // A lower bound of the length of the gradient in the shell, per unit of the box, which is not undecided: along its
+  // direction or a better one, or towards its center.
   double gradient_bound(const Functions& functions, const Cover_box& box) const
   {
     const Enclosed_tricubic& f = functions[0];
     double bound = 0;
     const auto include = [&](const std::array<double, 3>& direction) {
       const double size = length_bound(direction);
-      if(size > 0 && std::isfinite(size)) bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
+      if(size > 0 && std::isfinite(size))
+        bound = (std::max)(bound, enclosed_derivative(f, direction).range().min / size);
     };
     include(nearest_of_hull(control_vectors_of_gradient(f)));
     if(box.kind == Box_kind::MONOTONE) include(box.proof);
@@ -131,7 +131,8 @@ public:
     return bound;
   }
 
-  // the length of the gradient in the middle of a box, per unit of it, if the middle is in the shell, and infinite elsewhere; not rigorous
+  // the length of the gradient in the middle of a box, per unit of it, if the middle is in the shell, and infinite
+  // elsewhere; not rigorous
   double gradient_in_the_middle(const Functions& functions) const
   {
     const auto middle = [](const Enclosed_tricubic& f) {
@@ -141,8 +142,7 @@ public:
     if constexpr(Threshold::is_constant) {
       const double f = middle(functions[0]);
       if(f < m_inner.level() || f > m_outer.level()) return std::numeric_limits<double>::infinity();
-    } else
-      if(middle(functions[1]) < 0 || middle(functions[2]) > 0) return std::numeric_limits<double>::infinity();
+    } else if(middle(functions[1]) < 0 || middle(functions[2]) > 0) return std::numeric_limits<double>::infinity();
     std::array<double, 3> slope;
     for(int a = 0; a < 3; ++a) {
       std::array<double, 3> axis = {};
@@ -159,9 +159,9 @@ private:
     const bool below = kind == Box_kind::CRITICAL_BELOW;
     const Level_range above = [&] {
       if constexpr(Threshold::is_constant)
-        return values_at_critical_points((below ? m_inner : m_outer).difference(functions[0], 0), functions[0], center).range();
-      else
-        return values_at_critical_points(functions[below ? 1 : 2], functions[0], center).range();
+        return values_at_critical_points((below ? m_inner : m_outer).difference(functions[0], 0), functions[0], center)
+          .range();
+      else return values_at_critical_points(functions[below ? 1 : 2], functions[0], center).range();
     }();
     return below ? -above.max : above.min;
   }
@@ -179,7 +179,9 @@ private:
   {
     if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };
     else {
-      const auto mean = [](const Enclosed_tricubic& f) { return std::accumulate(f.coefficients.begin(), f.coefficients.end(), 0.) / 64; };
+      const auto mean = [](const Enclosed_tricubic& f) {
+        return std::accumulate(f.coefficients.begin(), f.coefficients.end(), 0.) / 64;
+      };
       const double f = mean(functions[0]);
       return { f - mean(functions[1]), f - mean(functions[2]) };
     }

@@ -18,16 +18,16 @@ namespace internal {
 
 enum class Facet_estimate
 {
-  CLEAR,              // in the shell and facing along the gradient, by all that is seen: not a proof
-  LEAVES_SHELL,       // at a point that was looked at
-  FACES_AWAY,         // the same
+  CLEAR,        // in the shell and facing along the gradient, by all that is seen: not a proof
+  LEAVES_SHELL, // at a point that was looked at
+  FACES_AWAY,   // the same
   DOUBTFUL
 };
 
-// Guesses what Second_order_bounds_3 proves of a triangle, for some tenths of the time. Values and gradients at the corners of a part give a cubic
-// triangle, whose Bernstein coefficients bound the margins, and slopes at corners and middles of edges a quadratic one. How far the cubics are off
-// at the middles, and how much slopes bend, is what they may be wrong by; of parts larger than some cells, that times their area. Parts are bisected until
-// that is enough.
+// Guesses what Second_order_bounds_3 proves of a triangle, for some tenths of the time. Values and gradients at the
+// corners of a part give a cubic triangle, whose Bernstein coefficients bound the margins, and slopes at corners and
+// middles of edges a quadratic one. How far the cubics are off at the middles, and how much slopes bend, is what they
+// may be wrong by; of parts larger than some cells, that times their area. Parts are bisected until that is enough.
 template <typename Bounds>
 class Facet_estimator
 {
@@ -53,11 +53,15 @@ public:
 
 private:
   static constexpr int most_bisections = 512;
-  static constexpr double small_extent = 8, large_extent = 24;      // cells, of parts that few points tell enough of, and of those they tell nothing of
-  static constexpr double safety = 2;               // margins of small parts, relative to what the cubics are off by
-  static constexpr double slope_safety = 0.5;       // slopes, relative to how much they bend
+  // cells, of parts that few points tell enough of, and of those they tell nothing of
+  static constexpr double small_extent = 8, large_extent = 24;
+  static constexpr double safety = 2;         // margins of small parts, relative to what the cubics are off by
+  static constexpr double slope_safety = 0.5; // slopes, relative to how much they bend
 
-  struct Edge { const Sample &p, &q; };
+  struct Edge
+  {
+    const Sample &p, &q;
+  };
   static Edge edge(const Samples& corners, std::size_t v) { return { *corners[(v + 1) % 3], *corners[(v + 2) % 3] }; }
 
   // what a point says
@@ -85,7 +89,7 @@ private:
         top = v;
       }
     }
-    const double extent = longest / (width * width);      // squared, in cells
+    const double extent = longest / (width * width); // squared, in cells
     if(extent > large_extent * large_extent) {
       const Edge e = edge(corners, top);
       const Sample middle = known[top] ? *known[top] : m_bounds.sample_middle(e.p, e.q);
@@ -94,7 +98,7 @@ private:
     }
 
     Samples middles = known;
-    std::array<Sample, 3> sampled;        // those that were not known
+    std::array<Sample, 3> sampled; // those that were not known
     Coordinates slopes;
     for(std::size_t v = 0; v < 3; ++v) slopes[v] = Bounds::slope(*corners[v], m_normal);
     double least = std::numeric_limits<double>::infinity(), off = 0;
@@ -139,7 +143,7 @@ private:
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
-    const Sample between = m_bounds.sample_middle(*corners[top], middle);        // of the edge of both halves
+    const Sample between = m_bounds.sample_middle(*corners[top], middle); // of the edge of both halves
     for(std::size_t end : { 1, 2 }) {
       const std::size_t replaced = (top + end) % 3, kept = (top + 3 - end) % 3;
       Samples half = corners, known_of_half = {};

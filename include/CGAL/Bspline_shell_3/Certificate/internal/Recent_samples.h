@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Samples of vertices, those that were asked for last: facets that follow each other in a mesh mostly share vertices, and a sample takes longer than
-// to look here.
+// Samples of vertices, those that were asked for last: facets that follow each other in a mesh mostly share vertices,
+// and a sample takes longer than to look here.
 template <typename Bounds>
 class Recent_samples
 {

@@ -25,9 +25,10 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A copy of the open components of a mesh, behind them and facing the other way, and strips that lead from their borders to it. Beyond the border it
-// extends as far as it is behind: strips slope at 45 degrees, so that flat tips and slits have vertices whose facets face a common
-// direction. Where the border turns in space, they may have to be steeper.
+// A copy of the open components of a mesh, behind them and facing the other way, and strips that lead from their
+// borders to it. Beyond the border it extends as far as it is behind: strips slope at 45 degrees, so that flat tips and
+// slits have vertices whose facets face a common direction. Where the border turns in space, they may have to be
+// steeper.
 //
 // Vertex n of the mesh is n, and its copy n plus the number of vertices.
 class Back_sheet
@@ -39,7 +40,8 @@ class Back_sheet
 public:
   typedef std::array<std::size_t, 3> Triangle;
 
-  Back_sheet(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_size(mesh.number_of_vertices()), m_offset(offset)
+  Back_sheet(const Closing_mesh& mesh, double offset)
+    : m_mesh(mesh), m_size(mesh.number_of_vertices()), m_offset(offset)
   {
     m_distance.assign(m_size, 0);
     m_back.assign(m_size, Vector_3(0, 0, 0));
@@ -76,7 +78,8 @@ public:
   // of a vertex or its copy
   double distance(std::size_t n) const { return m_distance[n % m_size]; }
 
-  // Copies of facets that face nearly across them, or where they do: the distance is too large for how the mesh bends there.
+  // Copies of facets that face nearly across them, or where they do: the distance is too large for how the mesh bends
+  // there.
   std::vector<Triangle> folded_triangles() const
   {
     constexpr double least_cosine = 0.3;
@@ -87,7 +90,8 @@ public:
       return v / length(v);
     };
     for(const Triangle& t : m_triangles)
-      if((std::min)({ t[0], t[1], t[2] }) >= m_size && normal(t, 0) * normal(t, m_size) < least_cosine) folded.push_back(t);
+      if((std::min)({ t[0], t[1], t[2] }) >= m_size && normal(t, 0) * normal(t, m_size) < least_cosine)
+        folded.push_back(t);
     return folded;
   }
 
@@ -149,11 +153,12 @@ private:
   std::vector<char> find_open_facets()
   {
     std::vector<std::size_t> component(m_mesh.number_of_faces());
-    const std::size_t number = Polygon_mesh_processing::connected_components(
-      m_mesh, CGAL::make_property_map(component));
+    const std::size_t number = Polygon_mesh_processing::connected_components(m_mesh,
+                                                                             CGAL::make_property_map(component));
     std::vector<char> is_open(number, 0), result(m_mesh.number_of_faces());
     for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h))) is_open[component[m_mesh.face(m_mesh.opposite(h))]] = 1;
+      if(m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)))
+        is_open[component[m_mesh.face(m_mesh.opposite(h))]] = 1;
     for(Face_index f : m_mesh.faces()) result[f] = is_open[component[f]];
     m_sheets = std::size_t(std::count(is_open.begin(), is_open.end(), 1));
     return result;
@@ -166,10 +171,12 @@ private:
     const Vector_3 axis = cone_axis_at(m_mesh, v);
     const double margin = length(axis);
     const bool has_cone = margin > 1e-9;
-    const Vector_3 back = has_cone ? -axis / (margin * (std::max)(margin, least_margin)) : -unit_normal(m_mesh, any_facet(v));
+    const Vector_3 back = has_cone ? -axis / (margin * (std::max)(margin, least_margin))
+                                   : -unit_normal(m_mesh, any_facet(v));
     Vector_3 beyond(0, 0, 0);
     for(Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      if(m_mesh.is_border(h)) beyond = beyond + mitre(outward_conormal(m_mesh, h), outward_conormal(m_mesh, m_mesh.next(h)));
+      if(m_mesh.is_border(h))
+        beyond = beyond + mitre(outward_conormal(m_mesh, h), outward_conormal(m_mesh, m_mesh.next(h)));
     const double room = tree.distance(m_mesh.point(v), back, [&](Face_index f) {
       const auto around = m_mesh.vertices_around_face(m_mesh.halfedge(f));
       return std::find(around.begin(), around.end(), v) != around.end();
@@ -213,9 +220,10 @@ private:
   const Closing_mesh& m_mesh;
   std::size_t m_size;
   std::vector<Triangle> m_triangles;
-  std::vector<double> m_distance;               // of each vertex; 0 where there is no back sheet
-  std::vector<Vector_3> m_back, m_beyond;       // to its copy, for a distance of one: behind the facets, and beyond the border
-  std::vector<double> m_slope;                  // how much of the latter counts
+  std::vector<double> m_distance; // of each vertex; 0 where there is no back sheet
+  // to its copy, for a distance of one: behind the facets, and beyond the border
+  std::vector<Vector_3> m_back, m_beyond;
+  std::vector<double> m_slope; // how much of the latter counts
   double m_offset;
   std::size_t m_sheets = 0;
 };

@@ -29,12 +29,17 @@ namespace internal {
 typedef Input_mesh_3::Triangle_mesh Closing_mesh;
 typedef Exact_predicates_inexact_constructions_kernel Closing_kernel;
 
-inline double length(const Closing_kernel::Vector_3& v) { return std::sqrt(v.squared_length()); }
+inline double length(const Closing_kernel::Vector_3& v)
+{
+  return std::sqrt(v.squared_length());
+}
 
 inline Closing_kernel::Vector_3 unit_normal(const Closing_mesh& mesh, Closing_mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);
-  const auto n = facet_normal(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))).direction;
+  const auto n = facet_normal(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                              mesh.point(mesh.target(mesh.next(h))))
+                   .direction;
   const Closing_kernel::Vector_3 v(n[0], n[1], n[2]);
   return v / length(v);
 }
@@ -68,11 +73,11 @@ public:
   template <typename Skip>
   double distance(const Closing_kernel::Point_3& p, const Closing_kernel::Vector_3& direction, const Skip& skip) const
   {
-    if(size() < 2) return std::numeric_limits<double>::infinity();       // a tree of one facet does not ask what to skip
+    if(size() < 2) return std::numeric_limits<double>::infinity(); // a tree of one facet does not ask what to skip
     const auto hit = first_intersection(Closing_kernel::Ray_3(p, direction), skip);
     if(!hit) return std::numeric_limits<double>::infinity();
     const auto* point = internal::get_if<Closing_kernel::Point_3>(hit->first);
-    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.;       // a ray within a facet's plane
+    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // a ray within a facet's plane
   }
 };
 

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The holes of a mesh, and triangulations of those where that is possible. In the capped mesh, facets and vertices of the mesh have the numbers that they
-// have there, and others follow.
+// The holes of a mesh, and triangulations of those where that is possible. In the capped mesh, facets and vertices of
+// the mesh have the numbers that they have there, and others follow.
 class Hole_caps
 {
   typedef Closing_mesh::Face_index Face_index;
@@ -41,8 +41,9 @@ public:
   // what caps must have, lest a back sheet serves better
   struct Requirements
   {
-    double margin;      // of the cones at the border of the hole, if those of the mesh itself have twice that
-    double gap;         // behind and in front of each facet, user units; near the border, an eighth of the distance from it is enough
+    double margin; // of the cones at the border of the hole, if those of the mesh itself have twice that
+    // behind and in front of each facet, user units; near the border, an eighth of the distance from it is enough
+    double gap;
   };
 
   explicit Hole_caps(const Closing_mesh& mesh) : m_mesh(mesh)
@@ -111,12 +112,19 @@ public:
   }
 
 private:
-  enum class Method { PLANAR, SPATIAL, FLAT_FAN, CONE, NONE };
+  enum class Method
+  {
+    PLANAR,
+    SPATIAL,
+    FLAT_FAN,
+    CONE,
+    NONE
+  };
   struct Hole
   {
-    std::vector<Halfedge_index> halfedges;                      // in their order
+    std::vector<Halfedge_index> halfedges; // in their order
     Method method = Method::PLANAR;
-    Point_3 apex;       // of a fan
+    Point_3 apex; // of a fan
     // corner i is the source of halfedge i, and the last one the apex
     std::vector<std::array<std::size_t, 3> > triangles;
   };
@@ -161,25 +169,29 @@ private:
     const std::size_t size = points.size();
     std::vector<Triple> patch;
     if(size == 3) patch.emplace_back(0, 1, 2);
-    else if(is_fan(hole) && size > most_for_fan) {}
-    else if(is_fan(hole)) {
+    else if(is_fan(hole) && size > most_for_fan) {
+    } else if(is_fan(hole)) {
       points.push_back(hole.apex = apex(hole, points));
       for(std::size_t i = 0; i < size; ++i) patch.emplace_back(int(i), int((i + 1) % size), int(size));
-    }
-    else Polygon_mesh_processing::triangulate_hole_polyline(points, beyond, std::back_inserter(patch),
-      CGAL::parameters::use_delaunay_triangulation(true).use_2d_constrained_delaunay_triangulation(hole.method == Method::PLANAR)
-                       .do_not_use_cubic_algorithm(size > most_for_cubic));
+    } else
+      Polygon_mesh_processing::triangulate_hole_polyline(
+        points, beyond, std::back_inserter(patch),
+        CGAL::parameters::use_delaunay_triangulation(true)
+          .use_2d_constrained_delaunay_triangulation(hole.method == Method::PLANAR)
+          .do_not_use_cubic_algorithm(size > most_for_cubic));
     bool is_good = patch.size() == (size > 3 && is_fan(hole) ? size : size - 2);
     for(const Triple& t : patch) is_good = is_good && !CGAL::collinear(points[t.v[0]], points[t.v[1]], points[t.v[2]]);
-    if(is_good) for(const Triple& t : patch) hole.triangles.push_back(t.v);
+    if(is_good)
+      for(const Triple& t : patch) hole.triangles.push_back(t.v);
     else hole.method = Method(int(hole.method) + 1);
     return is_good;
   }
 
   static bool is_fan(const Hole& hole) { return hole.method == Method::FLAT_FAN || hole.method == Method::CONE; }
 
-  // The middle of a hole, weighted by the lengths of edges, so that dense parts of the border count no more; for a cone, moved where the mesh leads to
-  // at the border, by half the mean distance from it. That helps where facets at the border stick out of the hole.
+  // The middle of a hole, weighted by the lengths of edges, so that dense parts of the border count no more; for a
+  // cone, moved where the mesh leads to at the border, by half the mean distance from it. That helps where facets at
+  // the border stick out of the hole.
   Point_3 apex(const Hole& hole, const std::vector<Point_3>& points) const
   {
     Closing_kernel::Vector_3 sum(0, 0, 0), outwards(0, 0, 0);
@@ -197,7 +209,8 @@ private:
     return middle + radius / 2 / weight * outwards;
   }
 
-  // The mesh with the caps that are left. A cap with an edge that the mesh, or a cap before, has, too, cannot be added: it is given up.
+  // The mesh with the caps that are left. A cap with an edge that the mesh, or a cap before, has, too, cannot be added:
+  // it is given up.
   void rebuild()
   {
     bool is_complete;
@@ -213,7 +226,8 @@ private:
         for(const auto& t : hole.triangles)
           for(int i = 0; i < 3; ++i) {
             const std::size_t p = t[i], q = t[(i + 1) % 3];
-            if(p < size && q < size && q != (p + 1) % size && m_capped.halfedge(vertices[p], vertices[q]) != Closing_mesh::null_halfedge())
+            if(p < size && q < size && q != (p + 1) % size
+               && m_capped.halfedge(vertices[p], vertices[q]) != Closing_mesh::null_halfedge())
               hole.method = Method::NONE;
           }
         if(hole.method == Method::NONE) hole.triangles.clear();
@@ -253,13 +267,14 @@ private:
     for(const Point_3& p : t) to_border = (std::min)(to_border, std::sqrt(CGAL::squared_distance(p, center)));
     const Closing_kernel::Vector_3 normal = unit_normal(m_capped, f);
     const auto is_facet = [&](Face_index g) { return g == f; };
-    return { (std::min)(tree.distance(center, -normal, is_facet), tree.distance(center, normal, is_facet)), (std::min)(gap, to_border / 8) };
+    return { (std::min)(tree.distance(center, -normal, is_facet), tree.distance(center, normal, is_facet)),
+             (std::min)(gap, to_border / 8) };
   }
 
   const Closing_mesh& m_mesh;
   Closing_mesh m_capped;
   std::vector<Hole> m_holes;
-  std::vector<std::size_t> m_hole_of;         // of facets of caps
+  std::vector<std::size_t> m_hole_of; // of facets of caps
   double m_least_gap = std::numeric_limits<double>::infinity();
 };
 

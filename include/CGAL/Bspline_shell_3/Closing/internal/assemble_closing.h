@@ -28,8 +28,8 @@ struct Assembled_closing
   std::vector<Back_sheet::Triangle> triangles;
 };
 
-// The triangles of caps and back sheet, in an order in which each has an edge on the border of the mesh, or one with a triangle before: so they can be
-// added to the mesh one by one.
+// The triangles of caps and back sheet, in an order in which each has an edge on the border of the mesh, or one with a
+// triangle before: so they can be added to the mesh one by one.
 inline Assembled_closing assemble_closing(const Closing_mesh& mesh, const Hole_caps& caps, const Back_sheet& back)
 {
   const Closing_mesh& capped = caps.capped_mesh();
@@ -37,12 +37,13 @@ inline Assembled_closing assemble_closing(const Closing_mesh& mesh, const Hole_c
   for(auto f : capped.faces())
     if(caps.is_cap(f)) {
       const auto h = capped.halfedge(f);
-      all.push_back({ std::size_t(capped.source(h)), std::size_t(capped.target(h)), std::size_t(capped.target(capped.next(h))) });
+      all.push_back(
+        { std::size_t(capped.source(h)), std::size_t(capped.target(h)), std::size_t(capped.target(capped.next(h))) });
     }
   const std::size_t number_of_caps = all.size();
   all.insert(all.end(), back.triangles().begin(), back.triangles().end());
   const auto key = [](std::size_t p, std::size_t q) { return std::uint64_t(p) << 32 | q; };
-  std::unordered_map<std::uint64_t, std::size_t> triangle_at;       // by directed edge
+  std::unordered_map<std::uint64_t, std::size_t> triangle_at; // by directed edge
   for(std::size_t n = 0; n < all.size(); ++n)
     for(int i = 0; i < 3; ++i) triangle_at.emplace(key(all[n][i], all[n][(i + 1) % 3]), n);
 

@@ -26,11 +26,12 @@ template <typename Point>
 struct Allowed_places
 {
   bool are_all = false;
-  std::vector<Point> places;        // unless all are
+  std::vector<Point> places; // unless all are
 };
 
-// Which edges may be collapsed, and where to, because of constrained edges and frozen facets. Vertices of constrained edges stay where they are. If
-// constrained edges are not protected, they are collapsed along themselves, at vertices where exactly two of them meet.
+// Which edges may be collapsed, and where to, because of constrained edges and frozen facets. Vertices of constrained
+// edges stay where they are. If constrained edges are not protected, they are collapsed along themselves, at vertices
+// where exactly two of them meet.
 //
 // `Merges` tells whether that may be asked for; the map must be writable, then.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, bool Merges>
@@ -50,12 +51,13 @@ public:
     : m_mesh(mesh), m_vpm(vpm), m_constrained(constrained), m_protects(protects || !Merges), m_frozen(frozen)
   {}
 
-  // Edges that CGAL must not even consider. It collapses edges of length zero without asking for a place, and so what is constrained beside these
-  // is not collapsed before them.
+  // Edges that CGAL must not even consider. It collapses edges of length zero without asking for a place, and so what
+  // is constrained beside these is not collapsed before them.
   bool is_kept(edge_descriptor e) const
   {
     return m_frozen.has_edge(e)
-        || (get(m_constrained, e) && (m_protects || has_zero_edge(source(e, m_mesh)) || has_zero_edge(target(e, m_mesh))));
+           || (get(m_constrained, e)
+               && (m_protects || has_zero_edge(source(e, m_mesh)) || has_zero_edge(target(e, m_mesh))));
   }
 
   template <typename Profile>
@@ -79,7 +81,9 @@ public:
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());
     // two sides of a facet become one: at most one of them is constrained
-    if(is_along && (are_both_constrained(profile.vL_v0(), profile.v1_vL()) || are_both_constrained(profile.vR_v1(), profile.v0_vR())))
+    if(is_along
+       && (are_both_constrained(profile.vL_v0(), profile.v1_vL())
+           || are_both_constrained(profile.vR_v1(), profile.v0_vR())))
       return allowed;
     if(is_along ? number_1 == 2 : number_1 == 0) allowed.places.push_back(profile.p0());
     if(is_along ? number_0 == 2 : number_0 == 0) allowed.places.push_back(profile.p1());
@@ -110,7 +114,10 @@ public:
 
 private:
   bool is_constrained(halfedge_descriptor h) const { return get(m_constrained, edge(h, m_mesh)); }
-  bool are_both_constrained(halfedge_descriptor g, halfedge_descriptor h) const { return is_constrained(g) && is_constrained(h); }
+  bool are_both_constrained(halfedge_descriptor g, halfedge_descriptor h) const
+  {
+    return is_constrained(g) && is_constrained(h);
+  }
 
   std::size_t number_of_constrained_edges(vertex_descriptor v) const
   {
@@ -123,7 +130,8 @@ private:
   bool has_zero_edge(vertex_descriptor v) const
   {
     const auto around = CGAL::halfedges_around_target(v, m_mesh);
-    return std::any_of(around.begin(), around.end(), [&](halfedge_descriptor h) { return get(m_vpm, source(h, m_mesh)) == get(m_vpm, v); });
+    return std::any_of(around.begin(), around.end(),
+                       [&](halfedge_descriptor h) { return get(m_vpm, source(h, m_mesh)) == get(m_vpm, v); });
   }
 
   // whether one of them was constrained
@@ -137,14 +145,17 @@ private:
       }
     return was_constrained;
   }
-  void constrain(vertex_descriptor v, vertex_descriptor w) { put(m_constrained, edge(halfedge(v, w, m_mesh).first, m_mesh), true); }
+  void constrain(vertex_descriptor v, vertex_descriptor w)
+  {
+    put(m_constrained, edge(halfedge(v, w, m_mesh).first, m_mesh), true);
+  }
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_vpm;
   EdgeIsConstrainedMap m_constrained;
   bool m_protects;
   Frozen_facets<TriangleMesh>& m_frozen;
-  bool m_is_left_constrained = false, m_is_right_constrained = false;       // during a collapse
+  bool m_is_left_constrained = false, m_is_right_constrained = false; // during a collapse
 };
 
 // the edges that CGAL must not consider, as a property map

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Facets of a mesh that edits leave alone, with their vertices and edges. So they keep their descriptors. Those that close the mesh leave more freedom:
-// what is collapsed into their vertices.
+// Facets of a mesh that edits leave alone, with their vertices and edges. So they keep their descriptors. Those that
+// close the mesh leave more freedom: what is collapsed into their vertices.
 template <typename TriangleMesh>
 class Frozen_facets
 {
@@ -59,7 +59,8 @@ public:
     const auto h = halfedge(e, *m_mesh);
     return closes(face(h, *m_mesh)) && closes(face(opposite(h, *m_mesh), *m_mesh));
   }
-  // whether a vertex stays where it is because a facet at it closes the mesh. An edge to it may be collapsed, so that its place has another vertex.
+  // whether a vertex stays where it is because a facet at it closes the mesh. An edge to it may be collapsed, so that
+  // its place has another vertex.
   bool is_fixed(vertex_descriptor v) const { return !m_closing.empty() && m_fixed.count(v) > 0; }
   // an edge collapse has put `v` in the place of `w`
   void replace(vertex_descriptor w, vertex_descriptor v)
@@ -73,7 +74,10 @@ public:
     const face_descriptor f = face(h, *m_mesh), g = face(opposite(h, *m_mesh), *m_mesh);
     return has_facet(f) || has_facet(g) || closes(f) || closes(g);
   }
-  bool has_end_of(edge_descriptor e) const { return !empty() && (has_vertex(source(e, *m_mesh)) || has_vertex(target(e, *m_mesh))); }
+  bool has_end_of(edge_descriptor e) const
+  {
+    return !empty() && (has_vertex(source(e, *m_mesh)) || has_vertex(target(e, *m_mesh)));
+  }
 
 private:
   const TriangleMesh* m_mesh;

@@ -41,13 +41,14 @@ namespace internal {
 
 // Splits, collapses, flips and moves, each only if the oracle accepts all facets that change.
 //
-// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At the others, one or two facets are replaced by one or
-// two, between the same two edges: they turn by less than a whole turn before and after, and by the same angle but for whole
-// turns. (Collapses: see Shell_filter.)
+// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At the others, one or two facets
+// are replaced by one or two, between the same two edges: they turn by less than a whole turn before and after, and by
+// the same angle but for whole turns. (Collapses: see Shell_filter.)
 //
-// Edges are dealt with in an order that depends on lengths, and among equal ones on the order of the mesh, never on addresses.
-template <typename TriangleMesh, typename VertexPointMap, typename Oracle, typename Sizing, typename EdgeIsConstrainedMap,
-          typename VertexIsConstrainedMap>
+// Edges are dealt with in an order that depends on lengths, and among equal ones on the order of the mesh, never on
+// addresses.
+template <typename TriangleMesh, typename VertexPointMap, typename Oracle, typename Sizing,
+          typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap>
 class Shell_remesher
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -63,11 +64,12 @@ class Shell_remesher
 public:
   Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
                  const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
-                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints, const std::vector<vertex_descriptor>& old_vertices,
-                 Remeshing_report& report)
-    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen), m_edge_is_constrained(edge_is_constrained)
-    , m_vertex_is_constrained(vertex_is_constrained), m_protect_constraints(protect_constraints), m_report(report)
-    , m_key(get(dynamic_edge_property_t<Key>(), mesh)), m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+                 VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
+                 const std::vector<vertex_descriptor>& old_vertices, Remeshing_report& report)
+    : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen),
+      m_edge_is_constrained(edge_is_constrained), m_vertex_is_constrained(vertex_is_constrained),
+      m_protect_constraints(protect_constraints), m_report(report), m_key(get(dynamic_edge_property_t<Key>(), mesh)),
+      m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
     for(vertex_descriptor v : vertices(mesh)) put(m_first_old, v, none);
     for(vertex_descriptor v : old_vertices) {
@@ -94,7 +96,7 @@ public:
 
   void split_long_edges()
   {
-    m_rejected_before = m_report.placements.rejected();       // splits and collapses begin here
+    m_rejected_before = m_report.placements.rejected(); // splits and collapses begin here
     Queue queue;
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
@@ -117,7 +119,8 @@ public:
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
       remove(queue, e);
-      if(m_frozen.has_end_of(e) || m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
+      if(m_frozen.has_end_of(e) || m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e)))
+        return;
       const double length = relative_length(h);
       if(length < shortest) insert(queue, length, h);
     };
@@ -128,9 +131,9 @@ public:
       queue.erase(queue.begin());
       put(m_key, edge(h, m_mesh), Key());
       // with the edge, one of the two others of each of its facets vanishes
-      const std::array<edge_descriptor, 4> sides = {{ edge(next(h, m_mesh), m_mesh), edge(prev(h, m_mesh), m_mesh),
-                                                      edge(next(opposite(h, m_mesh), m_mesh), m_mesh),
-                                                      edge(prev(opposite(h, m_mesh), m_mesh), m_mesh) }};
+      const std::array<edge_descriptor, 4> sides = { { edge(next(h, m_mesh), m_mesh), edge(prev(h, m_mesh), m_mesh),
+                                                       edge(next(opposite(h, m_mesh), m_mesh), m_mesh),
+                                                       edge(prev(opposite(h, m_mesh), m_mesh), m_mesh) } };
       Point p;
       if(!find_place_to_collapse_to(h, p)) continue;
       for(edge_descriptor e : sides) remove(queue, e);
@@ -153,7 +156,9 @@ public:
   void flip_to_regular_valences()
   {
     m_has_rejected = m_report.placements.rejected() > m_rejected_before;
-    const auto deviation = [&](vertex_descriptor v, int change) { return std::abs(int(degree(v, m_mesh)) + change - 6); };
+    const auto deviation = [&](vertex_descriptor v, int change) {
+      return std::abs(int(degree(v, m_mesh)) + change - 6);
+    };
     for(edge_descriptor e : edges(m_mesh)) {
       const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
       const int before = deviation(q.a, 0) + deviation(q.b, 0) + deviation(q.c, 0) + deviation(q.d, 0);
@@ -176,8 +181,9 @@ public:
     }
   }
 
-  // Moves vertices towards the centroids of their facets, within the tangent plane; along sharp edges only within these, and not at corners.
-  // Then `project` may change the place. Vertices that share no edge are moved at the same time.
+  // Moves vertices towards the centroids of their facets, within the tangent plane; along sharp edges only within
+  // these, and not at corners. Then `project` may change the place. Vertices that share no edge are moved at the same
+  // time.
   template <typename ConcurrencyTag, typename Projection>
   void relax(const Projection& project)
   {
@@ -214,18 +220,21 @@ private:
   struct Quadrilateral
   {
     Quadrilateral(halfedge_descriptor h, const TriangleMesh& mesh)
-      : a(source(h, mesh)), b(target(h, mesh)), c(target(next(h, mesh), mesh)), d(target(next(opposite(h, mesh), mesh), mesh))
+      : a(source(h, mesh)), b(target(h, mesh)), c(target(next(h, mesh), mesh)),
+        d(target(next(opposite(h, mesh), mesh), mesh))
     {}
     vertex_descriptor a, b, c, d;
   };
 
-  static constexpr double longest = 4. / 3, shortest = 4. / 5;      // edges, relative to the target length
-  static constexpr double least_shrinkage = 0.9;      // ratio of new edges to the one that is split
-  static constexpr double regular_quality = 0.3;      // that a flip towards regular valences must leave, if it was better before
-  static constexpr double good_quality = 0.7;         // that a move must leave, if it was better before
-  static constexpr double least_gain = 1.01;          // of quality, by a flip
-  static constexpr std::array<double, 3> parts_of_moves = {{ 1, 0.5, 0.25 }};       // that are tried
-  static constexpr double sharp = 0.05;               // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
+  static constexpr double longest = 4. / 3, shortest = 4. / 5; // edges, relative to the target length
+  static constexpr double least_shrinkage = 0.9;               // ratio of new edges to the one that is split
+  // that a flip towards regular valences must leave, if it was better before
+  static constexpr double regular_quality = 0.3;
+  static constexpr double good_quality = 0.7; // that a move must leave, if it was better before
+  static constexpr double least_gain = 1.01;  // of quality, by a flip
+  static constexpr std::array<double, 3> parts_of_moves = { { 1, 0.5, 0.25 } }; // that are tried
+  // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
+  static constexpr double sharp = 0.05;
 
   // a reference, or a point, as the map has it
   decltype(auto) point(vertex_descriptor v) const { return get(m_vpm, v); }
@@ -264,12 +273,14 @@ private:
   }
   bool is_fixed(vertex_descriptor v) const
   {
-    return m_frozen.has_vertex(v) || m_frozen.is_fixed(v) || get(m_vertex_is_constrained, v) || number_of_constrained_edges(v) > 0;
+    return m_frozen.has_vertex(v) || m_frozen.is_fixed(v) || get(m_vertex_is_constrained, v)
+           || number_of_constrained_edges(v) > 0;
   }
   // whether constrained edges pass through it, so that it may vanish with one of them
   bool is_passed(vertex_descriptor v) const
   {
-    return !m_protect_constraints && !m_frozen.is_fixed(v) && !get(m_vertex_is_constrained, v) && number_of_constrained_edges(v) == 2;
+    return !m_protect_constraints && !m_frozen.is_fixed(v) && !get(m_vertex_is_constrained, v)
+           && number_of_constrained_edges(v) == 2;
   }
 
   // twice the inradius divided by the circumradius, with the sign of the facet's side
@@ -290,7 +301,8 @@ private:
   static double quality_of_star(const Point& p, const Link& link)
   {
     double least = 1;
-    for(std::size_t n = 0; n < link.size(); ++n) least = (std::min)(least, quality(p, link[n], link[(n + 1) % link.size()]));
+    for(std::size_t n = 0; n < link.size(); ++n)
+      least = (std::min)(least, quality(p, link[n], link[(n + 1) % link.size()]));
     return least;
   }
 
@@ -300,7 +312,8 @@ private:
     double least = 1;
     for(halfedge_descriptor end : { h, opposite(h, m_mesh) })
       for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g))
-        least = (std::min)(least, quality(point(target(g, m_mesh)), point(source(g, m_mesh)), point(source(turn(g), m_mesh))));
+        least = (std::min)(least,
+                           quality(point(target(g, m_mesh)), point(source(g, m_mesh)), point(source(turn(g), m_mesh))));
     return least;
   }
 
@@ -337,8 +350,8 @@ private:
       for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g)) m_link.push_back(point(source(g, m_mesh)));
   }
 
-  // Large facets may need more effort than the oracle makes for a whole star. Four facets around a vertex, less than half a turn each, wind
-  // once in any case.
+  // Large facets may need more effort than the oracle makes for a whole star. Four facets around a vertex, less than
+  // half a turn each, wind once in any case.
   bool may_split_at(const Point& p)
   {
     if(judge(p) == Placement_verdict::ACCEPTED) return true;
@@ -353,10 +366,11 @@ private:
     const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
     m_link = { point(q.b), point(q.c), point(q.a), point(q.d) };
     Point p = CGAL::midpoint(point(q.a), point(q.b));
-    // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no shorter than
-    // they were, for ever.
+    // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no
+    // shorter than they were, for ever.
     const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
-    if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b))) return Graph_traits::null_vertex();
+    if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b)))
+      return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
     if(!may_split_at(p)) {
       const auto level = m_oracle.level_between(point(q.a), point(q.b));
@@ -371,7 +385,8 @@ private:
     // a map may have any value for edges that are new, unless it is told
     set_constrained(edge(half, m_mesh), is_constrained);
     set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
-    set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh), false);
+    set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh),
+                    false);
     ++m_report.splits;
     return v;
   }
@@ -401,8 +416,8 @@ private:
     return length > 0 ? n / length : n;
   }
 
-  // Where the edge may be collapsed to: an end, the one where the mesh is sharper before the other, or the middle. The halfedge is turned so that its
-  // target is the vertex to keep.
+  // Where the edge may be collapsed to: an end, the one where the mesh is sharper before the other, or the middle. The
+  // halfedge is turned so that its target is the vertex to keep.
   bool find_place_to_collapse_to(halfedge_descriptor& h, Point& p)
   {
     if(!Euler::does_satisfy_link_condition(edge(h, m_mesh), m_mesh)) return false;
@@ -410,22 +425,28 @@ private:
     const auto must_stay = [&](vertex_descriptor v) { return is_constrained ? !is_passed(v) : is_fixed(v); };
     const bool is_source_fixed = must_stay(source(h, m_mesh)), is_target_fixed = must_stay(target(h, m_mesh));
     if(is_source_fixed && is_target_fixed) return false;
-    if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh)))) h = opposite(h, m_mesh);
+    if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh))))
+      h = opposite(h, m_mesh);
     // two sides of a facet become one: at most one of them is constrained
     for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
-      if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh)) && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh))) return false;
+      if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh))
+         && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh)))
+        return false;
     // the vertex that is kept is the target, and it matters which one that is
     if(halfedge(edge(h, m_mesh), m_mesh) != h) return false;
     find_link(h);
     const Point &a = point(source(h, m_mesh)), &b = point(target(h, m_mesh));
-    const std::array<Point, 3> places = {{ b, a, CGAL::midpoint(a, b) }};
+    const std::array<Point, 3> places = { { b, a, CGAL::midpoint(a, b) } };
     const std::size_t number = is_source_fixed || is_target_fixed || is_constrained ? 1 : places.size();
     const double before = (std::min)(quality_around(h), regular_quality);
     for(std::size_t n = 0; n < number; ++n) {
       const bool is_short = std::all_of(m_link.begin(), m_link.end(), [&](const Point& q) {
         return std::sqrt(CGAL::squared_distance(places[n], q)) <= longest * m_sizing(CGAL::midpoint(places[n], q));
       });
-      if(is_short && quality_of_star(places[n], m_link) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) { p = places[n]; return true; }
+      if(is_short && quality_of_star(places[n], m_link) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) {
+        p = places[n];
+        return true;
+      }
     }
     return false;
   }
@@ -452,21 +473,22 @@ private:
   // if the facets get better than `least`
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
-    if(m_frozen.has_edge(edge(h, m_mesh)) || get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3 || degree(q.b, m_mesh) <= 3
-       || halfedge(q.c, q.d, m_mesh).second)
+    if(m_frozen.has_edge(edge(h, m_mesh)) || get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3
+       || degree(q.b, m_mesh) <= 3 || halfedge(q.c, q.d, m_mesh).second)
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
     if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;
     // edges that are sharp stay, and no facets get across them
     if(unit_normal(a, b, c) * unit_normal(b, a, d) < least_cosine) return false;
-    for(const auto& facet : { std::array<Point, 3>{{ a, d, c }}, std::array<Point, 3>{{ d, b, c }} })
+    for(const auto& facet : { std::array<Point, 3>{ { a, d, c } }, std::array<Point, 3>{ { d, b, c } } })
       if(count(m_oracle(facet[0], facet[1], facet[2])) != Placement_verdict::ACCEPTED) return false;
     Euler::flip_edge(h, m_mesh);
     ++m_report.flips;
     return true;
   }
 
-  // The vertices that may move, in classes without edges within one: each vertex is in the first class that has none of its neighbors.
+  // The vertices that may move, in classes without edges within one: each vertex is in the first class that has none of
+  // its neighbors.
   std::vector<std::vector<vertex_descriptor> > independent_vertices() const
   {
     std::vector<std::vector<vertex_descriptor> > classes;
@@ -523,12 +545,13 @@ private:
     // directions in which no normal points: two on a smooth surface, one along an edge, none at a corner
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     for(int i = 0; i < 2; ++i)
-      if(eigen.eigenvalues()[i] < sharp) move += eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).dot(center / area);
+      if(eigen.eigenvalues()[i] < sharp)
+        move += eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).dot(center / area);
     return Vector(move[0], move[1], move[2]);
   }
 
   static constexpr std::size_t none = std::size_t(-1);
-  static constexpr double least_cosine = 0.9;         // between facets of which the edge may be flipped
+  static constexpr double least_cosine = 0.9; // between facets of which the edge may be flipped
 
   TriangleMesh& m_mesh;
   VertexPointMap m_vpm;
@@ -542,8 +565,9 @@ private:
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Key> >::type m_key;
   std::size_t m_serial = 0;
   std::size_t m_rejected_before = 0;
-  bool m_has_rejected = false;        // whether the oracle rejected a split or a collapse in the last iteration
-  // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one the next
+  bool m_has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
+  // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one
+  // the next
   typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first_old;
   std::vector<std::size_t> m_next_old;
   Link m_link;

@@ -67,19 +67,22 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
 
 // an edge of length zero, or a facet with one
 template <typename TriangleMesh, typename VertexPointMap>
-bool is_zero(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& mesh, VertexPointMap vpm)
+bool is_zero(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& mesh,
+             VertexPointMap vpm)
 {
   return get(vpm, source(h, mesh)) == get(vpm, target(h, mesh));
 }
 template <typename TriangleMesh, typename VertexPointMap>
-bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& mesh, VertexPointMap vpm)
+bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& mesh,
+                   VertexPointMap vpm)
 {
   const auto h = halfedge(f, mesh);
   return is_zero(h, mesh, vpm) || is_zero(next(h, mesh), mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
 }
 
-// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once. Frozen facets, and fans that
-// have some, do not count, nor fans at a border, nor, on request, facets with an edge of length zero.
+// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once.
+// Frozen facets, and fans that have some, do not count, nor fans at a border, nor, on request, facets with an edge of
+// length zero.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
 Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
                                                  const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,
@@ -99,11 +102,14 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   std::vector<char> is_good(facets.size(), 1);
   for_each_chunk<ConcurrencyTag>(facets.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
-      if(frozen.has_facet(facets[n]) || frozen.closes(facets[n]) || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm))) continue;
+      if(frozen.has_facet(facets[n]) || frozen.closes(facets[n])
+         || (are_zero_edges_allowed && has_zero_edge(facets[n], mesh, vpm)))
+        continue;
       const auto h = halfedge(facets[n], mesh);
       const auto p = source(h, mesh), q = target(h, mesh), r = target(next(h, mesh), mesh);
-      is_good[n] = oracle(get(vpm, p), get(vpm, q), get(vpm, r), { samples[get(number, p)], samples[get(number, q)], samples[get(number, r)] })
-                     == Placement_verdict::ACCEPTED;
+      is_good[n] = oracle(get(vpm, p), get(vpm, q), get(vpm, r),
+                          { samples[get(number, p)], samples[get(number, q)], samples[get(number, r)] })
+                   == Placement_verdict::ACCEPTED;
     }
   });
   Frozen_facets<TriangleMesh> rejected(mesh);
@@ -112,23 +118,25 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
       offenders.facets.push_back(n);
       rejected.freeze(facets[n]);
     }
-  const auto folded = collect_from_chunks<ConcurrencyTag, std::size_t>(all.size(), chunk, [&](std::size_t begin, std::size_t end, auto& found) {
-    std::vector<Point> link;
-    for(std::size_t n = begin; n < end; ++n) {
-      const auto v = all[n];
-      if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v)) continue;
-      if(CGAL::is_border(v, mesh) || frozen.is_fixed(v)) continue;
-      link.clear();
-      bool is_degenerate = false;
-      for(auto h : CGAL::halfedges_around_target(v, mesh)) {
-        link.push_back(get(vpm, source(h, mesh)));
-        is_degenerate = is_degenerate || is_zero(h, mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
+  const auto folded = collect_from_chunks<ConcurrencyTag, std::size_t>(
+    all.size(), chunk, [&](std::size_t begin, std::size_t end, auto& found) {
+      std::vector<Point> link;
+      for(std::size_t n = begin; n < end; ++n) {
+        const auto v = all[n];
+        if(halfedge(v, mesh) == Graph_traits::null_halfedge() || frozen.has_vertex(v) || rejected.has_vertex(v))
+          continue;
+        if(CGAL::is_border(v, mesh) || frozen.is_fixed(v)) continue;
+        link.clear();
+        bool is_degenerate = false;
+        for(auto h : CGAL::halfedges_around_target(v, mesh)) {
+          link.push_back(get(vpm, source(h, mesh)));
+          is_degenerate = is_degenerate || is_zero(h, mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
+        }
+        if(is_degenerate) continue;
+        std::reverse(link.begin(), link.end());
+        if(oracle.winding_number(get(vpm, v), samples[n], link) != 1) found.push_back(n);
       }
-      if(is_degenerate) continue;
-      std::reverse(link.begin(), link.end());
-      if(oracle.winding_number(get(vpm, v), samples[n], link) != 1) found.push_back(n);
-    }
-  });
+    });
   offenders.vertices.insert(offenders.vertices.end(), folded.begin(), folded.end());
   for(std::size_t n : folded)
     for(auto f : CGAL::faces_around_target(halfedge(all[n], mesh), mesh)) rejected.freeze(f);
@@ -139,7 +147,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
 template <typename TriangleMesh, typename VertexPointMap>
 void freeze_zero_edges(const TriangleMesh& mesh, VertexPointMap vpm, Frozen_facets<TriangleMesh>& frozen)
 {
-  for(bool has_grown = true; has_grown; ) {
+  for(bool has_grown = true; has_grown;) {
     has_grown = false;
     for(auto e : edges(mesh)) {
       const auto h = halfedge(e, mesh);
@@ -165,14 +173,15 @@ public:
       m_facets.push_back(f);
       m_positions.push_back(n);
       const auto h = halfedge(f, mesh);
-      m_corners.push_back({ get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)) });
+      m_corners.push_back(
+        { get(vpm, source(h, mesh)), get(vpm, target(h, mesh)), get(vpm, target(next(h, mesh), mesh)) });
     }
   }
 
   const std::vector<std::size_t>& positions() const { return m_positions; }
 
-  // Whether all facets are what they were in another state; `numbers` are their positions now, in the order that they had then. The order of facets
-  // may change where a mesh uses the places of removed ones.
+  // Whether all facets are what they were in another state; `numbers` are their positions now, in the order that they
+  // had then. The order of facets may change where a mesh uses the places of removed ones.
   bool is_as(const Frozen_state& before, std::vector<std::size_t>& numbers) const
   {
     std::unordered_map<face_descriptor, std::size_t> now;
@@ -197,8 +206,9 @@ void assign(const TriangleMesh& before, TriangleMesh& mesh)
   mesh = before;
 }
 
-// Assigned to, a Surface_mesh would replace its properties: maps of the caller's would dangle, and those that are dynamic would remove others when
-// they go. So it is emptied, and filled again. \pre `before` is a copy of what the mesh was
+// Assigned to, a Surface_mesh would replace its properties: maps of the caller's would dangle, and those that are
+// dynamic would remove others when they go. So it is emptied, and filled again.
+// \pre `before` is a copy of what the mesh was
 template <typename Point>
 void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
 {
@@ -221,14 +231,15 @@ void restore(const TriangleMesh& before, const std::vector<Point>& points, Trian
   }
 }
 
-// What a map says of the edges of a mesh, for when these are edited, and restored: maps that are not part of the mesh do not come back with it. Maps
-// that cannot be written to need no care.
+// What a map says of the edges of a mesh, for when these are edited, and restored: maps that are not part of the mesh
+// do not come back with it. Maps that cannot be written to need no care.
 template <typename TriangleMesh, typename EdgeIsConstrainedMap>
 class Constraints_before
 {
   typedef boost::property_traits<EdgeIsConstrainedMap> Traits;
-  static constexpr bool is_writable = std::is_convertible<typename Traits::category, boost::writable_property_map_tag>::value
-                                   && !std::is_const<std::remove_reference_t<typename Traits::reference> >::value;
+  static constexpr bool is_writable =
+    std::is_convertible<typename Traits::category, boost::writable_property_map_tag>::value
+    && !std::is_const<std::remove_reference_t<typename Traits::reference> >::value;
 public:
   Constraints_before(const TriangleMesh& mesh, EdgeIsConstrainedMap map) : m_map(map)
   {
@@ -253,12 +264,14 @@ public:
 
 private:
   EdgeIsConstrainedMap m_map;
-  std::vector<char> m_values;       // in the order of edges(mesh)
+  std::vector<char> m_values; // in the order of edges(mesh)
 };
 
 // where the integral curves through points meet a mesh
-template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh, typename VertexPointMap>
-void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm, Result& result)
+template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh,
+          typename VertexPointMap>
+void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm,
+            Result& result)
 {
   for(const auto& image : project_points<ConcurrencyTag>(shell, points, mesh, CGAL::parameters::vertex_point_map(vpm)))
     result.locations.push_back(image.location);
@@ -280,7 +293,7 @@ public:
     const auto in_mesh = truncation.match(mesh, vpm);
     const auto none_there = boost::graph_traits<TriangleMesh>::null_halfedge();
     const auto is_there = [&](std::size_t f) { return in_mesh[f] != none_there; };
-    std::unordered_map<vertex_descriptor, std::size_t> disc_of;       // by center
+    std::unordered_map<vertex_descriptor, std::size_t> disc_of; // by center
     for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
       const std::size_t f = truncation.discs()[d].facets.front();
       if(!is_there(f)) continue;
@@ -371,7 +384,10 @@ public:
     m_attached = std::move(*attached);
     return true;
   }
-  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const { return m_attached.faces; }
+  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const
+  {
+    return m_attached.faces;
+  }
   void open()
   {
     Shell_closing_3::detach(m_mesh, m_attached);
@@ -383,26 +399,34 @@ public:
 private:
   typedef Shell_closing_3::Attached<TriangleMesh> Attached;
   TriangleMesh& m_mesh;
-  Attached m_attached;        // nothing if the mesh is as it was
+  Attached m_attached; // nothing if the mesh is as it was
 };
 
-// Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they are.
+// Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they
+// are.
 template <typename TriangleMesh>
-bool is_restored_in_place(const TriangleMesh&) { return false; }
+bool is_restored_in_place(const TriangleMesh&)
+{
+  return false;
+}
 template <typename Point>
-bool is_restored_in_place(const Surface_mesh<Point>& mesh) { return !mesh.has_garbage(); }
+bool is_restored_in_place(const Surface_mesh<Point>& mesh)
+{
+  return !mesh.has_garbage();
+}
 
-// Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and all others accepted.
-// `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be undone, or success; properties that it attaches
-// to the mesh must be gone when it returns. `all` has a vertex for each that the mesh had: itself, or, where the mesh was truncated first, as the
-// shell does it, one nearby. While it runs, an open mesh is closed by what closes it in the shell; `frozen` has these facets.
+// Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and
+// all others accepted. `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be
+// undone, or success; properties that it attaches to the mesh must be gone when it returns. `all` has a vertex for each
+// that the mesh had: itself, or, where the mesh was truncated first, as the shell does it, one nearby. While it runs,
+// an open mesh is closed by what closes it in the shell; `frozen` has these facets.
 // \pre `check_before_edits()` accepts the mesh
 // \param proofs which of the facets that the oracle accepts are proved. All of them are where facets may be frozen.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
-          typename NamedParameters, typename Result, typename Edit>
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
+          typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
-                             const Bspline_shell_3<Field, Threshold>& shell, Facet_proofs proofs, const NamedParameters& np, Result& result,
-                             const Edit& edit)
+                             const Bspline_shell_3<Field, Threshold>& shell, Facet_proofs proofs,
+                             const NamedParameters& np, Result& result, const Edit& edit)
 {
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   typedef Frozen_facets<TriangleMesh> Frozen;
@@ -414,7 +438,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     seconds = timer.time();
     timer.reset();
   };
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
 
   const TriangleMesh before(mesh);
   std::vector<Point> points;
@@ -434,8 +458,9 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return status;
   };
   try {
-    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
-    std::vector<std::array<double, 3> > traced;       // points of the shell from which vertices are located
+    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(),
+                                                                                   vertices(mesh).end());
+    std::vector<std::array<double, 3> > traced; // points of the shell from which vertices are located
     Mesh_truncated_for_edit<TriangleMesh> truncated;
     if(shell.truncation()) {
       if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
@@ -445,7 +470,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     const bool is_truncated = truncated.is_truncated();
 
     const Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag> oracle(shell, proofs);
-    Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true, result.offending_simplices);
+    Frozen frozen = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, Frozen(mesh), true,
+                                                         result.offending_simplices);
     if(is_truncated) result.offending_simplices = truncated.before(mesh, result.offending_simplices);
     if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
     lap(result.check_seconds);
@@ -467,17 +493,20 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
 
     Offending_simplices others;
     bool are_others_accepted = true;
-    if(!frozen.empty()) are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
+    if(!frozen.empty())
+      are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
     closed.open();
     result.facets = faces(mesh).size();
     Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
     const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
     result.certificate = certificate.report();
-    // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others must
-    // still be accepted, and the mesh must have the border that it had.
-    const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm).is_as(frozen_before, result.frozen_facets);
-    const bool is_proved = certified || (!frozen.empty() && are_kept && are_others_accepted
-                                         && has_border_of_shell(mesh, vpm, shell));
+    // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others
+    // must still be accepted, and the mesh must have the border that it had.
+    const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm)
+                            .is_as(frozen_before, result.frozen_facets);
+    const bool is_proved = certified
+                           || (!frozen.empty() && are_kept && are_others_accepted
+                               && has_border_of_shell(mesh, vpm, shell));
     lap(result.certificate_seconds);
     if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
     // not compiled for those who do not ask
@@ -490,25 +519,27 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
-  } catch(...) {      // thrown by a function of the caller's, or memory is exhausted
+  } catch(...) { // thrown by a function of the caller's, or memory is exhausted
     undone(Edit_status::NOT_CERTIFIED);
     throw;
   }
 }
 
-// Whether a certificate failed by what it says of the shell. That is examined only if the shell contains the mesh, and no edit changes it.
+// Whether a certificate failed by what it says of the shell. That is examined only if the shell contains the mesh, and
+// no edit changes it.
 inline bool is_shell_at_fault(const Certificate_report& report)
 {
   return report.verdict(Claim::CONTAINMENT) == Verdict::PROVED && report.verdict(Claim::GRADIENT) != Verdict::PROVED;
 }
 
-// The same, with proofs only where facets are doubtful, if `may_repeat`. The certificate decides; if it fails, all is undone, and done again
-// with all proofs, unless the shell is at fault: that must not harm what others know of the mesh, and `edit` must do the same when it is called again.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Field, typename Threshold,
-          typename NamedParameters, typename Result, typename Edit>
+// The same, with proofs only where facets are doubtful, if `may_repeat`. The certificate decides; if it fails, all is
+// undone, and done again with all proofs, unless the shell is at fault: that must not harm what others know of the
+// mesh, and `edit` must do the same when it is called again.
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
+          typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
-                             const Bspline_shell_3<Field, Threshold>& shell, bool may_repeat, const NamedParameters& np, Result& result,
-                             const Edit& edit)
+                             const Bspline_shell_3<Field, Threshold>& shell, bool may_repeat, const NamedParameters& np,
+                             Result& result, const Edit& edit)
 {
   const auto edited = [&](Facet_proofs proofs) {
     return edit_and_certify<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, proofs, np, result, edit);
@@ -519,7 +550,8 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   if(result.invalid_parameter) return Edit_status::INVALID_PARAMETER;
   Run run(max_seconds);
   const Run::Scope scope(&run);
-  const bool freezes = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+  const bool freezes = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
   if(!may_repeat || freezes || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
   const Result before = result;
   const Edit_status status = edited(Facet_proofs::WHERE_DOUBTFUL);

@@ -26,16 +26,18 @@ template <typename NT>
 inline void to_bernstein(NT* b)
 {
   for_each_coefficient_line([b](int, int n, auto stride) {
-    const std::array<NT, 4> r = Cubic_bspline<NT>::bernstein_coefficients({ b[n], b[n+stride], b[n+2*stride], b[n+3*stride] });
-    for(int m = 0; m < 4; ++m) b[n + m*stride] = r[std::size_t(m)];
+    const std::array<NT, 4> r = Cubic_bspline<NT>::bernstein_coefficients(
+      { b[n], b[n + stride], b[n + 2 * stride], b[n + 3 * stride] });
+    for(int m = 0; m < 4; ++m) b[n + m * stride] = r[std::size_t(m)];
   });
 }
 
-// How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps times its result, or by
-// the least number there is. Each of the three passes takes averages, with weights that sum to one, in three operations; magnitudes never
-// grow. Coefficients that depend on others are averages of up to 27 before: their products err by eps together, and there are 26 sums. Of the
-// least numbers, 27 are for the products, 3 for divisions, and one for the radius itself. Of coefficients so large that what is made of them, sums of
-// multiples, may not be finite, nothing is known.
+// How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps
+// times its result, or by the least number there is. Each of the three passes takes averages, with weights that sum to
+// one, in three operations; magnitudes never grow. Coefficients that depend on others are averages of up to 27 before:
+// their products err by eps together, and there are 26 sums. Of the least numbers, 27 are for the products, 3 for
+// divisions, and one for the radius itself. Of coefficients so large that what is made of them, sums of multiples, may
+// not be finite, nothing is known.
 inline double conversion_radius(double largest_coefficient, bool has_dependent)
 {
   constexpr double too_large = (std::numeric_limits<double>::max)() / 1024;
@@ -79,9 +81,7 @@ public:
     if(c == Field::npos) return std::nullopt;
     const auto& h = field().cell(c).second_order_jet(p).hessian;
     Eigen::Matrix3d m;
-    m << h[0], h[3], h[4],
-         h[3], h[1], h[5],
-         h[4], h[5], h[2];
+    m << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
     return m;
   }
   /// @}

@@ -39,7 +39,7 @@ public:
     for(int color = 0; color < 4; ++color) {
       std::sort(order[color].begin(), order[color].end());
       for(std::size_t n = 0; n < order[color].size(); ++n) {
-        if(n == 0 || order[color][n].first != order[color][n-1].first) m_tiles[color].emplace_back();
+        if(n == 0 || order[color][n].first != order[color][n - 1].first) m_tiles[color].emplace_back();
         m_tiles[color].back().push_back(order[color][n].second);
       }
     }

@@ -24,10 +24,10 @@ namespace Bspline_shells {
 namespace internal {
 
 // Assembles a symmetric matrix and a right-hand side, for the coefficients at all points of all levels, from 64 x 64
-// matrices of cells. Coefficients of different levels are not coupled. The matrix holds its lower triangle: column c has
-// the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). As the points of an x-row are numbered
-// consecutively, a column is 25 segments of consecutive rows, one for each offset (dj, dk), and no index is ever searched
-// for. If points are chosen, columns of others are empty.
+// matrices of cells. Coefficients of different levels are not coupled. The matrix holds its lower triangle: column c
+// has the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). As the points of an x-row are
+// numbered consecutively, a column is 25 segments of consecutive rows, one for each offset (dj, dk), and no index is
+// ever searched for. If points are chosen, columns of others are empty.
 template <typename Field>
 class Normal_equations
 {
@@ -38,8 +38,8 @@ class Normal_equations
 
   struct Segment
   {
-    Index first;              // row index of the first entry
-    std::uint32_t position;   // of that entry, from the start of the column
+    Index first;            // row index of the first entry
+    std::uint32_t position; // of that entry, from the start of the column
   };
 
   // (0, 0..3) and (1..3, -3..3)
@@ -85,7 +85,7 @@ public:
     A.resizeNonZeros(Eigen::Index(number_of_entries()));
     auto* outer = A.outerIndexPtr();
     outer[0] = 0;
-    for(Index c = 0; c < n; ++c) outer[c+1] = outer[c] + int(m_column_size[c]);
+    for(Index c = 0; c < n; ++c) outer[c + 1] = outer[c] + int(m_column_size[c]);
     for(int level = 0; level < m_field.number_of_levels(); ++level)
       for_each_chunk<ConcurrencyTag>(m_field.points(level).size(), chunk, [&](std::size_t begin, std::size_t end) {
         for(std::size_t m = begin; m < end; ++m) {
@@ -102,8 +102,8 @@ public:
   }
 
   // only the lower triangle of `local` is read
-  void add(Index cell, const Eigen::Matrix<double, 64, 64>& local, const Eigen::Matrix<double, 64, 1>& rhs,
-           Matrix& A, Vector& b) const
+  void add(Index cell, const Eigen::Matrix<double, 64, 64>& local, const Eigen::Matrix<double, 64, 1>& rhs, Matrix& A,
+           Vector& b) const
   {
     const std::array<Index, 16> rows = m_field.coefficient_rows(cell);
     double* values = A.valuePtr();
@@ -113,18 +113,19 @@ public:
         const Index column = rows[r] + i;
         if(!is_chosen(column)) continue;
         const Segment* column_segments = &m_segments[std::size_t(column) * segments];
-        const double* entry = local.data() + (4*r + i) * 64;
-        b[column] += rhs[4*r + i];
+        const double* entry = local.data() + (4 * r + i) * 64;
+        b[column] += rhs[4 * r + i];
         for(int s = r; s < 16; ++s) {
           const Segment& g = column_segments[segment(s % 4 - r % 4, s / 4 - r / 4)];
           const int begin = s == r ? i : 0;
           double* target = values + outer[column] + g.position + (rows[s] + begin - g.first);
-          for(int j = begin; j < 4; ++j) *target++ += entry[4*s + j];
+          for(int j = begin; j < 4; ++j) *target++ += entry[4 * s + j];
         }
       }
   }
 
-  // the entry of two chosen points of a level whose lattice offset, from column to row, is at most three along each axis
+  // the entry of two chosen points of a level whose lattice offset, from column to row, is at most three along each
+  // axis
   double entry(const Matrix& A, Index row, Index column, int dj, int dk) const
   {
     if(row < column) return entry(A, column, row, -dj, -dk);
@@ -141,7 +142,8 @@ private:
     const Lattice_point& p = points.point(n);
     for(int dk = 0; dk <= 3; ++dk)
       for(int dj = dk == 0 ? 0 : -3; dj <= 3; ++dj) {
-        std::pair<Index, Index> range = points.index_range(p[0] + (dk == 0 && dj == 0 ? 0 : -3), p[0] + 4, p[1] + dj, p[2] + dk);
+        std::pair<Index, Index> range = points.index_range(p[0] + (dk == 0 && dj == 0 ? 0 : -3), p[0] + 4, p[1] + dj,
+                                                           p[2] + dk);
         if(range.first != range.second) {
           range.first += m_field.first_point(level);
           range.second += m_field.first_point(level);

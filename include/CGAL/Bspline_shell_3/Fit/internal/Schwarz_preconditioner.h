@@ -34,13 +34,20 @@ public:
   typedef double Scalar;
   typedef double RealScalar;
   typedef int StorageIndex;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+  enum
+  {
+    ColsAtCompileTime = Eigen::Dynamic,
+    MaxColsAtCompileTime = Eigen::Dynamic
+  };
 
   // without any, each unknown is a block
   void set_blocks(const Unknown_blocks* blocks) { m_blocks = blocks; }
 
   template <typename Matrix>
-  Schwarz_preconditioner& analyzePattern(const Matrix&) { return *this; }
+  Schwarz_preconditioner& analyzePattern(const Matrix&)
+  {
+    return *this;
+  }
 
   // the columns of its lower triangle are compressed, their rows ascending
   template <typename Matrix>
@@ -56,7 +63,10 @@ public:
   }
 
   template <typename Matrix>
-  Schwarz_preconditioner& compute(const Matrix& matrix) { return factorize(matrix); }
+  Schwarz_preconditioner& compute(const Matrix& matrix)
+  {
+    return factorize(matrix);
+  }
 
   // a reference to memory that the next call writes to
   template <typename Vector>
@@ -65,7 +75,7 @@ public:
     for_each_chunk<ConcurrencyTag>(m_first.size() - 1, chunk, [&](std::size_t begin, std::size_t end) {
       std::vector<float> in;
       for(std::size_t b = begin; b < end; ++b) {
-        const std::size_t size = m_first[b+1] - m_first[b];
+        const std::size_t size = m_first[b + 1] - m_first[b];
         const std::uint32_t* unknown = &m_unknowns[m_first[b]];
         in.resize(size);
         for(std::size_t i = 0; i < size; ++i) in[i] = float(r[unknown[i]]);
@@ -83,7 +93,7 @@ public:
     for_each_chunk<ConcurrencyTag>(std::size_t(m_result.size()), 4096, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) {
         double sum = 0;
-        for(std::size_t p = m_first_position[n]; p < m_first_position[n+1]; ++p) sum += m_local[m_positions[p]];
+        for(std::size_t p = m_first_position[n]; p < m_first_position[n + 1]; ++p) sum += m_local[m_positions[p]];
         m_result[Eigen::Index(n)] = sum;
       }
     });
@@ -108,7 +118,7 @@ private:
     }
     m_first_factor.assign(1, 0);
     for(std::size_t b = 0; b + 1 < m_first.size(); ++b) {
-      const std::size_t size = m_first[b+1] - m_first[b];
+      const std::size_t size = m_first[b + 1] - m_first[b];
       m_first_factor.push_back(m_first_factor.back() + size * (size + 1) / 2);
     }
     m_factors.resize(m_first_factor.back());
@@ -127,11 +137,11 @@ private:
   void factorize_block(const Matrix& lower, std::size_t b, Eigen::MatrixXd& B)
   {
     const std::uint32_t* begin = &m_unknowns[m_first[b]];
-    const std::uint32_t* end = begin + (m_first[b+1] - m_first[b]);
+    const std::uint32_t* end = begin + (m_first[b + 1] - m_first[b]);
     const Eigen::Index size = end - begin;
     B.setZero(size, size);
     for(Eigen::Index c = 0; c < size; ++c) {
-      const std::uint32_t* row = begin + c;      // rows ascend in both
+      const std::uint32_t* row = begin + c; // rows ascend in both
       for(typename Matrix::InnerIterator it(lower, Eigen::Index(begin[c])); it && row != end; ++it) {
         while(row != end && *row < std::uint32_t(it.row())) ++row;
         if(row != end && *row == std::uint32_t(it.row())) B(row - begin, c) = it.value();
@@ -165,18 +175,19 @@ private:
     }
     invert_lower_triangle(L.topLeftCorner(half, half));
     invert_lower_triangle(L.bottomRightCorner(rest, rest));
-    const Eigen::MatrixXd product = L.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() * L.bottomLeftCorner(rest, half);
+    const Eigen::MatrixXd product = L.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>()
+                                    * L.bottomLeftCorner(rest, half);
     L.bottomLeftCorner(rest, half).noalias() = -product * L.topLeftCorner(half, half).triangularView<Eigen::Lower>();
   }
 
   const Unknown_blocks* m_blocks = nullptr;
-  std::vector<std::uint32_t> m_unknowns;          // by block
-  std::vector<std::size_t> m_first;               // of each block, and the end
-  std::vector<float> m_factors;                   // W of each block, its rows packed
+  std::vector<std::uint32_t> m_unknowns; // by block
+  std::vector<std::size_t> m_first;      // of each block, and the end
+  std::vector<float> m_factors;          // W of each block, its rows packed
   std::vector<std::size_t> m_first_factor;
-  std::vector<std::size_t> m_first_position;      // of each unknown, and the end
-  std::vector<std::uint32_t> m_positions;         // where it is in m_local
-  mutable std::vector<float> m_local;             // results of the blocks
+  std::vector<std::size_t> m_first_position; // of each unknown, and the end
+  std::vector<std::uint32_t> m_positions;    // where it is in m_local
+  mutable std::vector<float> m_local;        // results of the blocks
   mutable Eigen::VectorXd m_result;
 };
 

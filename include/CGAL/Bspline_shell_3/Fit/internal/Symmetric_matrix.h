@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-template <typename ConcurrencyTag> class Symmetric_matrix;
+template <typename ConcurrencyTag>
+class Symmetric_matrix;
 
 } // namespace internal
 } // namespace Bspline_shells
@@ -30,7 +31,8 @@ namespace Eigen {
 namespace internal {
 
 template <typename ConcurrencyTag>
-struct traits<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag> > : traits<SparseMatrix<double> > {};
+struct traits<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag> > : traits<SparseMatrix<double> >
+{};
 
 } // namespace internal
 } // namespace Eigen
@@ -39,8 +41,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers: Eigen's own product by a triangle has one thread. Here each of
-// a fixed number of ranges of columns adds to a vector of its own, and these are summed in order: the product is the same with any number of threads.
+// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers: Eigen's own product by a
+// triangle has one thread. Here each of a fixed number of ranges of columns adds to a vector of its own, and these are
+// summed in order: the product is the same with any number of threads.
 template <typename ConcurrencyTag>
 class Symmetric_matrix : public Eigen::EigenBase<Symmetric_matrix<ConcurrencyTag> >
 {
@@ -50,7 +53,12 @@ public:
   typedef double RealScalar;
   typedef int StorageIndex;
   typedef Eigen::Index Index;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
+  enum
+  {
+    ColsAtCompileTime = Eigen::Dynamic,
+    MaxColsAtCompileTime = Eigen::Dynamic,
+    IsRowMajor = false
+  };
 
   // columns of `lower` are compressed and begin with the diagonal; it outlives this object
   explicit Symmetric_matrix(const Triangle& lower) : m_lower(lower)
@@ -60,7 +68,7 @@ public:
     for(std::size_t r = 1; r <= ranges; ++r) {
       const int entries = int(std::size_t(lower.nonZeros()) * r / ranges);
       const int* end = std::upper_bound(lower.outerIndexPtr(), lower.outerIndexPtr() + size + 1, entries);
-      m_begin[r] = r == ranges ? size : (std::max)(m_begin[r-1], Index(end - lower.outerIndexPtr()) - 1);
+      m_begin[r] = r == ranges ? size : (std::max)(m_begin[r - 1], Index(end - lower.outerIndexPtr()) - 1);
     }
     for(std::size_t r = 0; r < ranges; ++r) m_sums[r].resize(size - m_begin[r]);
   }
@@ -83,8 +91,8 @@ public:
       const Index first = m_begin[r];
       m_sums[r].setZero();
       double* sums = m_sums[r].data();
-      for(Index c = first; c < m_begin[r+1]; ++c) {
-        const int end = m_lower.outerIndexPtr()[c+1];
+      for(Index c = first; c < m_begin[r + 1]; ++c) {
+        const int end = m_lower.outerIndexPtr()[c + 1];
         int n = m_lower.outerIndexPtr()[c];
         if(n == end) continue;
         const double at_c = x[c];
@@ -112,8 +120,8 @@ private:
   static constexpr std::size_t ranges = 16;
 
   const Triangle& m_lower;
-  std::array<Index, ranges + 1> m_begin;                      // columns; about as many entries in each range
-  mutable std::array<Eigen::VectorXd, ranges> m_sums;         // from the first column of each range
+  std::array<Index, ranges + 1> m_begin;              // columns; about as many entries in each range
+  mutable std::array<Eigen::VectorXd, ranges> m_sums; // from the first column of each range
 };
 
 } // namespace internal
@@ -124,12 +132,15 @@ namespace Eigen {
 namespace internal {
 
 template <typename ConcurrencyTag, typename Vector>
-struct generic_product_impl<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector, SparseShape, DenseShape, GemvProduct>
-  : generic_product_impl_base<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector,
-                              generic_product_impl<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector> >
+struct generic_product_impl<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector, SparseShape,
+                            DenseShape, GemvProduct>
+  : generic_product_impl_base<
+      CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector,
+      generic_product_impl<CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>, Vector> >
 {
   template <typename Result>
-  static void scaleAndAddTo(Result& y, const CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>& A, const Vector& x, double alpha)
+  static void scaleAndAddTo(Result& y, const CGAL::Bspline_shells::internal::Symmetric_matrix<ConcurrencyTag>& A,
+                            const Vector& x, double alpha)
   {
     A.add_product(y, x, alpha);
   }

@@ -24,14 +24,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// From equations for the coefficients at all points to equations for the free ones, P^T A P and P^T b, where x = P (free x)
-// inserts what dependent coefficients are.
+// From equations for the coefficients at all points to equations for the free ones, P^T A P and P^T b, where x = P
+// (free x) inserts what dependent coefficients are.
 //
-// Of each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six coefficients
-// a side of the level above. It is worked out one axis after the other. A free point's window is what couples it to that
-// level, and is needed once; windows of dependent points are summed, with their weights, into the rows of the coefficients they depend on.
-// All columns are worked out apart from each other. If points were chosen, rows and columns of free ones that were not are empty; the dependent
-// ones must be chosen that depend on one that was.
+// Of each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six
+// coefficients a side of the level above. It is worked out one axis after the other. A free point's window is what
+// couples it to that level, and is needed once; windows of dependent points are summed, with their weights, into the
+// rows of the coefficients they depend on. All columns are worked out apart from each other. If points were chosen,
+// rows and columns of free ones that were not are empty; the dependent ones must be chosen that depend on one that was.
 template <typename Field>
 class Condensation
 {
@@ -42,7 +42,7 @@ class Condensation
 
   struct Window
   {
-    Lattice_point first;                              // least lattice point, of the level above
+    Lattice_point first; // least lattice point, of the level above
     std::array<double, width * width * width> entry;
   };
 
@@ -55,7 +55,7 @@ public:
   void operator()(Matrix& A)
   {
     find_windows();
-    m_windows.reset(new Window[m_dependent.size()]);      // as they are: several threads write to them, first and once
+    m_windows.reset(new Window[m_dependent.size()]); // as they are: several threads write to them, first and once
     for_each_chunk<ConcurrencyTag>(m_dependent.size(), 256, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) compute_window(m_dependent[n][0], m_dependent[n][1], m_windows[n]);
     });
@@ -65,7 +65,8 @@ public:
     A.resize(Eigen::Index(size), Eigen::Index(size));
     for_each_column<ConcurrencyTag>([&](int level, Index n, Index c) {
       int entries = 0;
-      visit_rows(level, n, [&](Index, int, int, int) { ++entries; }, [&](Index, int) { ++entries; });
+      visit_rows(
+        level, n, [&](Index, int, int, int) { ++entries; }, [&](Index, int) { ++entries; });
       length[c] = entries;
     });
     std::size_t entries = 0;
@@ -131,7 +132,7 @@ private:
     const Lattice_set_3& points = m_field.points(level);
     const Lattice_point& p = points.point(n);
     const Index first = m_field.first_point(level), column = first + n;
-    std::array<double, stencil * stencil * stencil> row = {};
+    std::array<double, stencil* stencil* stencil> row = {};
     for(int dk = -3; dk <= 3; ++dk)
       for(int dj = -3; dj <= 3; ++dj) {
         const auto range = points.index_range(p[0] - 3, p[0] + 4, p[1] + dj, p[2] + dk);
@@ -149,15 +150,16 @@ private:
           const int offset = p[a] - 3 + i - 2 * (window.first[a] + h);
           if(-2 <= offset && offset <= 2) weight[a][i][h] = mask[std::size_t(offset + 2)];
         }
-    std::array<double, stencil * stencil * width> x = {};
+    std::array<double, stencil* stencil* width> x = {};
     for(int line = 0; line < stencil * stencil; ++line)
       for(int i = 0; i < stencil; ++i)
         for(int h = 0; h < width; ++h) x[line * width + h] += weight[0][i][h] * row[line * stencil + i];
-    std::array<double, stencil * width * width> y = {};
+    std::array<double, stencil* width* width> y = {};
     for(int k = 0; k < stencil; ++k)
       for(int j = 0; j < stencil; ++j)
         for(int g = 0; g < width; ++g)
-          for(int h = 0; h < width; ++h) y[(k * width + g) * width + h] += weight[1][j][g] * x[(k * stencil + j) * width + h];
+          for(int h = 0; h < width; ++h)
+            y[(k * width + g) * width + h] += weight[1][j][g] * x[(k * stencil + j) * width + h];
     window.entry.fill(0);
     for(int k = 0; k < stencil; ++k)
       for(int f = 0; f < width; ++f)
@@ -165,8 +167,8 @@ private:
           window.entry[f * width * width + gh] += weight[2][k][f] * y[k * width * width + gh];
   }
 
-  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for those of the
-  // level above; rows ascend.
+  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for those
+  // of the level above; rows ascend.
   template <typename Same, typename Above>
   void visit_rows(int level, Index n, const Same& same, const Above& above) const
   {
@@ -188,7 +190,8 @@ private:
         const auto range = coarse.index_range(first[0], first[0] + width, first[1] + j, first[2] + k);
         for(Index m = range.first; m < range.second; ++m) {
           const Index row = m_field.coefficient_of_point(m_field.first_point(level - 1) + m);
-          if(row != npos && is_chosen(level - 1, m)) above(row, (k * width + j) * width + coarse.point(m)[0] - first[0]);
+          if(row != npos && is_chosen(level - 1, m))
+            above(row, (k * width + j) * width + coarse.point(m)[0] - first[0]);
         }
       }
   }
@@ -198,7 +201,7 @@ private:
     const Lattice_point& p = m_field.points(level).point(n);
     const Index column = m_field.first_point(level) + n;
     // what dependent coefficients of the next level bring, by lattice offset
-    std::array<double, 4 * stencil * stencil> sums = {};
+    std::array<double, 4 * stencil* stencil> sums = {};
     bool any = false;
     if(level + 1 < m_field.number_of_levels()) {
       const Lattice_set_3& fine = m_field.points(level + 1);
@@ -210,7 +213,8 @@ private:
             const Index child = m_field.first_point(level + 1) + m;
             if(m_field.coefficient_of_point(child) != npos) continue;
             any = true;
-            const double weight = mask[std::size_t(fine.point(m)[0] - 2 * p[0] + 2)] * mask[std::size_t(cj + 2)] * mask[std::size_t(ck + 2)];
+            const double weight = mask[std::size_t(fine.point(m)[0] - 2 * p[0] + 2)] * mask[std::size_t(cj + 2)]
+                                  * mask[std::size_t(ck + 2)];
             add_window(m_windows[m_window_of[child]], weight, p, sums);
           }
         }
@@ -218,7 +222,8 @@ private:
     Window window;
     if(m_window_of[column] != npos) compute_window(level, n, window);
     int position = A.outerIndexPtr()[c];
-    visit_rows(level, n,
+    visit_rows(
+      level, n,
       [&](Index row, int di, int dj, int dk) {
         const Index point = m_field.point_of_coefficient(row);
         double value = m_equations.entry(m_all, point, column, dj, dk);
@@ -233,7 +238,8 @@ private:
   }
 
   // the part of a window that does not precede p
-  static void add_window(const Window& w, double weight, const Lattice_point& p, std::array<double, 4 * stencil * stencil>& sums)
+  static void add_window(const Window& w, double weight, const Lattice_point& p,
+                         std::array<double, 4 * stencil * stencil>& sums)
   {
     for(int k = 0; k < width; ++k) {
       const int dk = w.first[2] + k - p[2];
@@ -244,7 +250,8 @@ private:
         for(int i = 0; i < width; ++i) {
           const int di = w.first[0] + i - p[0];
           if(di < -3 || di > 3) continue;
-          sums[std::size_t((dk * stencil + dj + 3) * stencil + di + 3)] += weight * w.entry[std::size_t((k * width + j) * width + i)];
+          sums[std::size_t((dk * stencil + dj + 3) * stencil + di + 3)] +=
+            weight * w.entry[std::size_t((k * width + j) * width + i)];
         }
       }
     }
@@ -253,15 +260,15 @@ private:
   const Field& m_field;
   const Normal_equations<Field>& m_equations;
   const Matrix& m_all;
-  std::vector<Index> m_window_of;                     // of each point: the number of its window; or its own, which is not kept; or npos
-  std::vector<std::array<Index, 2> > m_dependent;     // chosen points: level and number in it
-  std::unique_ptr<Window[]> m_windows;                // theirs
+  std::vector<Index> m_window_of; // of each point: the number of its window; or its own, which is not kept; or npos
+  std::vector<std::array<Index, 2> > m_dependent; // chosen points: level and number in it
+  std::unique_ptr<Window[]> m_windows;            // theirs
 };
 
 // P^T all P and P^T b; moved where all coefficients are free, and chosen
 template <typename ConcurrencyTag, typename Field>
-void condense(const Field& field, const Normal_equations<Field>& equations,
-              Eigen::SparseMatrix<double>& all, Eigen::VectorXd& all_rhs, Eigen::SparseMatrix<double>& A, Eigen::VectorXd& b)
+void condense(const Field& field, const Normal_equations<Field>& equations, Eigen::SparseMatrix<double>& all,
+              Eigen::VectorXd& all_rhs, Eigen::SparseMatrix<double>& A, Eigen::VectorXd& b)
 {
   if(field.number_of_points() == field.number_of_coefficients() && equations.has_all_points()) {
     A.swap(all);

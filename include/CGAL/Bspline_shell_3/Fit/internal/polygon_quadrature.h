@@ -17,12 +17,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Calls f(point, weight) for the points of a quadrature rule on a convex planar polygon in cell units; the weights sum to its area. A mirrored or turned
-// polygon gets the mirrored or turned points, wherever its corners begin.
+// Calls f(point, weight) for the points of a quadrature rule on a convex planar polygon in cell units; the weights sum
+// to its area. A mirrored or turned polygon gets the mirrored or turned points, wherever its corners begin.
 //
-// The integrands vary on the scale of a cell. A small polygon, of which a cell holds many, gets its centroid c (exact to degree one). A triangle as large
-// as a cell gets three points (exact to degree two). Other polygons get a point for each side: the centroids of the triangles between c and the sides,
-// moved away from c until the mean of |x - c|^2 is exact. On a parallelogram, degree two is.
+// The integrands vary on the scale of a cell. A small polygon, of which a cell holds many, gets its centroid c (exact
+// to degree one). A triangle as large as a cell gets three points (exact to degree two). Other polygons get a point for
+// each side: the centroids of the triangles between c and the sides, moved away from c until the mean of |x - c|^2 is
+// exact. On a parallelogram, degree two is.
 template <typename Function>
 inline void for_each_quadrature_point(const std::vector<std::array<double, 3> >& polygon, const Function& f)
 {
@@ -63,7 +64,7 @@ inline void for_each_quadrature_point(const std::vector<std::array<double, 3> >&
     for(const Point& p : polygon) f(Point{ (c[0] + p[0]) / 2, (c[1] + p[1]) / 2, (c[2] + p[2]) / 2 }, area / 3);
     return;
   }
-  double of_centroids = 0, of_triangles = 0;      // integrals of |x - c|^2
+  double of_centroids = 0, of_triangles = 0; // integrals of |x - c|^2
   for_each_triangle(c, [&](const Point& u, const Point& v, double part) {
     const double squares = dot(u, u) + dot(v, v), product = dot(u, v);
     of_centroids += part * (squares + 2 * product) / 9;

@@ -49,8 +49,8 @@ public:
     return *this;
   }
 
-  bool are_as_expected() const { return m_ok; }                       // so far
-  bool are_complete() const { return m_ok && m_rest.empty(); }        // and there are no more
+  bool are_as_expected() const { return m_ok; }                // so far
+  bool are_complete() const { return m_ok && m_rest.empty(); } // and there are no more
 
 private:
   void begin_word()
@@ -117,7 +117,7 @@ public:
   }
 
   bool is_bad() const { return m_bad; }
-  std::uint64_t checksum() const { return m_checksum.value(); }       // of all that was read
+  std::uint64_t checksum() const { return m_checksum.value(); } // of all that was read
   bool is_at_end()
   {
     require(1);
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t capacity = 1 << 16;      // also the length of the longest line
+  static constexpr std::size_t capacity = 1 << 16; // also the length of the longest line
 
   std::string_view available() const { return std::string_view(&m_buffer[0] + m_begin, m_end - m_begin); }
 

@@ -47,8 +47,7 @@ public:
     char* const begin = &m_buffer[m_size];
     if constexpr(std::is_floating_point<T>::value)
       m_size += std::size_t(std::to_chars(begin, begin + longest, x, std::chars_format::general, 17).ptr - begin);
-    else
-      m_size += std::size_t(std::to_chars(begin, begin + longest, x).ptr - begin);
+    else m_size += std::size_t(std::to_chars(begin, begin + longest, x).ptr - begin);
   }
 
   // as bytes, the least significant first

@@ -34,7 +34,8 @@ class Text_rows
 {
 public:
   explicit Text_rows(std::string_view text, std::size_t begin = 0, char comment = '\0')
-    : m_text(text), m_begin(begin), m_comment(comment) {}
+    : m_text(text), m_begin(begin), m_comment(comment)
+  {}
 
   // appends the words of the next line that has any
   bool next(std::vector<std::string_view>& words)
@@ -80,7 +81,8 @@ inline bool read_count(std::string_view word, std::size_t& count)
   double value = 0;
   const char* const end = word.data() + word.size();
   const std::from_chars_result result = std::from_chars(word.data(), end, value);
-  if(result.ec != std::errc() || result.ptr != end || !(value >= 0 && value < 1e15) || value != std::floor(value)) return false;
+  if(result.ec != std::errc() || result.ptr != end || !(value >= 0 && value < 1e15) || value != std::floor(value))
+    return false;
   count = static_cast<std::size_t>(value);
   return true;
 }
@@ -133,7 +135,7 @@ public:
   std::string_view text() const { return m_text; }
 
   Polygon_soup soup;
-  std::size_t line = 0;      // where the text is malformed, or of the first point that is not finite; 0 if there is none
+  std::size_t line = 0; // where the text is malformed, or of the first point that is not finite; 0 if there is none
 
 private:
   std::string_view m_text;

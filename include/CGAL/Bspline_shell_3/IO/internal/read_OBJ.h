@@ -63,7 +63,8 @@ inline Shell_status read_OBJ(Text_soup& result)
     result.line = rows.line();
     return Shell_status::MALFORMED_FILE;
   }
-  return result.soup.points.empty() && result.soup.polygons.empty() ? Shell_status::MALFORMED_FILE : Shell_status::SUCCESS;
+  return result.soup.points.empty() && result.soup.polygons.empty() ? Shell_status::MALFORMED_FILE
+                                                                    : Shell_status::SUCCESS;
 }
 
 } // namespace internal

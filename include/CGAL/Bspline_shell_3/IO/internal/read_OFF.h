@@ -17,11 +17,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The OFF file whose numbers stand in lines as they like: possible if there is nothing but three counts, positions and indices.
+// The OFF file whose numbers stand in lines as they like: possible if there is nothing but three counts, positions and
+// indices.
 inline bool read_free_OFF(Text_soup& result)
 {
   std::vector<std::string_view> words;
-  for(Text_rows rows(result.text(), 0, '#'); rows.next(words); ) {}
+  for(Text_rows rows(result.text(), 0, '#'); rows.next(words);) {}
   std::size_t n = !words.empty() && words[0] == "OFF" ? 1 : 0, vertices, facets;
   if(words.size() < n + 3 || !read_count(words[n], vertices) || !read_count(words[n + 1], facets)) return false;
   n += 3;

@@ -25,7 +25,7 @@ namespace internal {
 
 struct PLY_property
 {
-  std::size_t count_bytes = 0;     // of the length of a list; 0 for a single value
+  std::size_t count_bytes = 0; // of the length of a list; 0 for a single value
   std::size_t value_bytes = 0;
   bool is_real = false;
   std::string name;
@@ -53,7 +53,7 @@ struct PLY_header
 {
   std::string format;
   std::vector<PLY_element> elements;
-  std::size_t end = 0;       // where the data begin
+  std::size_t end = 0; // where the data begin
 };
 
 // the number of bytes of a type; 0, if there is none of that name
@@ -62,7 +62,8 @@ inline std::size_t size_of_PLY_type(std::string_view type, bool& is_real)
   is_real = type == "float" || type == "float32" || type == "double" || type == "float64";
   if(type == "char" || type == "uchar" || type == "int8" || type == "uint8") return 1;
   if(type == "short" || type == "ushort" || type == "int16" || type == "uint16") return 2;
-  if(type == "int" || type == "uint" || type == "int32" || type == "uint32" || type == "float" || type == "float32") return 4;
+  if(type == "int" || type == "uint" || type == "int32" || type == "uint32" || type == "float" || type == "float32")
+    return 4;
   return is_real || type == "int64" || type == "uint64" ? 8 : 0;
 }
 
@@ -109,7 +110,8 @@ inline bool has_PLY_data(std::string_view text, const PLY_header& header)
         std::size_t length = property.count_bytes == 0 ? 1 : 0;
         if(text.size() - position < property.count_bytes) return false;
         for(std::size_t b = 0; b < property.count_bytes; ++b)
-          length = 256 * length + static_cast<unsigned char>(text[position + (is_big_endian ? b : property.count_bytes - 1 - b)]);
+          length = 256 * length
+                   + static_cast<unsigned char>(text[position + (is_big_endian ? b : property.count_bytes - 1 - b)]);
         position += property.count_bytes;
         if((text.size() - position) / property.value_bytes < length) return false;
         position += length * property.value_bytes;
@@ -117,14 +119,15 @@ inline bool has_PLY_data(std::string_view text, const PLY_header& header)
   return true;
 }
 
-// Reads positions and facets of a text. `by_lines`: an element is a line, which may have more words than its properties;
-// otherwise line breaks mean nothing.
+// Reads positions and facets of a text. `by_lines`: an element is a line, which may have more words than its
+// properties; otherwise line breaks mean nothing.
 inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& rows, Text_soup& result)
 {
   std::vector<std::string_view> words, position(3);
-  if(!by_lines) while(rows.next(words)) {}
+  if(!by_lines)
+    while(rows.next(words)) {}
   std::size_t w = 0;
-  std::vector<std::pair<std::size_t, std::size_t> > values;       // of each property: position and number of its words
+  std::vector<std::pair<std::size_t, std::size_t> > values; // of each property: position and number of its words
   for(const PLY_element& element : header.elements)
     for(std::size_t i = 0; i < element.size; ++i) {
       if(by_lines) {
@@ -189,8 +192,9 @@ inline Shell_status read_PLY(Text_soup& result)
   if(!is_text) {
     std::istringstream in{ std::string(result.text()) };
     return has_PLY_data(result.text(), header)
-        && CGAL::IO::read_PLY(in, result.soup.points, result.soup.polygons, CGAL::parameters::verbose(false))
-         ? Shell_status::SUCCESS : Shell_status::MALFORMED_FILE;
+               && CGAL::IO::read_PLY(in, result.soup.points, result.soup.polygons, CGAL::parameters::verbose(false))
+             ? Shell_status::SUCCESS
+             : Shell_status::MALFORMED_FILE;
   }
   Text_rows rows(result.text(), header.end), free_rows = rows;
   if(read_PLY_text(header, true, rows, result)) return Shell_status::SUCCESS;

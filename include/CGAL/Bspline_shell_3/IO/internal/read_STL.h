@@ -20,12 +20,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// An STL file is binary if and only if it has a header of 80 bytes, the number of facets, and 50 bytes for each of them.
+// An STL file is binary if and only if it has a header of 80 bytes, the number of facets, and 50 bytes for each of
+// them.
 inline bool is_binary_STL(std::string_view text)
 {
   constexpr std::size_t header = 84, facet = 50;
   return text.size() >= header
-      && text.size() - header == facet * std::size_t(from_little_endian<std::uint32_t>(&text[80]));
+         && text.size() - header == facet * std::size_t(from_little_endian<std::uint32_t>(&text[80]));
 }
 
 // pre: is_binary_STL(text)
@@ -35,7 +36,7 @@ inline void read_binary_STL(std::string_view text, Polygon_soup& soup)
     const std::size_t first = soup.points.size();
     soup.polygons.push_back({ first, first + 1, first + 2 });
     for(std::size_t v = 0; v < 3; ++v) {
-      const char* const p = &text[facet + 12 + 12 * v];       // behind the normal
+      const char* const p = &text[facet + 12 + 12 * v]; // behind the normal
       soup.points.emplace_back(from_little_endian<float>(p), from_little_endian<float>(p + 4),
                                from_little_endian<float>(p + 8));
     }
@@ -51,19 +52,19 @@ inline Shell_status read_STL_text(Text_soup& result)
   std::string keyword;
   bool is_in_facet = false, has_end = false;
   for(; rows.next(words); words.clear()) {
-    for(std::size_t w = 0; w < words.size(); ) {
+    for(std::size_t w = 0; w < words.size();) {
       keyword.clear();
       for(char c : words[w]) keyword += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
       if(!is_in_facet) {
         if(w == 0) has_end = has_end || keyword == "endsolid" || keyword == "end";
-        if(keyword != "facet") break;       // the line is skipped
+        if(keyword != "facet") break; // the line is skipped
         is_in_facet = true;
         result.soup.polygons.emplace_back();
         ++w;
         continue;
       }
       std::vector<std::size_t>& polygon = result.soup.polygons.back();
-      if(keyword == "normal") w += 4;       // it is not used
+      if(keyword == "normal") w += 4; // it is not used
       else if(keyword == "vertex" && polygon.size() < 3 && result.add_point(words, w + 1)) {
         polygon.push_back(result.soup.points.size() - 1);
         w += 4;

@@ -29,12 +29,12 @@ namespace internal {
 
 constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "cubic_bspline_shell";
 constexpr int shell_file_version = 5;
-constexpr int largest_file_level = 30;      // of cells; no hierarchy has so many
+constexpr int largest_file_level = 30; // of cells; no hierarchy has so many
 
 // Which type of shell a file holds.
 struct Shell_kind
 {
-  bool is_hierarchical = false;             // cells of several levels
+  bool is_hierarchical = false; // cells of several levels
   bool has_spline_thresholds = false;
 
   template <typename Shell>
@@ -86,9 +86,15 @@ void visit_functions(const Field& field, const Visitor& visit)
 }
 
 // averages of such numbers do not overflow on the way
-inline bool is_coefficient(double x) { return std::abs(x) <= (std::numeric_limits<double>::max)() / 64; }
+inline bool is_coefficient(double x)
+{
+  return std::abs(x) <= (std::numeric_limits<double>::max)() / 64;
+}
 
-inline bool is_range(const Level_range& r) { return std::isfinite(r.min) && std::isfinite(r.max) && r.min <= r.max; }
+inline bool is_range(const Level_range& r)
+{
+  return std::isfinite(r.min) && std::isfinite(r.max) && r.min <= r.max;
+}
 
 // Whether there is a shell, and one that a file can hold.
 template <typename Shell>
@@ -96,24 +102,26 @@ bool is_shell(const Shell& shell)
 {
   if(!shell) return false;
   const auto& field = shell.field();
-  if(field.number_of_cells() == 0 || shell.shell_cells().size() != field.number_of_cells() || !field.has_exact_cells()) return false;
+  if(field.number_of_cells() == 0 || shell.shell_cells().size() != field.number_of_cells() || !field.has_exact_cells())
+    return false;
   for(typename Shell::Field::Cell_index c = 0; c < field.number_of_cells(); ++c)
     for(int i : field.cells().lattice_point(c))
       if(std::abs(i) > Lattice_key::max_coordinate) return false;
   for(const Eigen::VectorXd* x : coefficients_of_splines(shell))
-    if(std::size_t(x->size()) != field.number_of_coefficients() || !std::all_of(x->data(), x->data() + x->size(), is_coefficient))
+    if(std::size_t(x->size()) != field.number_of_coefficients()
+       || !std::all_of(x->data(), x->data() + x->size(), is_coefficient))
       return false;
   if(shell.closing() && !shell.closing()->is_valid()) return false;
   if(shell.truncation() && !shell.truncation()->is_valid()) return false;
   const std::vector<Crossing_path> paths = paths_of_file(shell);
   for(const Crossing_path& path : paths) {
-    if(path.component >= paths.size()) return false;      // each component has a path
+    if(path.component >= paths.size()) return false; // each component has a path
     for(const auto& p : { path.source, path.target })
       if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
   }
   const double unit = shell.report().unit;
   return is_range(levels(shell)) && std::isfinite(unit) && unit >= 0
-      && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);
+         && std::all_of(shell.facet_ranges().begin(), shell.facet_ranges().end(), is_range);
 }
 
 } // namespace internal

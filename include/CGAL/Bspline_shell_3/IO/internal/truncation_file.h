@@ -89,7 +89,8 @@ inline void write_truncation(Row_output out, const Shell_truncation_3* truncatio
   const Shell_truncation_3& t = truncation ? *truncation : none;
   const auto count = [](const auto& range) { return std::uint32_t(range.size()); };
   const std::size_t corners = t.number_of_corners(), inner = t.planar().size() - t.cuts().size();
-  out.row(std::uint32_t(corners), count(t.cuts()), std::uint32_t(inner), count(t.cut_facets()), count(t.cores()), count(t.discs()));
+  out.row(std::uint32_t(corners), count(t.cuts()), std::uint32_t(inner), count(t.cut_facets()), count(t.cores()),
+          count(t.discs()));
   for(const auto& p : t.points()) out.row(p[0], p[1], p[2]);
   for(const auto& p : t.planar()) out.row(p[0], p[1]);
   for(const auto& c : t.cuts()) out.row(c.center, c.first, c.second, c.s, c.t);

@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Logarithmic rates, by the value of f, at which integral curves move apart: across the curve, where they do so most and
-// least. They are the eigenvalues of the Hessian, restricted to the tangent plane of the level set, over |grad f|^2.
+// Logarithmic rates, by the value of f, at which integral curves move apart: across the curve, where they do so most
+// and least. They are the eigenvalues of the Hessian, restricted to the tangent plane of the level set, over |grad
+// f|^2.
 struct Divergence
 {
   double most, least;
@@ -28,21 +29,23 @@ Divergence divergence(const Tricubic_cell_3& cell, const Point& p)
 {
   const auto jet = cell.second_order_jet(p);
   const auto& g = jet.gradient;
-  const auto& h = jet.hessian;          // xx, yy, zz, xy, xz, yz
+  const auto& h = jet.hessian; // xx, yy, zz, xy, xz, yz
   // trace and determinant of the restriction, by n^T H n and n^T adj(H) n
   const auto form = [&](double xx, double yy, double zz, double xy, double xz, double yz) {
-    return xx*g[0]*g[0] + yy*g[1]*g[1] + zz*g[2]*g[2] + 2 * (xy*g[0]*g[1] + xz*g[0]*g[2] + yz*g[1]*g[2]);
+    return xx * g[0] * g[0] + yy * g[1] * g[1] + zz * g[2] * g[2]
+           + 2 * (xy * g[0] * g[1] + xz * g[0] * g[2] + yz * g[1] * g[2]);
   };
-  const double square = g[0]*g[0] + g[1]*g[1] + g[2]*g[2];
+  const double square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
   const double half_trace = (h[0] + h[1] + h[2] - form(h[0], h[1], h[2], h[3], h[4], h[5]) / square) / 2;
-  const double determinant = form(h[1]*h[2] - h[5]*h[5], h[0]*h[2] - h[4]*h[4], h[0]*h[1] - h[3]*h[3],
-                                  h[4]*h[5] - h[2]*h[3], h[3]*h[5] - h[1]*h[4], h[3]*h[4] - h[0]*h[5]) / square;
+  const double determinant = form(h[1] * h[2] - h[5] * h[5], h[0] * h[2] - h[4] * h[4], h[0] * h[1] - h[3] * h[3],
+                                  h[4] * h[5] - h[2] * h[3], h[3] * h[5] - h[1] * h[4], h[3] * h[4] - h[0] * h[5])
+                             / square;
   const double root = std::sqrt((std::max)(half_trace * half_trace - determinant, 0.));
   return { (half_trace + root) / square, (half_trace - root) / square };
 }
 
-// Estimates, to first order, what the errors of the steps along an integral curve amount to. An error along the curve is
-// a shift of its parameter and does not count.
+// Estimates, to first order, what the errors of the steps along an integral curve amount to. An error along the curve
+// is a shift of its parameter and does not count.
 class Curve_error
 {
 public:
@@ -67,7 +70,7 @@ public:
 private:
   Divergence m_divergence;
   double m_at_end = 0, m_at_start = 0;
-  double m_approach = 0;        // the logarithm of the largest factor by which distances at the end grow back to the start
+  double m_approach = 0; // the logarithm of the largest factor by which distances at the end grow back to the start
 };
 
 // Estimated distances: of an image from the exact one, and of the start from the exact curve through the image.
@@ -76,17 +79,17 @@ struct Image_error
   double at_image = 0, at_start = 0;
 };
 
-// Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. The error at the image
-// must not, in the end: otherwise the status is `TOO_MANY_STEPS`. Where curves approach each other so much that `double`s do
-// not tell them apart at the image, the error at the start exceeds it.
-// `trace(step_tolerance, result)` returns a status; the result has a member `error`.
+// Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. The error at the
+// image must not, in the end: otherwise the status is `TOO_MANY_STEPS`. Where curves approach each other so much that
+// `double`s do not tell them apart at the image, the error at the start exceeds it. `trace(step_tolerance, result)`
+// returns a status; the result has a member `error`.
 template <typename Result, typename Trace>
 Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
 {
   constexpr int most_repetitions = 3;
-  constexpr double safety = 2;              // of estimates to first order
-  constexpr double aim = 0.25;              // of the tolerance: errors are not exactly proportional to those of the steps
-  constexpr double least_steps = 1e-5;      // of the tolerance: of the default one, the rounding of coordinates
+  constexpr double safety = 2;         // of estimates to first order
+  constexpr double aim = 0.25;         // of the tolerance: errors are not exactly proportional to those of the steps
+  constexpr double least_steps = 1e-5; // of the tolerance: of the default one, the rounding of coordinates
   double step_tolerance = tolerance;
   const Flow_status status = trace(step_tolerance, result);
   if(status != Flow_status::SUCCESS) return status;

@@ -58,8 +58,8 @@ private:
     return dot(normal, curve.derivative()) / (norm(normal) * curve.speed());
   }
 
-  // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do after one
-  // iteration. Fails if that is not during the step; `s` is then a guess of where.
+  // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do
+  // after one iteration. Fails if that is not during the step; `s` is then a guess of where.
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
@@ -108,12 +108,12 @@ private:
     return best.facet != Projection_facets_3::npos;
   }
 
-  // Ends the curve at the facet that was found, where it passes its plane: tells whether that is on the facet and in the shell, up to the
-  // tolerance.
+  // Ends the curve at the facet that was found, where it passes its plane: tells whether that is on the facet and in
+  // the shell, up to the tolerance.
   bool settle(Curve& curve, Hit& hit) const
   {
     double goal = hit.value;
-    constexpr int most_corrections = 50;        // more than Newton's method ever takes
+    constexpr int most_corrections = 50; // more than Newton's method ever takes
     for(int corrections = 0; corrections < most_corrections;) {
       const double low = (std::min)(curve.begin(), curve.value()), high = (std::max)(curve.begin(), curve.value());
       if(goal >= low && goal <= high) curve.cut(goal);
@@ -132,24 +132,27 @@ private:
       hit.barycentric = position.nearest;
       const Curve_error error = curve.error();
       hit.error = { error.at_end() / sine, error.at_start() };
-      hit.is_beyond_border = position.outside > 0 && m_facets->neighbor(hit.facet, position.edge) == Projection_facets_3::npos;
+      hit.is_beyond_border = position.outside > 0
+                             && m_facets->neighbor(hit.facet, position.edge) == Projection_facets_3::npos;
       const Coordinates image = m_facets->point(hit.facet, position.nearest);
       const Coordinates off = { image[0] - x[0], image[1] - x[1], image[2] - x[2] };
       return dot(off, off) <= m_tolerance * m_tolerance && curve.is_within_thresholds(x, goal)
-          && curve.drift(x, goal) * curve.speed() <= m_tolerance;
+             && curve.drift(x, goal) * curve.speed() <= m_tolerance;
     }
     return false;
   }
 
-  // A point of the target is its own image, also on facets so steep that rounding moves where the curve passes their planes out of them.
+  // A point of the target is its own image, also on facets so steep that rounding moves where the curve passes their
+  // planes out of them.
   bool find_facet_at(const Coordinates& start, Hit& best) const
   {
     Curve curve(*m_shell, m_tolerance);
     curve.start(start);
-    const double margin = curve.crossing_precision(1);       // as precisely as curves end at facets
+    const double margin = curve.crossing_precision(1); // as precisely as curves end at facets
     double least = margin;
     best = Hit();
-    const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin, start[2] + margin);
+    const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin,
+                     start[2] + margin);
     m_facets->visit_facets(box, [&](Index facet) {
       if(!(dot(m_facets->normal(facet), curve.derivative()) > 0)) return;
       Hit hit;
@@ -188,7 +191,8 @@ private:
       curve.start(start);
       const bool is_inside = best.outside <= 0;
       if(settle(curve, best)) return Flow_status::SUCCESS;
-      if(is_inside) return Flow_status::TOO_MANY_STEPS;       // there is an image, but it is not found with the accuracy asked for
+      // there is an image, but it is not found with the accuracy asked for
+      if(is_inside) return Flow_status::TOO_MANY_STEPS;
     }
     return wrong_way ? Flow_status::FACES_WRONG_WAY : failure;
   }
@@ -203,8 +207,9 @@ private:
   }
 
   static constexpr int max_moves = 64;
-  static constexpr double overshoot = 1.015;            // of steps, so that facets are near their ends, where cutting them is cheap
-  static constexpr double bend = 0.1;                   // of a curve, as a part of its length
+  // of steps, so that facets are near their ends, where cutting them is cheap
+  static constexpr double overshoot = 1.015;
+  static constexpr double bend = 0.1; // of a curve, as a part of its length
 
   const Shell* m_shell;
   const Projection_facets_3* m_facets;
@@ -236,14 +241,14 @@ Flow_status Facet_on_curve<Shell>::trace(const Coordinates& start, Index near, d
 template <typename Shell>
 Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index near, Hit& hit) const
 {
-  return keep_tolerance(m_tolerance, hit, [&](double step_tolerance, Hit& result) {
-    return trace(start, near, step_tolerance, result);
-  });
+  return keep_tolerance(m_tolerance, hit,
+                        [&](double step_tolerance, Hit& result) { return trace(start, near, step_tolerance, result); });
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template class Facet_on_curve<Bspline_shell_3<> >;
-extern template class Facet_on_curve<Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
+extern template class Facet_on_curve<
+  Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
 #endif
 
 } // namespace internal

@@ -45,8 +45,8 @@ struct Flow_velocity
   }
 };
 
-// The same, and the derivatives of x by the start, as three columns, times `unit`: so that one tolerance suits all of the state.
-// With g = grad f and H its Hessian, the velocity has the derivative (I - 2 g g^T / |g|^2) H / |g|^2.
+// The same, and the derivatives of x by the start, as three columns, times `unit`: so that one tolerance suits all of
+// the state. With g = grad f and H its Hessian, the velocity has the derivative (I - 2 g g^T / |g|^2) H / |g|^2.
 struct Flow_velocity_with_differential
 {
   typedef std::array<double, 12> State;
@@ -63,9 +63,9 @@ struct Flow_velocity_with_differential
     const double scale = 1 / dot(g, g);
     for(int a = 0; a < 3; ++a) dx[a] = scale * g[a];
     for(int j = 3; j < 12; j += 3) {
-      const double u[3] = { h[0]*x[j] + h[3]*x[j+1] + h[4]*x[j+2],
-                            h[3]*x[j] + h[1]*x[j+1] + h[5]*x[j+2],
-                            h[4]*x[j] + h[5]*x[j+1] + h[2]*x[j+2] };
+      const double u[3] = { h[0] * x[j] + h[3] * x[j + 1] + h[4] * x[j + 2],
+                            h[3] * x[j] + h[1] * x[j + 1] + h[5] * x[j + 2],
+                            h[4] * x[j] + h[5] * x[j + 1] + h[2] * x[j + 2] };
       const double along = 2 * scale * dot(g, u);
       for(int a = 0; a < 3; ++a) dx[j + a] = scale * (u[a] - along * g[a]);
     }
@@ -73,8 +73,8 @@ struct Flow_velocity_with_differential
   }
 };
 
-// About a unit in the last place of the coordinates in a shell. The coordinates of all cells differ from the first one's
-// by a few boxes at most.
+// About a unit in the last place of the coordinates in a shell. The coordinates of all cells differ from the first
+// one's by a few boxes at most.
 template <typename Shell>
 double coordinate_rounding(const Shell& shell)
 {
@@ -87,12 +87,11 @@ double coordinate_rounding(const Shell& shell)
 
 // Steps along an integral curve of a shell's field.
 //
-// A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest where the
-// curve leaves the cell: what is integrated is analytic, and the order of the method is kept, whereas the third derivatives of
-// the field jump between cells. A curve may be beyond a face by `slack` of the cell's width before it changes to the
-// neighbor: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the third ones, and a curve along a face does not
-// go to
-// and fro.
+// A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest
+// where the curve leaves the cell: what is integrated is analytic, and the order of the method is kept, whereas the
+// third derivatives of the field jump between cells. A curve may be beyond a face by `slack` of the cell's width before
+// it changes to the neighbor: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the
+// third ones, and a curve along a face does not go to and fro.
 template <typename Shell, typename Velocity>
 class Integral_curve
 {
@@ -102,11 +101,11 @@ class Integral_curve
 public:
   typedef typename Velocity::State State;
 
-  // `tolerance`: by how much the curve may leave the shell. `step_tolerance`: the curve's share of it, in steps' errors. Both are in
-  // user units.
+  // `tolerance`: by how much the curve may leave the shell. `step_tolerance`: the curve's share of it, in steps'
+  // errors. Both are in user units.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
-    : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance)
-    , m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
+    : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance),
+      m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
   {}
   Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
@@ -121,7 +120,8 @@ public:
     m_end = x;
     m_end_s = m_velocity.evaluate(m_end, m_end_dx);
     if(!is_gradient_certain())
-      return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES : Flow_status::STARTS_OUTSIDE;
+      return m_end_s >= threshold(false, x) && m_end_s <= threshold(true, x) ? Flow_status::GRADIENT_VANISHES
+                                                                             : Flow_status::STARTS_OUTSIDE;
     m_begin_s = m_end_s;
     m_error = Curve_error(divergence(m_velocity.cell, m_end));
     begin_step();
@@ -133,19 +133,22 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
-  // of the places where planes are passed, at an angle with this sine: a thousandth of the tolerance, or the rounding of
-  // coordinates if that is more
+  // of the places where planes are passed, at an angle with this sine: a thousandth of the tolerance, or the rounding
+  // of coordinates if that is more
   double crossing_precision(double sine) const { return (std::max)(1e-3 * m_tolerance, 4 * m_rounding / sine); }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
-  double value() const { return m_end_s; }          // of f
+  double value() const { return m_end_s; } // of f
   // how long the curve is where f grows by 1
-  double speed() const { return std::sqrt(m_end_dx[0]*m_end_dx[0] + m_end_dx[1]*m_end_dx[1] + m_end_dx[2]*m_end_dx[2]); }
+  double speed() const
+  {
+    return std::sqrt(m_end_dx[0] * m_end_dx[0] + m_end_dx[1] * m_end_dx[1] + m_end_dx[2] * m_end_dx[2]);
+  }
   // the outer or the inner threshold minus the value
   double room(bool outwards) const { return threshold(outwards, m_end) - m_end_s; }
 
-  // One step towards `goal`, a value of f. It may end before, where the cell does or where the error grows. If it leaves the
-  // shell, what there is of the step may still be looked at.
+  // One step towards `goal`, a value of f. It may end before, where the cell does or where the error grows. If it
+  // leaves the shell, what there is of the step may still be looked at.
   Flow_status step(double goal)
   {
     do {
@@ -153,7 +156,7 @@ public:
       const Flow_status status = step_in_cell(goal);
       m_has_left = status == Flow_status::LEAVES_SHELL;
       if(status != Flow_status::SUCCESS) return status;
-    } while(m_end_s == m_begin_s && m_end_s != goal);       // at the face that it left the cell through
+    } while(m_end_s == m_begin_s && m_end_s != goal); // at the face that it left the cell through
     return Flow_status::SUCCESS;
   }
 
@@ -168,15 +171,18 @@ public:
     m_stepper.calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_stepped.x, m_stepped.dx, m_stepped.s);
     return x;
   }
-  // Makes the step end at `s`, which is in it. The polynomial between its ends has their places and derivatives: with t = (s - begin) / length, it is off
-  // by (4 t (1 - t))^2 times as much as in the middle, which is next to nothing near the end.
+  // Makes the step end at `s`, which is in it. The polynomial between its ends has their places and derivatives: with t
+  // = (s - begin) / length, it is off by (4 t (1 - t))^2 times as much as in the middle, which is next to nothing near
+  // the end.
   void cut(double s)
   {
     m_next_cell = Field::npos;
     m_has_left = false;
     m_end_s = s;
-    if(s == m_begin_s) { m_end = m_begin; m_end_dx = m_begin_dx; }
-    else if(std::abs(m_stepped.s - s) <= near_end * std::abs(m_stepped.s - m_begin_s)) {
+    if(s == m_begin_s) {
+      m_end = m_begin;
+      m_end_dx = m_begin_dx;
+    } else if(std::abs(m_stepped.s - s) <= near_end * std::abs(m_stepped.s - m_begin_s)) {
       m_end = at(s);
       m_velocity(m_end, m_end_dx, s);
     } else {
@@ -205,12 +211,13 @@ private:
   typedef boost::numeric::odeint::runge_kutta_dopri5<State> Stepper;
   typedef boost::numeric::odeint::default_step_adjuster<double, double> Step_adjuster;
 
-  static constexpr double slack = 1e-6;             // of a cell's width
-  static constexpr double near_end = 0.03;          // of a step's length
-  static constexpr double steps_per_curve = 10;     // that share the tolerance
+  static constexpr double slack = 1e-6;         // of a cell's width
+  static constexpr double near_end = 0.03;      // of a step's length
+  static constexpr double steps_per_curve = 10; // that share the tolerance
   static constexpr int max_steps = 2000;
-  static constexpr double smallest_step = 1e-12;    // of a cell's width
-  static constexpr double smallest_gradient = 1e-4; // relative to the range of f on a cell: where steps get that small, it is to blame
+  static constexpr double smallest_step = 1e-12; // of a cell's width
+  // relative to the range of f on a cell: where steps get that small, it is to blame
+  static constexpr double smallest_gradient = 1e-4;
 
   static bool is_finite(const State& x)
   {
@@ -225,8 +232,12 @@ private:
     constexpr double safety = 100;
     return is_finite(m_end_dx) && speed() * safety * m_velocity.cell.error_radius() < m_velocity.cell.width();
   }
-  // Curves that turn by a right angle or more in one step have jumped over a critical point, or have not been seen well.
-  bool goes_on() const { return m_begin_dx[0]*m_end_dx[0] + m_begin_dx[1]*m_end_dx[1] + m_begin_dx[2]*m_end_dx[2] > 0; }
+  // Curves that turn by a right angle or more in one step have jumped over a critical point, or have not been seen
+  // well.
+  bool goes_on() const
+  {
+    return m_begin_dx[0] * m_end_dx[0] + m_begin_dx[1] * m_end_dx[1] + m_begin_dx[2] * m_end_dx[2] > 0;
+  }
 
   bool is_shell_cell(Cell_index c) const { return c != Field::npos && m_shell->shell_cells()[c]; }
 
@@ -278,7 +289,8 @@ private:
       State errors;
       m_stepper.do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, ds, errors);
       m_step_error = 0;
-      for(double error : errors) m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_step_tolerance));
+      for(double error : errors)
+        m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_step_tolerance));
       const bool accepted = !(m_step_error > 1);
       if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
         m_step_size = std::abs(ds);
@@ -288,8 +300,9 @@ private:
       if(!(std::abs(ds) > smallest_step * longest)) {
         cut(m_begin_s);
         const auto range = m_velocity.cell.coefficient_range();
-        return m_velocity.cell.width() < smallest_gradient * (range.second - range.first) * speed() ? Flow_status::GRADIENT_VANISHES
-                                                                                                    : Flow_status::TOO_MANY_STEPS;
+        return m_velocity.cell.width() < smallest_gradient * (range.second - range.first) * speed()
+                 ? Flow_status::GRADIENT_VANISHES
+                 : Flow_status::TOO_MANY_STEPS;
       }
     }
     m_end_s = ds == goal - m_begin_s ? goal : m_begin_s + ds;
@@ -316,8 +329,8 @@ private:
     }
     if(axis != -1) {
       cut(exit);
-      // Over the face, not over an edge of it: what is on edges belongs to cells that the curve may not come to, or come back from.
-      // Where the cell over the face is none of the shell's, the one that the point is in may be.
+      // Over the face, not over an edge of it: what is on edges belongs to cells that the curve may not come to, or
+      // come back from. Where the cell over the face is none of the shell's, the one that the point is in may be.
       const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
       std::array<double, 3> beyond;
       for(int a = 0; a < 3; ++a)
@@ -339,12 +352,20 @@ private:
   double crossing(int axis, double plane, double precision) const
   {
     double s0 = m_begin_s, s1 = m_end_s, d0 = m_begin[axis] - plane, d1 = m_end[axis] - plane;
-    if((d0 < 0) == (d1 < 0)) return m_begin_s;      // it began beyond, by the slack at most
+    if((d0 < 0) == (d1 < 0)) return m_begin_s; // it began beyond, by the slack at most
     for(int i = 0; i < 60; ++i) {
       const double s = s1 - d1 * (s1 - s0) / (d1 - d0), d = at(s)[axis] - plane;
       if(std::abs(d) <= precision) return s;
-      if((d < 0) == (d1 < 0)) { s1 = s; d1 = d; d0 /= 2; }
-      else { s0 = s1; d0 = d1; s1 = s; d1 = d; }
+      if((d < 0) == (d1 < 0)) {
+        s1 = s;
+        d1 = d;
+        d0 /= 2;
+      } else {
+        s0 = s1;
+        d0 = d1;
+        s1 = s;
+        d1 = d;
+      }
     }
     return s1;
   }
@@ -353,16 +374,20 @@ private:
   double m_tolerance, m_step_tolerance, m_rounding;
   Velocity m_velocity;
   Stepper m_stepper;
-  Cell_index m_cell = Field::npos;                  // of the last step
-  Cell_index m_next_cell = Field::npos;             // if it left that one
+  Cell_index m_cell = Field::npos;      // of the last step
+  Cell_index m_next_cell = Field::npos; // if it left that one
   State m_begin, m_begin_dx, m_end, m_end_dx;
   double m_begin_s = 0, m_end_s = 0;
-  struct { State x, dx; double s; } m_stepped;      // where the last step of the method ended, before it was cut
-  double m_step_size = 0;                           // of the last step, as a difference of f
-  double m_step_error = 0;                          // of that step, as a part of what is allowed
-  Curve_error m_error;                              // of the steps before the last one
+  struct
+  {
+    State x, dx;
+    double s;
+  } m_stepped;             // where the last step of the method ended, before it was cut
+  double m_step_size = 0;  // of the last step, as a difference of f
+  double m_step_error = 0; // of that step, as a part of what is allowed
+  Curve_error m_error;     // of the steps before the last one
   int m_steps = 0;
-  bool m_has_left = false;                          // the shell
+  bool m_has_left = false; // the shell
 };
 
 } // namespace internal

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The facet that the integral curve through a point meets first, from the outer surface of the shell inwards, whichever way it faces.
+// The facet that the integral curve through a point meets first, from the outer surface of the shell inwards, whichever
+// way it faces.
 template <typename Shell>
 class Outermost_facet_on_curve
 {
@@ -29,7 +30,8 @@ public:
     : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
   {}
 
-  // `LEAVES_SHELL` if there is no such facet; `innermost` is then where the curve leaves the shell, by the inner surface.
+  // `LEAVES_SHELL` if there is no such facet; `innermost` is then where the curve leaves the shell, by the inner
+  // surface.
   Flow_status operator()(const Coordinates& start, Curve_hit& hit, Coordinates& innermost) const
   {
     const bool inwards[2] = { false, true };

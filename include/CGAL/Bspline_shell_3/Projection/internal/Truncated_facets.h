@@ -34,12 +34,18 @@ public:
   // a facet and barycentric coordinates in it
   typedef std::pair<Index, Coordinates> Place;
 
-  // Facet `n` of those to be cut is `cut[n].facet`, its first corner being that number `cut[n].corner`; or `npos`, if the mesh does not have it.
-  struct Cut_facet { Index facet; int corner; };
+  // Facet `n` of those to be cut is `cut[n].facet`, its first corner being that number `cut[n].corner`; or `npos`, if
+  // the mesh does not have it.
+  struct Cut_facet
+  {
+    Index facet;
+    int corner;
+  };
 
-  Truncated_facets(std::shared_ptr<const Shell_truncation_3> truncation, const std::vector<Facet>& facets, std::vector<Cut_facet> cut)
-    : m_truncation(std::move(truncation)), m_cut(std::move(cut)), m_cut_of(facets.size(), npos), m_traced_of(facets.size(), npos)
-    , m_traced_of_new(m_truncation->number_of_new_facets(), npos)
+  Truncated_facets(std::shared_ptr<const Shell_truncation_3> truncation, const std::vector<Facet>& facets,
+                   std::vector<Cut_facet> cut)
+    : m_truncation(std::move(truncation)), m_cut(std::move(cut)), m_cut_of(facets.size(), npos),
+      m_traced_of(facets.size(), npos), m_traced_of_new(m_truncation->number_of_new_facets(), npos)
   {
     for(std::size_t n = 0; n < m_cut.size(); ++n)
       if(m_cut[n].facet != npos) m_cut_of[m_cut[n].facet] = Index(n);
@@ -85,8 +91,7 @@ public:
         traced[side->second.first].neighbor[side->second.second] = m_traced_of[beyond];
         for(int j = 0; j < 3; ++j)
           // At one edge only: two common edges have a center, at which all facets are cut.
-          if(facets[beyond].neighbor[j] == m_cut[n].facet)
-            traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
+          if(facets[beyond].neighbor[j] == m_cut[n].facet) traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
       }
     m_facets = Projection_facets_3(std::move(traced));
   }
@@ -114,7 +119,8 @@ public:
     return result;
   }
 
-  // The derivative of the map at a place of a facet with these vertices: from the facet's plane to that of the image, and from normal to normal.
+  // The derivative of the map at a place of a facet with these vertices: from the facet's plane to that of the image,
+  // and from normal to normal.
   Eigen::Matrix3d derivative(const Place& place, const std::array<Coordinates, 3>& vertices) const
   {
     if(!is_cut(place.first)) return Eigen::Matrix3d::Identity();
@@ -127,7 +133,8 @@ public:
     for(int k = 0; k < 2; ++k) {
       before.col(k) = eigen(vertices[(corner + k + 1) % 3]) - eigen(vertices[corner]);
       after.col(k).setZero();
-      for(int i = 0; i < 3; ++i) after.col(k) += (columns[k + 1][i] - columns[0][i]) * eigen(m_facets.vertex(traced_facet, i));
+      for(int i = 0; i < 3; ++i)
+        after.col(k) += (columns[k + 1][i] - columns[0][i]) * eigen(m_facets.vertex(traced_facet, i));
     }
     before.col(2) = before.col(0).cross(before.col(1)).normalized();
     after.col(2) = eigen(m_facets.normal(traced_facet)).normalized();
@@ -136,7 +143,10 @@ public:
 
 private:
   static constexpr Index npos = Projection_facets_3::npos;
-  struct Origin { Index facet, new_facet; };
+  struct Origin
+  {
+    Index facet, new_facet;
+  };
 
   Shell_truncation_3::Place in_cut_facet(const Place& place) const
   {
@@ -149,8 +159,8 @@ private:
   std::shared_ptr<const Shell_truncation_3> m_truncation;
   Projection_facets_3 m_facets;
   std::vector<Cut_facet> m_cut;
-  std::vector<Index> m_cut_of, m_traced_of, m_traced_of_new;      // by facet of the mesh, and by new facet
-  std::vector<Origin> m_origins;                                  // of traced facets
+  std::vector<Index> m_cut_of, m_traced_of, m_traced_of_new; // by facet of the mesh, and by new facet
+  std::vector<Origin> m_origins;                             // of traced facets
 };
 
 } // namespace internal

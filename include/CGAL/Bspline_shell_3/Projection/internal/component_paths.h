@@ -37,7 +37,7 @@ struct Facets_by_component
 
   const Projection_facets_3& facets;
   std::size_t number_of_components;
-  std::vector<Projection_facets_3::Index> component;        // by facet
+  std::vector<Projection_facets_3::Index> component; // by facet
 };
 
 // Paths through the components of a shell in which the components of a mesh lie, each through a large facet. A path has
@@ -47,7 +47,7 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
 {
   typedef typename Shell::Point_3 Point_3;
   typedef Projection_facets_3::Index Index;
-  constexpr std::size_t max_paths = 3, max_facets = 16;       // of a component; facets that are tried
+  constexpr std::size_t max_paths = 3, max_facets = 16; // of a component; facets that are tried
   std::vector<std::vector<std::pair<double, Index> > > facets(mesh.number_of_components);
   for(Index f = 0; f < mesh.facets.number_of_facets(); ++f) {
     const auto& n = mesh.facets.normal(f);
@@ -81,7 +81,7 @@ bool share_components(const Shell& shell, const Projection_facets_3& first, cons
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
   if(arithmetic_self_test() != Arithmetic_status::SOUND) return false;
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);      // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
   const std::array<Facets_by_component, 2> meshes = { Facets_by_component(first), Facets_by_component(second) };
   std::array<std::vector<char>, 2> has_partner;
   for(int i = 0; i < 2; ++i) has_partner[i].assign(meshes[i].number_of_components, 0);
@@ -97,15 +97,15 @@ bool share_components(const Shell& shell, const Projection_facets_3& first, cons
     };
     const auto component = [&](std::size_t n) { return std::size_t(other.component[n]); };
     // for each component of the other mesh, one of this mesh
-    const std::vector<std::size_t> partner
-      = match_components(component_paths(shell, meshes[i]), other.number_of_components, other.facets.number_of_facets(),
-                         triangle, component).component_of_shell;
+    const std::vector<std::size_t> partner = match_components(component_paths(shell, meshes[i]),
+                                                              other.number_of_components,
+                                                              other.facets.number_of_facets(), triangle, component)
+                                               .component_of_shell;
     for(std::size_t c = 0; c < partner.size(); ++c)
       if(partner[c] != Component_match::none) has_partner[1 - i][c] = has_partner[i][partner[c]] = 1;
   }
-  return std::all_of(has_partner.begin(), has_partner.end(), [](const std::vector<char>& all) {
-    return std::find(all.begin(), all.end(), 0) == all.end();
-  });
+  return std::all_of(has_partner.begin(), has_partner.end(),
+                     [](const std::vector<char>& all) { return std::find(all.begin(), all.end(), 0) == all.end(); });
 }
 
 } // namespace internal

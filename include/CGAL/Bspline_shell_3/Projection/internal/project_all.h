@@ -18,12 +18,13 @@ namespace internal {
 
 // the images of points under a projection, in the same order
 template <typename ConcurrencyTag, typename Projection, typename PointRange, typename Visitor>
-std::vector<typename Projection::Image> project_all(const Projection& projection, const PointRange& points, Visitor& visitor)
+std::vector<typename Projection::Image> project_all(const Projection& projection, const PointRange& points,
+                                                    Visitor& visitor)
 {
   std::vector<typename Projection::Image> images(std::size_t(std::end(points) - std::begin(points)));
-  for_each_point<ConcurrencyTag>(images.size(), [&](std::size_t n) -> decltype(auto) {
-    return *(std::begin(points) + std::ptrdiff_t(n));
-  }, visitor, [&, hint = typename Projection::Hint()](std::size_t n, const auto& p) mutable { images[n] = projection(p, hint); });
+  for_each_point<ConcurrencyTag>(
+    images.size(), [&](std::size_t n) -> decltype(auto) { return *(std::begin(points) + std::ptrdiff_t(n)); }, visitor,
+    [&, hint = typename Projection::Hint()](std::size_t n, const auto& p) mutable { images[n] = projection(p, hint); });
   return images;
 }
 

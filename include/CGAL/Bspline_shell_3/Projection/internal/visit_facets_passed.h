@@ -23,17 +23,17 @@ namespace internal {
 struct Curve_hit
 {
   Projection_facets_3::Index facet = Projection_facets_3::npos;
-  double value = 0;                   // of the field
+  double value = 0; // of the field
   Projection_facets_3::Coordinates barycentric = {};
-  double outside = std::numeric_limits<double>::infinity();     // of the facet, a distance
-  bool is_beyond_border = false;      // by less than the tolerance
+  double outside = std::numeric_limits<double>::infinity(); // of the facet, a distance
+  bool is_beyond_border = false;                            // by less than the tolerance
   Image_error error;
 };
 
-inline constexpr double search_tolerance = 100;        // of it, for what is less exact within steps
+inline constexpr double search_tolerance = 100; // of it, for what is less exact within steps
 
-// Calls `visit(hit)` for the facets that the curve passes during its last step, between the thresholds, whichever way they face; at their edges up to
-// `search_tolerance`. A facet whose plane is passed twice in one step may be missed.
+// Calls `visit(hit)` for the facets that the curve passes during its last step, between the thresholds, whichever way
+// they face; at their edges up to `search_tolerance`. A facet whose plane is passed twice in one step may be missed.
 template <typename Curve, typename Visitor>
 void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, double tolerance, const Visitor& visit)
 {
@@ -47,11 +47,11 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
     box += Bbox_3(x[0], x[1], x[2], x[0], x[1], x[2]);
   }
   const double margin = tolerance + std::abs(last - first) * curve.speed() / 4;
-  box = Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin,
-               box.xmax() + margin, box.ymax() + margin, box.zmax() + margin);
+  box = Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin, box.xmax() + margin, box.ymax() + margin,
+               box.zmax() + margin);
   facets.visit_facets(box, [&](Projection_facets_3::Index facet) {
     const double near = tolerance * norm(facets.normal(facet));
-    if(!(near > 0)) return;       // without an area
+    if(!(near > 0)) return; // without an area
     double s0 = first, s1 = last, h0 = facets.height(facet, x0), h1 = facets.height(facet, x1);
     if((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near) return;
     Curve_hit hit;
@@ -59,13 +59,16 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
     hit.value = std::abs(h0) <= std::abs(h1) ? s0 : s1;
     Coordinates x = std::abs(h0) <= std::abs(h1) ? x0 : x1;
     if((h0 < 0) != (h1 < 0))
-      for(int i = 0; i < 100 && s1 != s0; ++i) {       // regula falsi, the Illinois variant
+      for(int i = 0; i < 100 && s1 != s0; ++i) { // regula falsi, the Illinois variant
         hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
         x = curve.at(hit.value);
         const double h = facets.height(facet, x);
         if(std::abs(h) * tolerance <= curve.crossing_precision(1) * near) break;
         if((h < 0) == (h1 < 0)) h0 /= 2;
-        else { s0 = s1; h0 = h1; }
+        else {
+          s0 = s1;
+          h0 = h1;
+        }
         s1 = hit.value;
         h1 = h;
       }

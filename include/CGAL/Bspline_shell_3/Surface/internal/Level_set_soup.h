@@ -42,7 +42,7 @@ class Level_set_soup
   typedef typename Subdivision::Surroundings Surroundings;
   typedef typename Subdivision::Node Node;
   typedef typename Subdivision::Node_in_space Node_in_space;
-  typedef std::uint64_t Edge;       // two nodes of a leaf
+  typedef std::uint64_t Edge; // two nodes of a leaf
 
 public:
   typedef std::array<double, 3> Point;
@@ -116,7 +116,8 @@ private:
       return false;
     });
     if(proved != not_selected) return proved == above;
-    return !(cell(first, first == c ? f : function(first)).value(position(first, m_subdivision.in_leaf(first, at))) < 0);
+    return !(cell(first, first == c ? f : function(first)).value(position(first, m_subdivision.in_leaf(first, at)))
+             < 0);
   }
 
   bool is_above(std::size_t candidate, const Node& v) const
@@ -157,7 +158,8 @@ private:
     m_subdivision.visit_tetrahedra(surroundings, [&](const std::array<Node, 4>& corners, int, bool) {
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < i; ++j)
-          if(is_above(candidate, corners[i]) != is_above(candidate, corners[j])) edges.push_back(edge(corners[i], corners[j]));
+          if(is_above(candidate, corners[i]) != is_above(candidate, corners[j]))
+            edges.push_back(edge(corners[i], corners[j]));
     });
     sort_unique(edges);
     return edges;
@@ -171,22 +173,24 @@ private:
     std::vector<char> leaves((size + chunk - 1) / chunk, 0);
     m_is_above.resize(size * nodes);
     m_first_edge.assign(size + 1, 0);
-    m_edges = collect_from_chunks<ConcurrencyTag, Edge>(size, chunk, [&](std::size_t begin, std::size_t end, std::vector<Edge>& own) {
-      for(std::size_t n = begin; n < end; ++n) {
-        const Index c = m_candidates[n];
-        const Surroundings surroundings(m_subdivision, c);
-        const Enclosed_tricubic f = function(c);
-        char* const signs = &m_is_above[n * nodes];
-        std::fill(signs, signs + nodes, char(is_above(c, f, Node{ 0, 0, 0 })));
-        m_subdivision.visit_nodes(surroundings, [&](const Node& v) { signs[m_subdivision.number(v)] = is_above(c, f, v); });
-        if(!is_cut(n)) continue;
-        const std::size_t before = own.size();
-        for(Edge e : cut_edges(n, surroundings))
-          if(owner(n, e).first == n) own.push_back(e);
-        m_first_edge[n + 1] = own.size() - before;
-        if(leaves_at_a_face(n, surroundings)) leaves[begin / chunk] = 1;
-      }
-    });
+    m_edges = collect_from_chunks<ConcurrencyTag, Edge>(
+      size, chunk, [&](std::size_t begin, std::size_t end, std::vector<Edge>& own) {
+        for(std::size_t n = begin; n < end; ++n) {
+          const Index c = m_candidates[n];
+          const Surroundings surroundings(m_subdivision, c);
+          const Enclosed_tricubic f = function(c);
+          char* const signs = &m_is_above[n * nodes];
+          std::fill(signs, signs + nodes, char(is_above(c, f, Node{ 0, 0, 0 })));
+          m_subdivision.visit_nodes(surroundings,
+                                    [&](const Node& v) { signs[m_subdivision.number(v)] = is_above(c, f, v); });
+          if(!is_cut(n)) continue;
+          const std::size_t before = own.size();
+          for(Edge e : cut_edges(n, surroundings))
+            if(owner(n, e).first == n) own.push_back(e);
+          m_first_edge[n + 1] = own.size() - before;
+          if(leaves_at_a_face(n, surroundings)) leaves[begin / chunk] = 1;
+        }
+      });
     for(std::size_t n = 0; n < size; ++n) m_first_edge[n + 1] += m_first_edge[n];
     return std::find(leaves.begin(), leaves.end(), 1) != leaves.end();
   }
@@ -207,7 +211,8 @@ private:
       const bool sign = is_above(candidate, corners[1]);
       if(is_above(candidate, corners[2]) == sign && is_above(candidate, corners[3]) == sign) return;
       const Index c = m_candidates[candidate];
-      const Index behind = m_subdivision.leaf_behind(m_subdivision.in_space(c, corners[1]), m_subdivision.in_space(c, corners[2]),
+      const Index behind = m_subdivision.leaf_behind(m_subdivision.in_space(c, corners[1]),
+                                                     m_subdivision.in_space(c, corners[2]),
                                                      m_subdivision.in_space(c, corners[3]), axis, positive);
       leaves = leaves || behind == Cells::npos || !is_candidate(m_state[behind]);
     });
@@ -351,12 +356,12 @@ private:
 
   const Cells& m_cells;
   const Subdivision m_subdivision;
-  const int m_last;                            // coordinate of nodes in a leaf
-  std::vector<Index> m_state;                  // per leaf
-  std::vector<Index> m_candidates;             // their leaves, ascending
-  std::vector<char> m_is_above;                // per candidate and node
-  std::vector<Edge> m_edges;                   // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
-  std::vector<std::size_t> m_first_edge;       // per candidate, that of the first edge it owns
+  const int m_last;                      // coordinate of nodes in a leaf
+  std::vector<Index> m_state;            // per leaf
+  std::vector<Index> m_candidates;       // their leaves, ascending
+  std::vector<char> m_is_above;          // per candidate and node
+  std::vector<Edge> m_edges;             // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
+  std::vector<std::size_t> m_first_edge; // per candidate, that of the first edge it owns
 };
 
 } // namespace internal

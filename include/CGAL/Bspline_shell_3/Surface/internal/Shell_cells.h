@@ -96,7 +96,7 @@ private:
     Place parent() const
     {
       Place p = { level - 1, point };
-      for(int& i : p.point) i = (i - (i & 1)) / 2;      // rounds down
+      for(int& i : p.point) i = (i - (i & 1)) / 2; // rounds down
       return p;
     }
     Place child(int octant) const
@@ -108,9 +108,9 @@ private:
   struct Part
   {
     Place place;
-    Index cell;                   // of the field
+    Index cell; // of the field
     int level_of_cell;
-    Lattice_point position;       // in the cell, in units of its own width
+    Lattice_point position; // in the cell, in units of its own width
 
     int depth() const { return place.level - level_of_cell; }
   };
@@ -182,8 +182,8 @@ private:
       m_first_part.push_back(npos);
     }
     for(int n = 0; n < 27; ++n) {
-      const Place neighbor
-        = { p.level, { p.point[0] + n % 3 - 1, p.point[1] + n / 3 % 3 - 1, p.point[2] + n / 9 - 1 } };
+      const Place neighbor = { p.level,
+                               { p.point[0] + n % 3 - 1, p.point[1] + n / 3 % 3 - 1, p.point[2] + n / 9 - 1 } };
       const Index leaf = leaf_around(neighbor);
       if(leaf != npos && level(leaf) < p.level) split(neighbor.parent());
     }
@@ -216,9 +216,8 @@ private:
     split(p);
     for(int o = 0; o < 8; ++o) {
       // boxes in an octant are consecutive
-      const Cover_box* last = std::find_if(begin, end, [&](const Cover_box& b) {
-        return octant(b.position, b.depth - depth - 1) != o;
-      });
+      const Cover_box* last = std::find_if(
+        begin, end, [&](const Cover_box& b) { return octant(b.position, b.depth - depth - 1) != o; });
       separate(p.child(o), depth + 1, begin, last);
       begin = last;
     }
@@ -229,14 +228,13 @@ private:
   {
     if(is_split(p))
       for(int o = 0; o < 8; ++o) select(p.child(o));
-    else
-      m_is_selected[leaf_around(p)] = 1;
+    else m_is_selected[leaf_around(p)] = 1;
   }
 
   const Whole_cells m_cells;
   int m_levels;
   // of leaves of the field, then of their parts
-  std::vector<Index> m_first_part;      // of eight with consecutive numbers, in the order of octants; none for leaves
+  std::vector<Index> m_first_part; // of eight with consecutive numbers, in the order of octants; none for leaves
   std::vector<char> m_is_selected;
   std::vector<Part> m_parts;
 };

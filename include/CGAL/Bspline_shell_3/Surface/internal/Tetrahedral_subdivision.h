@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// How leaves are cut into tetrahedra: into n^3 equal subcells, and each subcell into the cones from its middle over the triangles
-// of its faces. A face with smaller leaves behind it is cut into the squares that these see. A square that is not is cut by a fan: from
-// the middle of the first of its edges that smaller leaves around it halve, or else from its least corner. So triangles depend on
-// the square and the leaves around it alone, and tetrahedra on two sides of it agree. This takes leaves that touch to differ by
-// one level at most, as graded ones do.
+// How leaves are cut into tetrahedra: into n^3 equal subcells, and each subcell into the cones from its middle over the
+// triangles of its faces. A face with smaller leaves behind it is cut into the squares that these see. A square that is
+// not is cut by a fan: from the middle of the first of its edges that smaller leaves around it halve, or else from its
+// least corner. So triangles depend on the square and the leaves around it alone, and tetrahedra on two sides of it
+// agree. This takes leaves that touch to differ by one level at most, as graded ones do.
 //
-// Nodes are corners of tetrahedra. They have integer coordinates: in a leaf, from 0 to 2n along each axis; in space, in units of
-// 1/2n of the smallest leaves' width, which may take more than 32 bits.
+// Nodes are corners of tetrahedra. They have integer coordinates: in a leaf, from 0 to 2n along each axis; in space, in
+// units of 1/2n of the smallest leaves' width, which may take more than 32 bits.
 template <typename Cells>
 class Tetrahedral_subdivision
 {
@@ -30,7 +30,8 @@ public:
   typedef std::array<int, 3> Node;
   typedef std::array<std::int64_t, 3> Node_in_space;
 
-  Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1) {}
+  Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1)
+  {}
 
   // for a leaf; some are nodes of no tetrahedron
   std::size_t number_of_nodes() const { return cubed(std::size_t(2 * m_n + 1)); }
@@ -70,7 +71,10 @@ public:
       Node cell = first;
       bool contains = true;
       for(int a = 0; a < 3; ++a)
-        if((o >> a) & 1) { contains = contains && is_between[a]; --cell[a]; }
+        if((o >> a) & 1) {
+          contains = contains && is_between[a];
+          --cell[a];
+        }
       if(!contains) continue;
       const Index c = m_cells->leaf_around(m_finest, cell);
       if(c != Cells::npos && visit(c)) return;
@@ -137,8 +141,9 @@ public:
         }
   }
 
-  // Calls visit(corners, axis, positive) for the tetrahedra of a leaf, which are positively oriented. The first corner is in the
-  // middle of a subcell, the others are on its face orthogonal to an axis, on the side of larger (`positive`) or smaller coordinates.
+  // Calls visit(corners, axis, positive) for the tetrahedra of a leaf, which are positively oriented. The first corner
+  // is in the middle of a subcell, the others are on its face orthogonal to an axis, on the side of larger (`positive`)
+  // or smaller coordinates.
   template <typename Visitor>
   void visit_tetrahedra(const Surroundings& surroundings, const Visitor& visit) const
   {
@@ -161,7 +166,8 @@ private:
 
   // visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates
   template <typename Visitor>
-  void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive, const Visitor& visit) const
+  void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive,
+                       const Visitor& visit) const
   {
     const auto at = [&](int i, int j) {
       Node w = v;
@@ -178,7 +184,9 @@ private:
         }
       return;
     }
-    const std::array<Node, 8> around = { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1) };
+    const std::array<Node, 8> around = {
+      at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1)
+    };
     std::array<Node, 8> polygon;
     std::size_t size = 0, apex = 0;
     for(std::size_t n = 0; n < 8; ++n) {
@@ -186,7 +194,8 @@ private:
       if(n % 2 == 1 && apex == 0) apex = size;
       polygon[size++] = around[n];
     }
-    for(std::size_t n = 1; n + 1 < size; ++n) visit(polygon[apex], polygon[(apex + n) % size], polygon[(apex + n + 1) % size]);
+    for(std::size_t n = 1; n + 1 < size; ++n)
+      visit(polygon[apex], polygon[(apex + n) % size], polygon[(apex + n + 1) % size]);
   }
 
   const Cells* m_cells;

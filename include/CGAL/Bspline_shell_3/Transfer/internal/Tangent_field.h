@@ -24,10 +24,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-inline Eigen::Vector3d eigen_vector(const std::array<double, 3>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); }
+inline Eigen::Vector3d eigen_vector(const std::array<double, 3>& v)
+{
+  return Eigen::Vector3d(v[0], v[1], v[2]);
+}
 
-// The mean of vectors in a plane, each of which stands for its rotations by 2 pi / N: the angle is that of the mean of N-th powers, next to the
-// first vector; the length is the mean length. For N = 1, it is the mean.
+// The mean of vectors in a plane, each of which stands for its rotations by 2 pi / N: the angle is that of the mean of
+// N-th powers, next to the first vector; the length is the mean length. For N = 1, it is the mean.
 class Symmetric_mean
 {
 public:
@@ -57,7 +60,8 @@ public:
   }
 
 private:
-  Eigen::Vector3d m_normal, m_x = Eigen::Vector3d::Zero(), m_y = Eigen::Vector3d::Zero(), m_sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d m_normal, m_x = Eigen::Vector3d::Zero(), m_y = Eigen::Vector3d::Zero(),
+                            m_sum = Eigen::Vector3d::Zero();
   std::complex<double> m_power = 0;
   int m_symmetry;
   double m_weight = 0, m_length = 0;
@@ -77,9 +81,9 @@ public:
     return field;
   }
 
-  // On each facet the linear field, with the facet's vector at its centroid, that fits those of its neighbors best, unfolded around common edges:
-  // N-th powers, as complex numbers whose modulus is the vector's length. Across sharp edges a field need not be continuous: such neighbors do not
-  // count.
+  // On each facet the linear field, with the facet's vector at its centroid, that fits those of its neighbors best,
+  // unfolded around common edges: N-th powers, as complex numbers whose modulus is the vector's length. Across sharp
+  // edges a field need not be continuous: such neighbors do not count.
   static Tangent_field linear(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_facets, int symmetry)
   {
     Tangent_field field(facets, symmetry);
@@ -89,11 +93,11 @@ public:
     return field;
   }
 
-  // Interpolated between vertices, the vectors of which are rotated into each facet the shortest way from the vertex's normal: the mean of the
-  // facets', weighted by angles. What they have along the normal is lost. `vertices` has the number of the vertex at each corner: 3 times that of
-  // the facet, and that of the corner.
-  static Tangent_field interpolated(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_vertices, std::vector<std::size_t> vertices,
-                                    int symmetry)
+  // Interpolated between vertices, the vectors of which are rotated into each facet the shortest way from the vertex's
+  // normal: the mean of the facets', weighted by angles. What they have along the normal is lost. `vertices` has the
+  // number of the vertex at each corner: 3 times that of the facet, and that of the corner.
+  static Tangent_field interpolated(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_vertices,
+                                    std::vector<std::size_t> vertices, int symmetry)
   {
     Tangent_field field(facets, symmetry);
     field.m_vertices = std::move(vertices);
@@ -114,7 +118,8 @@ public:
     return field;
   }
 
-  // in the facet's plane. \pre the facet has an area
+  // in the facet's plane.
+  // \pre the facet has an area
   Eigen::Vector3d operator()(Index f, const std::array<double, 3>& barycentric) const
   {
     if(!m_of_vertices.empty()) {
@@ -134,7 +139,7 @@ public:
   }
 
 private:
-  typedef std::array<Power, 2> Gradient;      // by the coordinates in the facet's plane
+  typedef std::array<Power, 2> Gradient; // by the coordinates in the facet's plane
 
   Tangent_field(const Projection_facets_3& facets, int symmetry) : m_facets(&facets), m_symmetry(symmetry) {}
 
@@ -150,7 +155,7 @@ private:
 
   Gradient gradient(Index f) const
   {
-    constexpr double least_cosine = 0.5;      // 60 degrees between normals
+    constexpr double least_cosine = 0.5; // 60 degrees between normals
     const Eigen::Vector3d x = x_axis(f), y = y_axis(f);
     const Power z = power(f);
     Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
@@ -161,10 +166,13 @@ private:
       if(g == Projection_facets_3::npos || !m_facets->has_area(g)) continue;
       if(normal(f).normalized().dot(normal(g).normalized()) < least_cosine) continue;
       // the neighbor's centroid as far from the common edge as it is, in the plane of the facet
-      const Eigen::Vector3d along = edge(f, i).normalized(), inwards = normal(f).normalized().cross(along), to = centroid(g) - vertex(f, i);
-      const Eigen::Vector3d unfolded = vertex(f, i) + along.dot(to) * along - (to - along.dot(to) * along).norm() * inwards - centroid(f);
+      const Eigen::Vector3d along = edge(f, i).normalized(), inwards = normal(f).normalized().cross(along),
+                            to = centroid(g) - vertex(f, i);
+      const Eigen::Vector3d unfolded = vertex(f, i) + along.dot(to) * along
+                                       - (to - along.dot(to) * along).norm() * inwards - centroid(f);
       const Eigen::Vector2d d(x.dot(unfolded), y.dot(unfolded));
-      const Power difference = power(g) * std::polar(1., m_symmetry * (polar_angle(f, along) - polar_angle(g, along))) - z;
+      const Power difference = power(g) * std::polar(1., m_symmetry * (polar_angle(f, along) - polar_angle(g, along)))
+                               - z;
       const double weight = 1 / d.squaredNorm();
       matrix += weight * d * d.transpose();
       right += weight * difference * d.cast<Power>();
@@ -184,8 +192,8 @@ private:
   const Projection_facets_3* m_facets;
   int m_symmetry;
   std::vector<Eigen::Vector3d> m_of_facets;
-  std::vector<Gradient> m_gradients;                              // of linear fields
-  std::vector<Eigen::Vector3d> m_of_vertices, m_normals;          // of those that are interpolated between vertices
+  std::vector<Gradient> m_gradients;                     // of linear fields
+  std::vector<Eigen::Vector3d> m_of_vertices, m_normals; // of those that are interpolated between vertices
   std::vector<std::size_t> m_vertices;
 };
 

@@ -28,14 +28,14 @@ namespace Bspline_shells {
 namespace internal {
 
 // notes a status; tells whether there is a value to put
-inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false, bool is_snapped = false)
+inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false,
+                   bool is_snapped = false)
 {
   if(status == Flow_status::SUCCESS) {
     ++report.transferred;
     if(is_continued) report.continued.push_back(position);
     if(is_snapped) ++report.snapped;
-  }
-  else report.failures.emplace_back(position, status);
+  } else report.failures.emplace_back(position, status);
   return status == Flow_status::SUCCESS;
 }
 
@@ -60,19 +60,19 @@ void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
 
 // vertices of a facet in the order of its barycentric coordinates
 template <typename TriangleMesh>
-std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>
-corners(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f)
+std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3> corners(
+  const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f)
 {
   const auto h = halfedge(f, mesh);
   return { source(h, mesh), target(h, mesh), target(next(h, mesh), mesh) };
 }
 
 template <typename TriangleMesh, typename VertexValueMap>
-std::array<typename boost::property_traits<VertexValueMap>::value_type, 3>
-corner_values(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f, VertexValueMap values)
+std::array<typename boost::property_traits<VertexValueMap>::value_type, 3> corner_values(
+  const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f, VertexValueMap values)
 {
   const auto v = corners(mesh, f);
-  return {{ get(values, v[0]), get(values, v[1]), get(values, v[2]) }};
+  return { { get(values, v[0]), get(values, v[1]), get(values, v[2]) } };
 }
 
 // position in vertices(mesh) of each corner: 3 times the number of the facet, and that of the corner
@@ -89,7 +89,8 @@ std::vector<std::size_t> positions_of_corners(const Target& target)
   return result;
 }
 
-// the centroids of the equal triangles into which a facet is cut, `parts` along each edge; the facet's own, if it is among them, comes first
+// the centroids of the equal triangles into which a facet is cut, `parts` along each edge; the facet's own, if it is
+// among them, comes first
 inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
 {
   std::vector<std::array<double, 3> > centroids;
@@ -97,14 +98,17 @@ inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
     for(int j = 0; i + j < parts; ++j)
       for(int turned = 0; turned < (i + j + 1 < parts ? 2 : 1); ++turned) {
         const int a = 3 * i + 1 + turned, b = 3 * j + 1 + turned;
-        if(a == parts && b == parts) centroids.insert(centroids.begin(), { 1/3., 1/3., 1/3. });
+        if(a == parts && b == parts) centroids.insert(centroids.begin(), { 1 / 3., 1 / 3., 1 / 3. });
         else centroids.push_back({ 1 - double(a + b) / (3 * parts), double(a) / (3 * parts), double(b) / (3 * parts) });
       }
   return centroids;
 }
 
 // how many parts along each edge make so many in all, or a few more
-inline int parts_along_edge(std::size_t samples) { return (std::max)(1, int(std::ceil(std::sqrt(double(samples))))); }
+inline int parts_along_edge(std::size_t samples)
+{
+  return (std::max)(1, int(std::ceil(std::sqrt(double(samples)))));
+}
 
 // Whether a plane with this normal is along the curve, as far as `double`s can tell: nothing is to be moved to it then.
 template <typename Normal>

@@ -28,15 +28,17 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Looks for the disc of largest margin in place of a tip: triangulations of the polygon of cuts, fans around a point, and, if
-// these leave little room, a part of a sphere. Discs that intersect themselves, or the facets that are cut, are none.
+// Looks for the disc of largest margin in place of a tip: triangulations of the polygon of cuts, fans around a point,
+// and, if these leave little room, a part of a sphere. Discs that intersect themselves, or the facets that are cut, are
+// none.
 class Disc_search
 {
   typedef Tip::Point_3 Point_3;
   typedef Tip::Vector_3 Vector_3;
   typedef std::array<std::size_t, 3> Triangle;
 public:
-  explicit Disc_search(const Tip& tip) : m_tip(tip), m_goal(good_share * (std::min)(tip.largest_margin(), good_margin)) {}
+  explicit Disc_search(const Tip& tip) : m_tip(tip), m_goal(good_share * (std::min)(tip.largest_margin(), good_margin))
+  {}
 
   // the best disc found, or nothing
   std::optional<Tip_disc> operator()()
@@ -72,7 +74,8 @@ private:
   Tip_disc empty_disc(const std::vector<double>& radii) const
   {
     Tip_disc disc;
-    for(std::size_t i = 0; i < m_tip.size(); ++i) disc.rim.push_back(Tip_disc::rim_point(m_tip, i, radii[i] / m_tip.edge_length(i), 0));
+    for(std::size_t i = 0; i < m_tip.size(); ++i)
+      disc.rim.push_back(Tip_disc::rim_point(m_tip, i, radii[i] / m_tip.edge_length(i), 0));
     return disc;
   }
 
@@ -140,7 +143,8 @@ private:
     for(const auto& p : disc.rim) centroid = centroid + (p.point - m_tip.center) / double(k);
     for(const Point_3& n : m_tip.normals) mean = mean + (n - CGAL::ORIGIN) / double(k);
     const double r = m_tip.radius;
-    for(const Vector_3& begin : { centroid, Vector_3(centroid + 0.3 * r * mean), Vector_3(centroid - 0.3 * r * mean) }) {
+    for(const Vector_3& begin :
+        { centroid, Vector_3(centroid + 0.3 * r * mean), Vector_3(centroid - 0.3 * r * mean) }) {
       Vector_3 at = begin;
       const auto measured = [&](const Vector_3& v) {
         disc.inner = { m_tip.center + v };
@@ -170,7 +174,8 @@ private:
     Tip tip = m_tip;
     tip.vertex = star.add_vertex(m_tip.center);
     for(std::size_t i = 0; i < tip.size(); ++i) tip.link[i] = star.add_vertex(tip.ends[i]);
-    for(std::size_t i = 0; i < tip.size(); ++i) tip.facets[i] = star.add_face(tip.vertex, tip.link[i], tip.link[(i + 1) % tip.size()]);
+    for(std::size_t i = 0; i < tip.size(); ++i)
+      tip.facets[i] = star.add_face(tip.vertex, tip.link[i], tip.link[(i + 1) % tip.size()]);
     const Shell_truncation_3 truncation = assemble_truncation(star, { tip }, { disc });
     if(!truncation.is_valid()) return false;
     const auto truncated = truncation.apply(star, star.points());

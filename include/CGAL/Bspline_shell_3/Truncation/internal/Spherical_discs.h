@@ -29,7 +29,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The sphere around the vertex of a tip, which the facets divide in two: each part may replace the tip, as facets meet the sphere at a right angle.
+// The sphere around the vertex of a tip, which the facets divide in two: each part may replace the tip, as facets meet
+// the sphere at a right angle.
 class Spherical_discs
 {
   typedef Tip::Point_3 Point_3;
@@ -42,19 +43,22 @@ public:
     for(std::size_t i = 0; i < k; ++i) {
       const double a = tip.edge_length(i), b = tip.edge_length((i + 1) % k);
       const Vector_3 d = (tip.ends[i] - tip.center) / a, e = (tip.ends[(i + 1) % k] - tip.center) / b;
-      const double sine = std::sqrt(CGAL::cross_product(d, e).squared_length()), angle = std::atan2(sine, CGAL::scalar_product(d, e));
+      const double sine = std::sqrt(CGAL::cross_product(d, e).squared_length()),
+                   angle = std::atan2(sine, CGAL::scalar_product(d, e));
       const int parts = int(std::ceil(angle / width));
       for(int j = 0; j < parts; ++j) {
         const double at = angle * j / parts;
         m_rim.push_back(j == 0 ? Tip_disc::rim_point(tip, i, tip.radius / a, 0)
-                               : Tip_disc::rim_point(tip, i, tip.radius * std::sin(angle - at) / sine / a, tip.radius * std::sin(at) / sine / b));
+                               : Tip_disc::rim_point(tip, i, tip.radius * std::sin(angle - at) / sine / a,
+                                                     tip.radius * std::sin(at) / sine / b));
         m_directions.push_back((m_rim.back().point - tip.center) / tip.radius);
       }
     }
     // points on the sphere, on a spiral: about as dense as the rim
     const int number = int(16 / (width * width));
     for(int n = 0; n < number; ++n) {
-      const double z = 1 - (2 * n + 1) / double(number), angle = CGAL_PI * (3 - std::sqrt(5.)) * n, rho = std::sqrt(1 - z * z);
+      const double z = 1 - (2 * n + 1) / double(number), angle = CGAL_PI * (3 - std::sqrt(5.)) * n,
+                   rho = std::sqrt(1 - z * z);
       m_samples.emplace_back(rho * std::cos(angle), rho * std::sin(angle), z);
     }
   }
@@ -62,7 +66,8 @@ public:
   // of one part or both
   std::vector<Tip_disc> operator()() const
   {
-    // what is seen from the sample farthest from the rim divides the others into those beyond the rim, and those on its side
+    // what is seen from the sample farthest from the rim divides the others into those beyond the rim, and those on its
+    // side
     const std::optional<Vector_3> pole = farthest(m_samples);
     std::vector<Tip_disc> discs;
     if(!pole) return discs;
@@ -81,7 +86,7 @@ public:
 
 private:
   typedef CGAL::Polygon_2<Truncation_kernel> Polygon;
-  static constexpr double width = 0.3;      // of triangles, as an angle
+  static constexpr double width = 0.3; // of triangles, as an angle
 
   double distance_from_rim(const Vector_3& p) const
   {
@@ -106,7 +111,8 @@ private:
   // the stereographic projection from a pole: of Delaunay triangulations it makes such
   static Polygon seen_from(const Vector_3& pole, const std::vector<Vector_3>& points)
   {
-    const int least = std::abs(pole.x()) < std::abs(pole.y()) ? (std::abs(pole.x()) < std::abs(pole.z()) ? 0 : 2) : (std::abs(pole.y()) < std::abs(pole.z()) ? 1 : 2);
+    const int least = std::abs(pole.x()) < std::abs(pole.y()) ? (std::abs(pole.x()) < std::abs(pole.z()) ? 0 : 2)
+                                                              : (std::abs(pole.y()) < std::abs(pole.z()) ? 1 : 2);
     Vector_3 u = CGAL::cross_product(pole, Vector_3(least == 0, least == 1, least == 2));
     u = u / std::sqrt(u.squared_length());
     const Vector_3 v = CGAL::cross_product(pole, u);
@@ -121,7 +127,9 @@ private:
   std::optional<Tip_disc> triangulated(const std::vector<Vector_3>& samples, const Vector_3& pole) const
   {
     typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Truncation_kernel> Vertex;
-    typedef CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Truncation_kernel> > Structure;
+    typedef CGAL::Triangulation_data_structure_2<Vertex,
+                                                 CGAL::Constrained_triangulation_face_base_2<Truncation_kernel> >
+      Structure;
     typedef CGAL::Constrained_Delaunay_triangulation_2<Truncation_kernel, Structure> Triangulation;
     const Polygon rim = seen_from(pole, m_directions);
     if(!rim.is_simple()) return std::nullopt;
@@ -134,7 +142,8 @@ private:
       corners.back()->info() = n;
     }
     if(triangulation.number_of_vertices() != rim.size()) return std::nullopt;
-    for(std::size_t n = 0; n < rim.size(); ++n) triangulation.insert_constraint(corners[n], corners[(n + 1) % rim.size()]);
+    for(std::size_t n = 0; n < rim.size(); ++n)
+      triangulation.insert_constraint(corners[n], corners[(n + 1) % rim.size()]);
     for(const Vector_3& s : samples) {
       if(distance_from_rim(s) < 0.7 * width) continue;
       const Point_2 p = seen_from(pole, { s })[0];
@@ -145,7 +154,8 @@ private:
     const bool is_turned = rim.is_clockwise_oriented();
     for(auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
       // of triangles between points of the rim, some are outside
-      if(!rim.has_on_bounded_side(CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))) continue;
+      if(!rim.has_on_bounded_side(CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point())))
+        continue;
       std::array<std::size_t, 3> t = { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() };
       if(is_turned) std::swap(t[1], t[2]);
       disc.triangles.push_back(t);

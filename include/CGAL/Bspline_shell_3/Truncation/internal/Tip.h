@@ -36,22 +36,24 @@ struct Tip
 
   Truncation_mesh::Vertex_index vertex;
   Point_3 center;
-  std::vector<Truncation_mesh::Vertex_index> link;        // counterclockwise
-  std::vector<Truncation_mesh::Face_index> facets;        // from link[i] to the next
-  std::vector<Point_3> ends;                              // of the edges: the points of the link
-  std::vector<Point_3> normals;                           // of the facets, of length one
-  double margin = 0;                                      // of the vertex
-  double radius = 0;                                      // of the ball
+  std::vector<Truncation_mesh::Vertex_index> link; // counterclockwise
+  std::vector<Truncation_mesh::Face_index> facets; // from link[i] to the next
+  std::vector<Point_3> ends;                       // of the edges: the points of the link
+  std::vector<Point_3> normals;                    // of the facets, of length one
+  double margin = 0;                               // of the vertex
+  double radius = 0;                               // of the ball
 
-  Tip(const Truncation_mesh& mesh, Truncation_mesh::Vertex_index v) : vertex(v), center(mesh.point(v)), margin(vertex_cone_margin(mesh, v))
+  Tip(const Truncation_mesh& mesh, Truncation_mesh::Vertex_index v)
+    : vertex(v), center(mesh.point(v)), margin(vertex_cone_margin(mesh, v))
   {
     for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.source(h));
-    std::reverse(link.begin(), link.end());       // halfedges_around_target() walks against the facets' turn
+    std::reverse(link.begin(), link.end()); // halfedges_around_target() walks against the facets' turn
     for(std::size_t i = 0; i < link.size(); ++i) {
       ends.push_back(mesh.point(link[i]));
       facets.push_back(mesh.face(mesh.halfedge(v, link[i])));
     }
-    for(std::size_t i = 0; i < link.size(); ++i) normals.push_back(unit_normal(center, ends[i], ends[(i + 1) % link.size()]));
+    for(std::size_t i = 0; i < link.size(); ++i)
+      normals.push_back(unit_normal(center, ends[i], ends[(i + 1) % link.size()]));
   }
 
   static Point_3 unit_normal(const Point_3& p, const Point_3& q, const Point_3& r)
@@ -86,18 +88,24 @@ struct Tip_disc
 {
   typedef Tip::Point_3 Point_3;
   // center + s (ends[facet] - center) + t (ends[facet + 1] - center); on an edge, t is zero
-  struct Rim_point { std::size_t facet; double s, t; Point_3 point; };
+  struct Rim_point
+  {
+    std::size_t facet;
+    double s, t;
+    Point_3 point;
+  };
 
-  std::vector<Rim_point> rim;                             // counterclockwise; one on each edge
+  std::vector<Rim_point> rim; // counterclockwise; one on each edge
   std::vector<Point_3> inner;
-  std::vector<std::array<std::size_t, 3> > triangles;     // numbers of points of the rim, then of those within
-  double margin = 0;                                      // the least of all its points
+  std::vector<std::array<std::size_t, 3> > triangles; // numbers of points of the rim, then of those within
+  double margin = 0;                                  // the least of all its points
 
   const Point_3& point(std::size_t n) const { return n < rim.size() ? rim[n].point : inner[n - rim.size()]; }
 
   static Rim_point rim_point(const Tip& tip, std::size_t facet, double s, double t)
   {
-    const Point_3 p = tip.center + s * (tip.ends[facet] - tip.center) + t * (tip.ends[(facet + 1) % tip.size()] - tip.center);
+    const Point_3 p = tip.center + s * (tip.ends[facet] - tip.center)
+                      + t * (tip.ends[(facet + 1) % tip.size()] - tip.center);
     return { facet, s, t, p };
   }
 

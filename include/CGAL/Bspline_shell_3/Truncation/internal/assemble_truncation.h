@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Where the points of a disc are in the plane: the rim on a regular polygon, each point within in the middle of its neighbors, which leaves no
-// triangle turned (W. T. Tutte: How to draw a graph, 1963).
+// Where the points of a disc are in the plane: the rim on a regular polygon, each point within in the middle of its
+// neighbors, which leaves no triangle turned (W. T. Tutte: How to draw a graph, 1963).
 inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc& disc)
 {
   std::vector<Shell_truncation_3::Planar_point> planar;
@@ -45,15 +45,18 @@ inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc&
       if(p < n) continue;
       laplacian(p - n, p - n) += 1;
       if(q >= n) laplacian(p - n, q - n) -= 1;
-      else for(int a = 0; a < 2; ++a) right(p - n, a) += planar[q][a];
+      else
+        for(int a = 0; a < 2; ++a) right(p - n, a) += planar[q][a];
     }
   const Eigen::MatrixXd x = laplacian.partialPivLu().solve(right);
   for(std::size_t i = 0; i < m; ++i) planar.push_back({ x(i, 0), x(i, 1) });
   return planar;
 }
 
-// The truncation of a mesh that replaces tips by discs. It may turn out not to be valid. \pre `discs` are those of the tips, in their order
-inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const std::vector<Tip>& tips, const std::vector<Tip_disc>& discs)
+// The truncation of a mesh that replaces tips by discs. It may turn out not to be valid.
+// \pre `discs` are those of the tips, in their order
+inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const std::vector<Tip>& tips,
+                                              const std::vector<Tip_disc>& discs)
 {
   typedef Shell_truncation_3 Truncation;
   typedef Truncation::Index Index;
@@ -93,7 +96,8 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
       disc.facets.push_back(facet.at(tip.facets[p.facet]));
       points.push_back(coordinates(p.point));
       planar.push_back(in_plane.back()[i]);
-      cuts.push_back({ disc.center, corner.at(tip.link[p.facet]), p.t == 0 ? Truncation::npos : corner.at(tip.link[(p.facet + 1) % tip.size()]), p.s, p.t });
+      cuts.push_back({ disc.center, corner.at(tip.link[p.facet]),
+                       p.t == 0 ? Truncation::npos : corner.at(tip.link[(p.facet + 1) % tip.size()]), p.s, p.t });
     }
     // The rim begins on an edge, so that the chain of a facet is not interrupted.
     for(std::size_t i = 0; i < disc.rim.size(); ++i) {
@@ -124,11 +128,13 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
     std::vector<Index> polygon;
     for(int i = 0; i < 3; ++i) {
       if(chains[f][i].empty()) polygon.push_back(t[i]);
-      else polygon.insert(polygon.end(), chains[f][i].rbegin(), chains[f][i].rend());       // it turns around the corner
+      else polygon.insert(polygon.end(), chains[f][i].rbegin(), chains[f][i].rend()); // it turns around the corner
     }
-    // In the plane of barycentric coordinates, but of the facet's shape, so that triangles are no worse than they must be.
+    // In the plane of barycentric coordinates, but of the facet's shape, so that triangles are no worse than they must
+    // be.
     const auto at = [&](int i) { return Tip::Point_3(points[t[i]][0], points[t[i]][1], points[t[i]][2]); };
-    const double length = std::sqrt(CGAL::squared_distance(at(0), at(1))), x = CGAL::scalar_product(at(2) - at(0), at(1) - at(0)) / length,
+    const double length = std::sqrt(CGAL::squared_distance(at(0), at(1))),
+                 x = CGAL::scalar_product(at(2) - at(0), at(1) - at(0)) / length,
                  y = std::sqrt((std::max)(CGAL::squared_distance(at(0), at(2)) - x * x, 0.));
     const std::array<std::array<double, 2>, 3> plane = { { { 0, 0 }, { length, 0 }, { x, y } } };
     std::vector<Tip::Point_3> flat;
@@ -147,7 +153,8 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
     for(const auto& triangle : triangulate_polygon(flat))
       cores.push_back({ { polygon[triangle[0]], polygon[triangle[1]], polygon[triangle[2]] }, Index(f) });
   }
-  return Truncation(std::move(points), std::move(cut_facets), std::move(cuts), std::move(cores), std::move(assembled), std::move(planar));
+  return Truncation(std::move(points), std::move(cut_facets), std::move(cuts), std::move(cores), std::move(assembled),
+                    std::move(planar));
 }
 
 } // namespace internal

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Fails if a header of the package includes one of a storey above its own, or of another folder's internal/.
 
-   include_order_test.py ROOT_OF_THE_PROJECT
+   source_rules_test.py ROOT_OF_THE_PROJECT
 
 The storeys, from the ground up, are the folders of include/CGAL/Bspline_shell_3 in the order below. Tests include internal headers only
 where they test them; examples and benchmarks name nothing internal.
 
 It also fails if a source of the package converts numbers to doubles by anything but rounded() of Support/coordinates.h:
-proofs hold for coordinates that are rounded in this way.
+proofs hold for coordinates that are rounded in this way. And if a line of C++ has more columns than .clang-format allows.
 """
 import os
 import re
@@ -69,7 +69,9 @@ def main(root):
     top = os.path.join(root, "include", PACKAGE)
     wrong = [f"{f} is no storey" for f in sorted(os.listdir(top)) if f not in STOREYS]
     if not wrong:
-        graph = {header: includes(read(top, header)) for header in files(top)}
+        # NAME_impl.h belongs to NAME.h, which includes it unless its code is in the library
+        graph = {header: [other for other in includes(read(top, header)) if other != header.replace(".h", "_impl.h")]
+                 for header in files(top)}
         for header, others in sorted(graph.items()):
             for other in others:
                 if not os.path.exists(os.path.join(top, other)):
@@ -93,7 +95,13 @@ def main(root):
             text = read(root, place, name)
             if re.search(r"(\bBS|Bspline_shells)::internal::", text) or any(map(is_internal, includes(text))):
                 wrong.append(f"{place}/{name} names something internal")
-    print("\n".join(wrong) if wrong else "all includes point down")
+    columns = int(re.search(r"^ColumnLimit: (\d+)$", read(root, ".clang-format"), re.MULTILINE).group(1))
+    for place in ("include", "src", "test", "examples", "benchmark", "doc"):
+        for name in files(os.path.join(root, place)):
+            long = [str(n) for n, line in enumerate(read(root, place, name).split("\n"), 1) if len(line) > columns]
+            if long:
+                wrong.append(f"{place}/{name} has more than {columns} columns in {', '.join(long)}")
+    print("\n".join(wrong) if wrong else "all rules are kept")
     return 1 if wrong else 0
 
 
