@@ -36,9 +36,7 @@ template <typename Shell, typename TriangleMesh>
 BS::Shell_projection_3<Shell, TriangleMesh> projection(const Shell& shell, const TriangleMesh& target,
                                                        double tolerance = 0)
 {
-  return { shell,
-           std::make_shared<const BS::Projection_target_3<TriangleMesh> >(target, get(CGAL::vertex_point, target)),
-           tolerance };
+  return BS::Shell_projection_3<Shell, TriangleMesh>(shell, target, BS::parameters::tolerance(tolerance));
 }
 
 double distance(const Point_3& p, const Point_3& q)

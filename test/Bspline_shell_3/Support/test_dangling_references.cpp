@@ -54,7 +54,11 @@ static_assert(refuses_temporaries<BS::Soup_map_3<Shell, Mesh>, Shell, const Mesh
 typedef BS::Projection_target_3<Mesh> Target;
 typedef boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Points;
 static_assert(refuses_temporaries<Target, Mesh, Points>());
-static_assert(refuses_temporaries<BS::Shell_projection_3<Shell, Mesh>, Shell, std::shared_ptr<const Target> >());
+typedef BS::Shell_projection_3<Shell, Mesh> Projection;
+static_assert(refuses_temporaries<Projection, Shell, std::shared_ptr<const Target> >());
+static_assert(refuses_temporaries<Projection, Shell, const Mesh&>());
+static_assert(!std::is_constructible<Projection, const Shell&, Mesh>::value);
+static_assert(!std::is_constructible<Projection, const Shell&, Mesh, const Parameters&>::value);
 static_assert(refuses_temporaries<BS::Proxy_projection_3<Shell, Mesh>, Shell, std::shared_ptr<const Target>, double>());
 static_assert(refuses_temporaries<BS::Soup_projection_3<Shell, Mesh>, Shell, std::shared_ptr<const Target> >());
 static_assert(refuses_temporaries<BS::Gradient_flow_3<Shell>, Shell>());

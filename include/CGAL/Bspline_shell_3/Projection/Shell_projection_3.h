@@ -11,12 +11,14 @@
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Facet_on_curve.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/project_all.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -99,9 +101,37 @@ public:
     typename Target::Index facet = Target::npos;
   };
 
+  /// prepares the projection to a mesh of triangles; with other facets, all images have the status `INVALID_MESH`.
+  /// Takes the time of sorting facets into a tree; the object may be used from several threads at once.
+  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
+  /// \param mesh the mesh to project to
+  /// \param np optional named parameters
+  ///   - `vertex_point_map(VPM)`: of the mesh
+  ///   - `tolerance(double)`: as below
+  /// \pre `shell` and `mesh` outlive this object, unchanged
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Shell_projection_3(const Shell& shell, const TriangleMesh& mesh,
+                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+    : Shell_projection_3(
+      shell,
+      std::make_shared<const Target>(
+        mesh,
+        CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
+                                           get_const_property_map(CGAL::vertex_point, mesh)),
+        shell.truncation()),
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::tolerance), 0.))
+  {}
+
+  // they would dangle
+  template <typename... NP>
+  Shell_projection_3(const Shell&&, const TriangleMesh&, const NP&...) = delete;
+  template <typename... NP>
+  Shell_projection_3(const Shell&, const TriangleMesh&&, const NP&...) = delete;
+
+  /// projects to a mesh that is prepared already, and may be shared.
   /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
-  /// \param target the mesh to project to, prepared; may be shared
+  /// \param target the mesh to project to
   /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the
   ///   end of the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)

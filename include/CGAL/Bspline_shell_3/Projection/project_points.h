@@ -6,15 +6,12 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECT_POINTS_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECT_POINTS_H
 
-#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -49,14 +46,8 @@ std::vector<Projected_point<TriangleMesh, typename Shell::Point_3> > project_poi
   const Shell& shell, const PointRange& points, const TriangleMesh& target,
   const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                              get_const_property_map(CGAL::vertex_point, target));
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
-  const Shell_projection_3<Shell, TriangleMesh> projection(
-    shell, std::make_shared<const Projection_target_3<TriangleMesh> >(target, vpm, shell.truncation()),
-    choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.));
+  const Shell_projection_3<Shell, TriangleMesh> projection(shell, target, np);
   return projection.template project<ConcurrencyTag>(points, visitor);
 }
 
