@@ -113,6 +113,22 @@ public:
   int calls = 0;
 };
 
+// RemeshingVisitor
+class Remeshing_visitor_archetype
+{
+public:
+  explicit Remeshing_visitor_archetype(int) {}
+  Remeshing_visitor_archetype(const Remeshing_visitor_archetype&) = delete;
+  Remeshing_visitor_archetype& operator=(const Remeshing_visitor_archetype&) = delete;
+  bool start_iteration(unsigned int) { return true; }
+  bool go_on()
+  {
+    ++calls;
+    return true;
+  }
+  int calls = 0;
+};
+
 // FlowVisitor
 class Flow_visitor_archetype
 {
@@ -384,6 +400,16 @@ TEST_CASE("FittableBsplineField_3: a fit wants no more of a field than the arche
   for(Field::Cell_index c = 0; c < other.number_of_cells(); ++c)
     CHECK(std::equal(other.cell(c).coefficients(), other.cell(c).coefficients() + 64,
                      problem.field.cell(c).coefficients()));
+}
+
+TEST_CASE("RemeshingVisitor: the archetype is asked")
+{
+  Mesh mesh = sphere(1);
+  const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8));
+  REQUIRE(shell);
+  Remeshing_visitor_archetype visitor(0);
+  CHECK(BS::remesh_in_shell(mesh, 1, shell, P::visitor(std::ref(visitor))).message() != "");
+  CHECK(visitor.calls > 0);
 }
 
 TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and called")

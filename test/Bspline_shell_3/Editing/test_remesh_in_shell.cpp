@@ -677,6 +677,60 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   CHECK(qualities(mesh).front() >= qualities(start).front());
 }
 
+TEST_CASE("Remeshing: a visitor is told of each iteration; what was done until it ends the edit is certified and kept")
+{
+  struct Visitor
+  {
+    bool start_iteration(unsigned int i)
+    {
+      CHECK(i == iterations);
+      return ++iterations < most_iterations;
+    }
+    bool go_on() { return ++operations <= most_operations; }
+    unsigned int iterations = 0, most_iterations = 100;
+    std::size_t operations = 0, most_operations = 1000000;
+  };
+  const Mesh before = sphere(2);
+  const auto remesh = [&](Mesh& mesh, Visitor& visitor) {
+    return BS::remesh_in_shell(mesh, 0.2, sphere_shell(), P::visitor(std::ref(visitor)).number_of_iterations(2));
+  };
+  Mesh mesh = before;
+  Visitor visitor;
+  SECTION("all iterations")
+  {
+    REQUIRE(remesh(mesh, visitor));
+    CHECK(visitor.iterations == 2);
+  }
+  SECTION("one of them")
+  {
+    visitor.most_iterations = 2;
+    const auto result = remesh(mesh, visitor);
+    REQUIRE(result);
+    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(result.splits > 0);
+    CHECK(BS::Shell_certificate_3<Shell::Field, Shell::Threshold>(sphere_shell()).verify(mesh));
+    Mesh once = before;
+    REQUIRE(BS::remesh_in_shell(once, 0.2, sphere_shell(), CGAL::parameters::number_of_iterations(1)));
+    CHECK(once.number_of_vertices() == mesh.number_of_vertices());
+  }
+  SECTION("some operations of the first")
+  {
+    visitor.most_operations = 2000;
+    const auto result = remesh(mesh, visitor);
+    REQUIRE(result);
+    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(visitor.iterations == 1);
+    CHECK(visitor.operations == visitor.most_operations + 1);
+  }
+  SECTION("none")
+  {
+    visitor.most_operations = 0;
+    const auto result = remesh(mesh, visitor);
+    REQUIRE(result);
+    CHECK(result.splits + result.collapses + result.flips + result.moves == 0);
+  }
+}
+
 TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
 {
   Mesh mesh = sphere(2); // edges of 0.28 to 0.32

@@ -16,6 +16,7 @@ enum class Edit_end
   NOT_EDITED,     ///< the mesh is as it was before: the status is the reason
   TARGET,         ///< remeshing: all edges have about the length asked for
   STOP_PREDICATE, ///< simplification: the stop predicate ended it, as its target was reached, or to cancel
+  VISITOR,        ///< remeshing: the visitor ended it
   SHELL,          ///< the shell rejects at least one of the operations that would lead further
   FILTER,         ///< the shell would allow more, but the caller's filter rejects it
   MESH,           ///< nothing is rejected, but connectivity, constraints or frozen facets do not allow more
@@ -30,6 +31,7 @@ inline const char* message(Edit_end end)
     case Edit_end::NOT_EDITED: return "The mesh was not edited.";
     case Edit_end::TARGET: return "All edges have about the length asked for.";
     case Edit_end::STOP_PREDICATE: return "The stop predicate ended the edit.";
+    case Edit_end::VISITOR: return "The visitor ended the edit.";
     case Edit_end::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
     case Edit_end::FILTER: return "The filter allows no more.";
     case Edit_end::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";

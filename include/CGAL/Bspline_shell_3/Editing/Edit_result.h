@@ -20,6 +20,9 @@ namespace Bspline_shells {
  *
  * \brief a report, and where the vertices went.
  *
+ * `images` and `locations` have descriptors of the result as it is. `Surface_mesh::collect_garbage()` makes them
+ * invalid, as it renumbers vertices and facets: use them before.
+ *
  * \tparam Report `Simplification_report` or `Remeshing_report`
  * \tparam TriangleMesh a model of `FaceListGraph`
  */

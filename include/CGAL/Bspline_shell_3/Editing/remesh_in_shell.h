@@ -95,6 +95,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *     `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
  *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
  *     default, time is not limited
+ *   - `visitor(V)`: a model of `RemeshingVisitor`, the place to show progress, or to cancel: what has been done until
+ *     then is certified and kept
  *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
  *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
  *     `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
@@ -178,6 +180,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit))
     return ended(Status::MEMORY_LIMIT_EXCEEDED);
 
+  auto&& visitor = internal::argument<Default_remeshing_visitor>(np, internal_np::visitor);
   const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
   const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
   const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
@@ -196,8 +199,10 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
       };
       internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>,
                                decltype(edge_is_constrained), std::remove_cv_t<decltype(vertex_is_constrained)> >
-        remesher(mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all, result);
-      for(unsigned int i = 0; i < iterations && !result.invalid_parameter; ++i) {
+        remesher(
+          mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all,
+          [&] { return !result.invalid_parameter && bool(visitor.go_on()); }, result);
+      for(unsigned int i = 0; i < iterations && remesher.goes_on(visitor.start_iteration(i)); ++i) {
         remesher.flip_to_larger_angles();
         remesher.split_long_edges();
         remesher.collapse_short_edges();

@@ -55,6 +55,21 @@ struct Default_shell_visitor
 /*!
  * \ingroup PkgBsplineShell3Support
  *
+ * \brief is told how far remeshing has come, and may end it; the default lets it go on.
+ *
+ * \cgalModels `RemeshingVisitor`
+ */
+struct Default_remeshing_visitor
+{
+  /// called when an iteration begins, the first being 0; `false` ends the edit
+  bool start_iteration(unsigned int) { return true; }
+  /// called before each operation; `false` ends the edit
+  bool go_on() { return true; }
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Support
+ *
  * \brief is told how many of many points have been moved, and may stop the rest; the default lets it go on.
  *
  * \cgalModels `FlowVisitor`

@@ -30,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -65,17 +66,25 @@ public:
   Shell_remesher(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
                  const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
                  VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
-                 const std::vector<vertex_descriptor>& old_vertices, Remeshing_report& report)
+                 const std::vector<vertex_descriptor>& old_vertices, std::function<bool()> go_on,
+                 Remeshing_report& report)
     : m_mesh(mesh), m_vpm(vpm), m_oracle(oracle), m_sizing(sizing), m_frozen(frozen),
       m_edge_is_constrained(edge_is_constrained), m_vertex_is_constrained(vertex_is_constrained),
-      m_protect_constraints(protect_constraints), m_report(report), m_key(get(dynamic_edge_property_t<Key>(), mesh)),
-      m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+      m_protect_constraints(protect_constraints), m_go_on(std::move(go_on)), m_report(report),
+      m_key(get(dynamic_edge_property_t<Key>(), mesh)), m_first_old(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
     for(vertex_descriptor v : vertices(mesh)) put(m_first_old, v, none);
     for(vertex_descriptor v : old_vertices) {
       put(m_first_old, v, m_next_old.size());
       m_next_old.push_back(m_next_old.size());
     }
+  }
+
+  // Whether no answer of `go_on` or of the caller's has been no. If one has, nothing is done any more.
+  bool goes_on(bool answer)
+  {
+    m_goes_on = m_goes_on && answer;
+    return m_goes_on;
   }
 
   // of the old vertices: those into which they were collapsed
@@ -105,7 +114,7 @@ public:
       if(length > longest) insert(queue, -length, h);
     };
     for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
-    while(!queue.empty()) {
+    while(!queue.empty() && asks_to_go_on()) {
       const halfedge_descriptor h = queue.begin()->second;
       queue.erase(queue.begin());
       if(const vertex_descriptor v = split(h); v != Graph_traits::null_vertex())
@@ -126,7 +135,7 @@ public:
     };
     for(edge_descriptor e : edges(m_mesh)) put(m_key, e, Key());
     for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
-    while(!queue.empty()) {
+    while(!queue.empty() && asks_to_go_on()) {
       halfedge_descriptor h = queue.begin()->second;
       queue.erase(queue.begin());
       put(m_key, edge(h, m_mesh), Key());
@@ -150,6 +159,7 @@ public:
       return m_frozen.has_edge(e) || (length >= shortest && length <= longest);
     };
     if(std::all_of(edges(m_mesh).begin(), edges(m_mesh).end(), is_about_right)) return Edit_end::TARGET;
+    if(!m_goes_on) return Edit_end::VISITOR;
     return m_has_rejected ? Edit_end::SHELL : Edit_end::ITERATIONS;
   }
 
@@ -160,6 +170,7 @@ public:
       return std::abs(int(degree(v, m_mesh)) + change - 6);
     };
     for(edge_descriptor e : edges(m_mesh)) {
+      if(!asks_to_go_on()) return;
       const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
       const int before = deviation(q.a, 0) + deviation(q.b, 0) + deviation(q.c, 0) + deviation(q.d, 0);
       const int after = deviation(q.a, -1) + deviation(q.b, -1) + deviation(q.c, 1) + deviation(q.d, 1);
@@ -174,6 +185,7 @@ public:
     for(int pass = 0; pass < most_passes; ++pass) {
       std::size_t flipped = 0;
       for(edge_descriptor e : edges(m_mesh)) {
+        if(!asks_to_go_on()) return;
         const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
         flipped += flip(halfedge(e, m_mesh), q, least_gain * quality_before(q));
       }
@@ -189,6 +201,7 @@ public:
   {
     constexpr std::size_t chunk = 64;
     for(const std::vector<vertex_descriptor>& independent : independent_vertices()) {
+      if(!asks_to_go_on()) return;
       std::vector<Move> moves(independent.size());
       for_each_chunk<ConcurrencyTag>(independent.size(), chunk, [&](std::size_t begin, std::size_t end) {
         Link link;
@@ -207,6 +220,8 @@ public:
   }
 
 private:
+  bool asks_to_go_on() { return m_goes_on && goes_on(m_go_on()); }
+
   typedef std::vector<Point> Link;
 
   // the places that were tried for a vertex, and the last one, which may have been accepted
@@ -561,6 +576,8 @@ private:
   EdgeIsConstrainedMap m_edge_is_constrained;
   VertexIsConstrainedMap m_vertex_is_constrained;
   bool m_protect_constraints;
+  std::function<bool()> m_go_on;
+  bool m_goes_on = true;
   Remeshing_report& m_report;
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Key> >::type m_key;
   std::size_t m_serial = 0;
