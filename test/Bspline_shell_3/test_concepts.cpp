@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Fit/fit_field.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>

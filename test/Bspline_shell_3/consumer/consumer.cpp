@@ -3,6 +3,8 @@
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Min_sphere_of_points_d_traits_3.h>
+#include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -12,10 +14,16 @@
 
 int main()
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_3 Point_3;
   CGAL::Surface_mesh<Point_3> mesh;
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
   std::cout << std::hexfloat;
+
+  // of CGAL, and used by the package too: its layout depends on NDEBUG
+  CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double> > ball(mesh.points().begin(),
+                                                                                             mesh.points().end());
+  std::cout << ball.radius() << "\n";
 
   const auto shell = CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(12));
   if(!shell) return EXIT_FAILURE;

@@ -145,14 +145,18 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vert
   return is_enough ? bound : (std::min)(bound, cone_margin(normals));
 }
 
+// A type of our own, as the layout of Min_sphere_of_spheres_d depends on NDEBUG: a program that uses CGAL's traits may be
+// compiled with other assertions than the library.
+struct Cone_axis_traits : Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double>
+{};
+
 } // namespace internal
 
 CGAL_BSPLINE_SHELL_3_INLINE
 std::array<double, 3> cone_axis(const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors)
 {
-  typedef Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double> Traits;
   CGAL_precondition(!unit_vectors.empty());
-  Min_sphere_of_spheres_d<Traits> ball(unit_vectors.begin(), unit_vectors.end());
+  Min_sphere_of_spheres_d<internal::Cone_axis_traits> ball(unit_vectors.begin(), unit_vectors.end());
   std::array<double, 3> axis;
   std::copy(ball.center_cartesian_begin(), ball.center_cartesian_end(), axis.begin());
   return axis;
