@@ -35,26 +35,70 @@ namespace CGAL {
  * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
  *        face
  * \param np optional named parameters:
- *   - `resolution(double)`: the paper's \f$\gamma\f$, cells per longest side of the mesh's box; default 50
- *   - `grid_spacing(double)`: instead, the edge length of a cell in user units
- *   - `number_of_rings(int)`: rings of cells around those that the mesh enters. By default two, and more where the
- *     shell would leave them, added up to five times
- *   - `dense_grid(bool)`: all cells of the mesh's box and some rings around it, as in the paper (whose energy is
- *     `Energy_weights::paper()`); default `false`
- *   - `energy_weights(Bspline_shells::Energy_weights)`: the paper's \f$\mu\f$ and
- *     \f$\zeta\f$ by default, without \f$E_{singularH}\f$
- *   - `spd_solver(S)`: a model of `SPDSolver`, default `Bspline_shells::Conjugate_gradient_solver`. Pass
- *     `std::ref(solver)` to look at it afterwards
- *   - `signed_distance_oracle(O)`: a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
- *     `std::cref(oracle)` not to copy it
- *   - `memory_limit(double)`: bytes that the construction may take, about; unlimited by default
- *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
- *     shell; unlimited by default
- *   - `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`: do not refuse such meshes; default `false`.
- *     The side of a point is then that of its closest facet.
- *   - `allow_open_shell(bool)`: do not refuse a shell that runs into the end of the cells; default `false`
- *   - `visitor(V)`: a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state
- *   - `vertex_point_map(VPM)`: as in all of \cgal
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{resolution}
+ *       \cgalParamDescription{the paper's \f$\gamma\f$, cells per longest side of the mesh's box}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{50}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{grid_spacing}
+ *       \cgalParamDescription{instead, the edge length of a cell in user units}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{number_of_rings}
+ *       \cgalParamDescription{rings of cells around those that the mesh enters. By default two, and more where the
+ *         shell would leave them, added up to five times}
+ *       \cgalParamType{`int`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{dense_grid}
+ *       \cgalParamDescription{all cells of the mesh's box and some rings around it, as in the paper (whose energy is
+ *         `Energy_weights::paper()`)}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{energy_weights}
+ *       \cgalParamDescription{the paper's \f$\mu\f$ and \f$\zeta\f$ by default, without \f$E_{singularH}\f$}
+ *       \cgalParamType{`Bspline_shells::Energy_weights`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{spd_solver}
+ *       \cgalParamDescription{a model of `SPDSolver`. Pass `std::ref(solver)` to look at it afterwards}
+ *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{signed_distance_oracle}
+ *       \cgalParamDescription{a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
+ *         `std::cref(oracle)` not to copy it}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{memory_limit}
+ *       \cgalParamDescription{bytes that the construction may take, about; unlimited by default}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{time_limit}
+ *       \cgalParamDescription{seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
+ *         shell; unlimited by default}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{allow_self_intersections}
+ *       \cgalParamDescription{do not refuse such meshes. The side of a point is then that of its closest facet.}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{allow_singular_vertices}
+ *       \cgalParamDescription{do not refuse such meshes. The side of a point is then that of its closest facet.}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{allow_open_shell}
+ *       \cgalParamDescription{do not refuse a shell that runs into the end of the cells}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as in all of \cgal}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
  *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds.

@@ -47,32 +47,94 @@ namespace CGAL {
  * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
  *        face
  * \param np optional named parameters:
- *   - `relative_thickness(double)`: the largest thickness of the shell, as a part of the longest side of the mesh's
- *     box; default 0.01; positive, and less than twenty root cells
- *   - `thickness(double)`: instead, in user units; the same bounds
- *   - `sizing(F)`: instead, a function that returns the thickness near a point, user units: positive and finite.
- *     Several threads call it at once, unless `ConcurrencyTag` is `Sequential_tag`.
- *   - `constant_thresholds(bool)`: the same two levels everywhere, the tightest ones, as in the paper; default `false`.
- *     Thin parts and narrow gaps then ask for a thinner shell, and smaller cells, everywhere.
- *   - `resolution(double)`: root cells per longest side of the mesh's box, positive; default 30, or as few as 20 where
- *     most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)
- *   - `time_limit(double)`: seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
- *     shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds within
- *     each pass; the caller's own solver, oracle and sizing field are not interrupted.
- *   - `effort_limit(double)`: the number of cells that may be fitted in all rounds of refinement together. After
- *     the first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores.
- *     Unlike a limit of time, it gives the same shell on every machine.
- *   - `memory_limit(double)`: bytes, about, above which no new round begins; default 4e9
- *   - `virtual_closing(bool)`: whether open meshes are closed, rather than refused; default `true`
- *   - `closing(Shell_closing_3)`: instead, the triangles that close the mesh; they must have the same border, and only
- *     that
- *   - `truncate(bool)`: whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face no
- *     common direction, or hardly one; default `true`, unless self-intersections are allowed
- *   - `least_cone_margin(double)`: for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1;
- *     default 0.01
- *   - `energy_weights(Bspline_shells::Energy_weights)`, `spd_solver(S)`, `signed_distance_oracle(O)`,
- *     `allow_self_intersections(bool)`, `allow_singular_vertices(bool)`, `visitor(V)`, `vertex_point_map(VPM)`: as for
- *     `bspline_shell_3()`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{relative_thickness}
+ *       \cgalParamDescription{the largest thickness of the shell, as a part of the longest side of the mesh's box;
+ *         positive, and less than twenty root cells}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{0.01}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{thickness}
+ *       \cgalParamDescription{instead, in user units; the same bounds}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{sizing}
+ *       \cgalParamDescription{instead, a function that returns the thickness near a point, user units: positive and
+ *         finite. Several threads call it at once, unless `ConcurrencyTag` is `Sequential_tag`.}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{constant_thresholds}
+ *       \cgalParamDescription{the same two levels everywhere, the tightest ones, as in the paper. Thin parts and narrow
+ *         gaps then ask for a thinner shell, and smaller cells, everywhere.}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{resolution}
+ *       \cgalParamDescription{root cells per longest side of the mesh's box, positive; default 30, or as few as 20
+ *         where most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{time_limit}
+ *       \cgalParamDescription{seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
+ *         shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds
+ *         within each pass; the caller's own solver, oracle and sizing field are not interrupted.}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{effort_limit}
+ *       \cgalParamDescription{the number of cells that may be fitted in all rounds of refinement together. After the
+ *         first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores.
+ *         Unlike a limit of time, it gives the same shell on every machine.}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{memory_limit}
+ *       \cgalParamDescription{bytes, about, above which no new round begins}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{4e9}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{virtual_closing}
+ *       \cgalParamDescription{whether open meshes are closed, rather than refused}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`true`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{closing}
+ *       \cgalParamDescription{instead, the triangles that close the mesh; they must have the same border, and only
+ *         that}
+ *       \cgalParamType{`Shell_closing_3`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{truncate}
+ *       \cgalParamDescription{whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face
+ *         no common direction, or hardly one; default `true`, unless self-intersections are allowed}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{least_cone_margin}
+ *       \cgalParamDescription{for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{0.01}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{energy_weights}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamType{`Bspline_shells::Energy_weights`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{spd_solver}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{signed_distance_oracle}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{allow_self_intersections}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{allow_singular_vertices}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
  *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds. Whether it is

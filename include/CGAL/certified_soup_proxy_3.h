@@ -51,15 +51,27 @@ namespace CGAL {
  * \param points the points
  * \param polygons the polygons
  * \param np optional named parameters:
- *   - `alpha(double)`: the width of gaps and cavities that the proxy enters, user units; default 1/50 of the longest
- *     side of the box
- *   - `offset(double)`: how far the proxy is from the soup, user units; default a quarter of `alpha`
- *   - all of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a
- *     `signed_distance_oracle()` is that of the proxy. The thickness is at least eight times the offset, unless there
- *     is a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be
- *     certified within the limits of memory, effort and rounds, one with twice the `alpha` and `offset` is made.
- *   - `time_limit(double)`: seconds for the wraps and the shells together, after which the status is
- *     `TIME_LIMIT_EXCEEDED`. It has no influence on which proxy is made.
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{alpha}
+ *       \cgalParamDescription{the width of gaps and cavities that the proxy enters, user units}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{1/50 of the longest side of the box}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{offset}
+ *       \cgalParamDescription{how far the proxy is from the soup, user units}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{a quarter of `alpha`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{time_limit}
+ *       \cgalParamDescription{seconds for the wraps and the shells together, after which the status is
+ *         `TIME_LIMIT_EXCEEDED`. It has no influence on which proxy is made.}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
+ *   All of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a
+ *   `signed_distance_oracle()` is that of the proxy. The thickness is at least eight times the offset, unless there is
+ *   a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be
+ *   certified within the limits of memory, effort and rounds, one with twice the `alpha` and `offset` is made.
  * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`;
  *   `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist; `NOT_FINITE`,
  *   `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too

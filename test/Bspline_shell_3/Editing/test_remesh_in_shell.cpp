@@ -600,7 +600,8 @@ TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in th
   BS::internal::Shell_remesher<Mesh, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>, Recording_oracle,
                                decltype(sizing), std::remove_cv_t<decltype(no_edge)>,
                                std::remove_cv_t<decltype(no_vertex)> >
-    remesher(mesh, mesh.points(), oracle, sizing, frozen, no_edge, no_vertex, false, {}, [] { return true; }, report);
+    remesher(
+      mesh, mesh.points(), oracle, sizing, frozen, no_edge, no_vertex, false, {}, [] { return true; }, report);
   remesher.relax<CGAL::Sequential_tag>([](const Kernel::Point_3& p) { return p; });
   REQUIRE(stars.size() > 100);
   REQUIRE(report.moves == stars.size());

@@ -76,31 +76,70 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   the end.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
- *   - `number_of_iterations(unsigned int)`: default 3
- *   - `number_of_relaxation_steps(unsigned int)`: how often vertices are moved in each iteration; default 2
- *   - `edge_is_constrained_map(M)`: a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices
- *     stay where they are. They are split, their halves being constrained, and collapsed along themselves where two of
- *     them meet.
- *   - `vertex_is_constrained_map(M)`: vertices that stay, and stay where they are
- *   - `protect_constraints(bool)`: whether constrained edges are not even split and collapsed; default `false`, unlike
- *     that of `simplify_in_shell()`
- *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the
- *     shell and to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves
- *     or is removed, and none of their edges is flipped, split or collapsed. So are the facets at a vertex whose facets
- *     are all accepted, but whose fan does not wind once. The rest is edited; see `Edit_status::EDITED_EXCEPT_FROZEN`.
- *   - `do_project(bool)`: whether vertices that move return to the mesh as it was; default `true`
- *   - `memory_limit(double)`: bytes, about, that the mesh, the result and its certificate may take; default 4e9. They
- *     are estimated as 1200 for each facet of the mesh, and for each equilateral triangle of the size asked for that
- *     its area has room for; a `Surface_mesh` takes about a third of that. If they are more, the status is
- *     `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.
- *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
- *     default, time is not limited
- *   - `visitor(V)`: a model of `RemeshingVisitor`, the place to show progress, or to cancel: what has been done until
- *     then is certified and kept
- *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
- *     `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
- *     edited.
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{number_of_iterations}
+ *       \cgalParamType{`unsigned int`}
+ *       \cgalParamDefault{3}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{number_of_relaxation_steps}
+ *       \cgalParamDescription{how often vertices are moved in each iteration}
+ *       \cgalParamType{`unsigned int`}
+ *       \cgalParamDefault{2}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{edge_is_constrained_map}
+ *       \cgalParamDescription{a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay
+ *         where they are. They are split, their halves being constrained, and collapsed along themselves where two of
+ *         them meet.}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_is_constrained_map}
+ *       \cgalParamDescription{vertices that stay, and stay where they are}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{protect_constraints}
+ *       \cgalParamDescription{whether constrained edges are not even split and collapsed; default `false`, unlike that
+ *         of `simplify_in_shell()`}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{freeze_rejected_facets}
+ *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
+ *         to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is
+ *         removed, and none of their edges is flipped, split or collapsed. So are the facets at a vertex whose facets
+ *         are all accepted, but whose fan does not wind once. The rest is edited; see
+ *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{do_project}
+ *       \cgalParamDescription{whether vertices that move return to the mesh as it was}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`true`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{memory_limit}
+ *       \cgalParamDescription{bytes, about, that the mesh, the result and its certificate may take. They are estimated
+ *         as 1200 for each facet of the mesh, and for each equilateral triangle of the size asked for that its area has
+ *         room for; a `Surface_mesh` takes about a third of that. If they are more, the status is
+ *         `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{4e9}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{time_limit}
+ *       \cgalParamDescription{seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
+ *         default, time is not limited}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `RemeshingVisitor`, the place to show progress, or to cancel: what has been
+ *         done until then is certified and kept}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{locate_vertices}
+ *       \cgalParamDescription{whether `Edit_result::locations` is filled}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
+ *         `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
+ *         edited.}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage and frozen facets, facets are
  *   proved on the way only where an estimate leaves them in doubt. If all has to be done again, `target_edge_length` is

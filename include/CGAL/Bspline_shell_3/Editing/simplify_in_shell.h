@@ -357,38 +357,72 @@ struct Accepted_filter
  *   to a tip end where it is cut.
  * \param shell a shell. Whether it is certified for another mesh does not matter.
  * \param np optional named parameters:
- *   - `stop(S)`: a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is asked for each
- *     edge that is considered, and so is the place to show progress, or to cancel: what has been done until then is
- *     certified and kept. By default, the mesh gets as coarse as the shell allows. If the target of a predicate is not
- *     reached, `Edit_report::end` is the reason.
- *   - `get_cost(C)`, `get_placement(P)`: models of `GetCost` and `GetPlacement`, both or none; by default
- *     `CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`. The other policies of \cgal will do.
- *   - `filter(F)`: a model of `PlacementFilter`, asked before the shell, for every place that is tried. With
- *     `std::cref()` it is not copied.
- *   - `visitor(V)`: a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a selected
- *     edge, the calls are `OnSelected()`, the stop predicate, the filter once for each place that is tried,
- *     `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. As places that are too expensive are put off,
- *     `OnCollected()` may be called more than once for an edge.
- *   - `edge_is_constrained_map(M)`: a model of `ReadablePropertyMap`; such edges are kept, with their vertices where
- *     they are
- *   - `protect_constraints(bool)`: if `true`, the default, constrained edges stay one by one. If `false`, they are
- *     collapsed along themselves, as `remesh_in_shell()` does by default: a vertex where exactly two of them meet may
- *     vanish in favor of one of its neighbors on them, while ends, and vertices where more of them meet, stay where
- *     they are. What is left of a polyline connects vertices that it had, and how many edges that are,
- *     `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of `ReadWritePropertyMap`.
- *     The shell bounds how far a polyline gets from the mesh, but not how far it moves along it: the costs, or a
- *     `filter`, do. A constrained edge with an edge of length zero beside it stays as long as this one does.
- *   - `freeze_rejected_facets(bool)`: if `false`, the default, a mesh with facets that are not proved to lie in the
- *     shell and to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves
- *     or is removed, and edges with an end at one of these are not collapsed. So are the facets at a vertex whose
- *     facets are all accepted, but whose fan does not wind once. The rest is edited; see
- *     `Edit_status::EDITED_EXCEPT_FROZEN`.
- *   - `time_limit(double)`: seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
- *     default, time is not limited. To keep what has been done until some time, use `stop`.
- *   - `locate_vertices(bool)`: whether `Edit_result::locations` is filled; default `false`
- *   - `vertex_point_map(VPM)`: as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
- *     `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
- *     edited.
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{stop}
+ *       \cgalParamDescription{a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is
+ *         asked for each edge that is considered, and so is the place to show progress, or to cancel: what has been
+ *         done until then is certified and kept. By default, the mesh gets as coarse as the shell allows. If the target
+ *         of a predicate is not reached, `Edit_report::end` is the reason.}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{get_cost}
+ *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal will
+ *         do.}
+ *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{get_placement}
+ *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal will
+ *         do.}
+ *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{filter}
+ *       \cgalParamDescription{a model of `PlacementFilter`, asked before the shell, for every place that is tried. With
+ *         `std::cref()` it is not copied.}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a
+ *         selected edge, the calls are `OnSelected()`, the stop predicate, the filter once for each place that is
+ *         tried, `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. As places that are too expensive are
+ *         put off, `OnCollected()` may be called more than once for an edge.}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{edge_is_constrained_map}
+ *       \cgalParamDescription{a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they
+ *         are}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{protect_constraints}
+ *       \cgalParamDescription{if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed
+ *         along themselves, as `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish
+ *         in favor of one of its neighbors on them, while ends, and vertices where more of them meet, stay where they
+ *         are. What is left of a polyline connects vertices that it had, and how many edges that are,
+ *         `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of
+ *         `ReadWritePropertyMap`. The shell bounds how far a polyline gets from the mesh, but not how far it moves
+ *         along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero beside it stays as
+ *         long as this one does.}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{freeze_rejected_facets}
+ *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
+ *         to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is
+ *         removed, and edges with an end at one of these are not collapsed. So are the facets at a vertex whose facets
+ *         are all accepted, but whose fan does not wind once. The rest is edited; see
+ *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *       \cgalParamType{`bool`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{time_limit}
+ *       \cgalParamDescription{seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
+ *         default, time is not limited. To keep what has been done until some time, use `stop`.}
+ *       \cgalParamType{`double`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{locate_vertices}
+ *       \cgalParamDescription{whether `Edit_result::locations` is filled}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
+ *         `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
+ *         edited.}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from
  *   a few points leaves them in doubt, as most of them vanish again. If the certificate fails, and not because of the

@@ -145,8 +145,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vert
   return is_enough ? bound : (std::min)(bound, cone_margin(normals));
 }
 
-// A type of our own, as the layout of Min_sphere_of_spheres_d depends on NDEBUG: a program that uses CGAL's traits may be
-// compiled with other assertions than the library.
+// A type of our own, as the layout of Min_sphere_of_spheres_d depends on NDEBUG: a program that uses CGAL's traits may
+// be compiled with other assertions than the library.
 struct Cone_axis_traits : Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double>
 {};
 

@@ -81,11 +81,22 @@ public:
   /// \param source a mesh in it
   /// \param target another one
   /// \param np_source
-  ///   - `vertex_point_map(VPM)`: of the source
-  ///   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default
-  ///     `Gradient_flow_3::default_tolerance()`
+  ///   \cgalNamedParamsBegin
+  ///     \cgalParamNBegin{vertex_point_map}
+  ///       \cgalParamDescription{of the source}
+  ///     \cgalParamNEnd
+  ///     \cgalParamNBegin{tolerance}
+  ///       \cgalParamDescription{of the tracing, as for `Gradient_flow_3`, user units}
+  ///       \cgalParamType{`double`}
+  ///       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
+  ///     \cgalParamNEnd
+  ///   \cgalNamedParamsEnd
   /// \param np_target
-  ///   - `vertex_point_map(VPM)`: of the target
+  ///   \cgalNamedParamsBegin
+  ///     \cgalParamNBegin{vertex_point_map}
+  ///       \cgalParamDescription{of the target}
+  ///     \cgalParamNEnd
+  ///   \cgalNamedParamsEnd
   template <typename T1 = bool, typename Tag1 = internal_np::all_default_t, typename Base1 = internal_np::No_property,
             typename T2 = bool, typename Tag2 = internal_np::all_default_t, typename Base2 = internal_np::No_property>
   Shell_map_3(const Shell& shell, const Source_mesh& source, const Target_mesh& target,

@@ -106,8 +106,15 @@ public:
   /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
   /// \param mesh the mesh to project to
   /// \param np optional named parameters
-  ///   - `vertex_point_map(VPM)`: of the mesh
-  ///   - `tolerance(double)`: as below
+  ///   \cgalNamedParamsBegin
+  ///     \cgalParamNBegin{vertex_point_map}
+  ///       \cgalParamDescription{of the mesh}
+  ///     \cgalParamNEnd
+  ///     \cgalParamNBegin{tolerance}
+  ///       \cgalParamDescription{as below}
+  ///       \cgalParamType{`double`}
+  ///     \cgalParamNEnd
+  ///   \cgalNamedParamsEnd
   /// \pre `shell` and `mesh` outlive this object, unchanged
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Shell_projection_3(const Shell& shell, const TriangleMesh& mesh,

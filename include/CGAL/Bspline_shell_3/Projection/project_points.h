@@ -33,10 +33,19 @@ namespace Bspline_shells {
  * \param points the points
  * \param target a mesh of triangles
  * \param np optional named parameters
- *   - `vertex_point_map(VPM)`: of the target
- *   - `tolerance(double)`: of the tracing, as for `Gradient_flow_3`, user units; by default
- *     `Gradient_flow_3::default_tolerance()`
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{of the target}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{tolerance}
+ *       \cgalParamDescription{of the tracing, as for `Gradient_flow_3`, user units}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return for each point its `Projected_point`
  * \cgalHeading{Cost} some microseconds a point and core
  */

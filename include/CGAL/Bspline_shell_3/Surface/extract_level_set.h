@@ -62,12 +62,28 @@ struct All_cells
  * \param level the level, in units of the field; or a threshold on the same cells
  * \param out the mesh, to which the level set is added; unchanged if there is none to add
  * \param np optional named parameters:
- *   - `filter(F)`: which cells to use, a functor `bool(Field::Cell_index)`; default all. It selects the components of a
- *     level set by the cells that they pass. Pass `std::cref(filter)` not to copy it
- *   - `skip_open_components(bool)`: whether components of the level set that leave the selected cells are left out, so
- *     that only if all do there is none; default `false`
- *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2
- *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{filter}
+ *       \cgalParamDescription{which cells to use, a functor `bool(Field::Cell_index)`. It selects the components of a
+ *         level set by the cells that they pass. Pass `std::cref(filter)` not to copy it}
+ *       \cgalParamDefault{all}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{skip_open_components}
+ *       \cgalParamDescription{whether components of the level set that leave the selected cells are left out, so that
+ *         only if all do there is none}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{subdivision_ratio}
+ *       \cgalParamDescription{subcells along each axis of a cell}
+ *       \cgalParamType{`int`}
+ *       \cgalParamDefault{2}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as in all of \cgal}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, out)`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \return whether there is a mesh, or why not
  * \pre `subdivision_ratio` is at least 1 and at most 256

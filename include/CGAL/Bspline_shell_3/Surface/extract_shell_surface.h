@@ -145,10 +145,19 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  * \param threshold `Bspline_shell_3::inner_threshold()`, `Bspline_shell_3::outer_threshold()`, or one between both
  * \param out the mesh, to which the surface is added; unchanged if there is none to add
  * \param np optional named parameters:
- *   - `subdivision_ratio(int)`: subcells along each axis of a cell; default 2. It is doubled, up to 16, until the
- *     surfaces of all components are apart. Handles that are thinner than subcells may be missing, or be too many:
- *     where their number matters, ask for more subcells.
- *   - `vertex_point_map(VPM)`: as in all of \cgal; default `get(CGAL::vertex_point, out)`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{subdivision_ratio}
+ *       \cgalParamDescription{subcells along each axis of a cell. It is doubled, up to 16, until the surfaces of all
+ *         components are apart. Handles that are thinner than subcells may be missing, or be too many: where their
+ *         number matters, ask for more subcells.}
+ *       \cgalParamType{`int`}
+ *       \cgalParamDefault{2}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{vertex_point_map}
+ *       \cgalParamDescription{as in all of \cgal}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, out)`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  *
  * \return whether there is a mesh, or why not
  * \pre there is a shell; `subdivision_ratio` is at least 1 and at most 256

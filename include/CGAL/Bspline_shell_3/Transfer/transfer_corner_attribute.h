@@ -154,10 +154,19 @@ private:
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
- *   - `interpolation(F)`: a model of `AttributeInterpolation` that may extrapolate; by default
- *     `Barycentric_interpolation`
- *   - `default_value(x)`: what all corners of facets without values get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{interpolation}
+ *       \cgalParamDescription{a model of `AttributeInterpolation` that may extrapolate}
+ *       \cgalParamDefault{`Barycentric_interpolation`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what all corners of facets without values get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which facets have no values from the source at their corners, and why; and which lie across seams
  * \cgalHeading{Cost} for each facet, four points to move if it meets few facets of the source, and more near seams
  */

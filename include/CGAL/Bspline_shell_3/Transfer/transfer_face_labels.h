@@ -44,10 +44,21 @@ namespace Bspline_shells {
  * \param source_labels the labels
  * \param target_labels what gets them
  * \param np optional named parameters
- *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square; by default 4. With 1, the
- *     label is that at the centroid.
- *   - `default_value(x)`: what facets without a label get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{samples_per_facet}
+ *       \cgalParamDescription{at least so many samples, up to the next square. With 1, the label is that at the
+ *         centroid.}
+ *       \cgalParamType{`std::size_t`}
+ *       \cgalParamDefault{4}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what facets without a label get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid
  *   did not
  */

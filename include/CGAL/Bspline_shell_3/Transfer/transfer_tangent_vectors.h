@@ -146,15 +146,32 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  * \param source_vectors vectors in the planes of their facets
  * \param target_vectors what gets their images
  * \param np optional named parameters
- *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
- *   - `samples_per_facet(std::size_t)`: at least so many samples, up to the next square, at the centroids of equal
- *     parts of the target's facet, the mean of which it gets: that of N-th powers for a symmetric field, with the mean
- *     length; by default 1
- *   - `linear_reconstruction(bool)`: whether the field is linear on each facet of the source (or its N-th power is, the
- *     length staying what it is): with the gradient that fits the vectors of its neighbors best, unfolded around common
- *     edges that are not sharper than 60 degrees; default `false`
- *   - `default_value(x)`: what facets without a vector get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{symmetry}
+ *       \cgalParamDescription{1 for vectors (the default), 2 for lines, 4 for crosses}
+ *       \cgalParamType{`int`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{samples_per_facet}
+ *       \cgalParamDescription{at least so many samples, up to the next square, at the centroids of equal parts of the
+ *         target's facet, the mean of which it gets: that of N-th powers for a symmetric field, with the mean length}
+ *       \cgalParamType{`std::size_t`}
+ *       \cgalParamDefault{1}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{linear_reconstruction}
+ *       \cgalParamDescription{whether the field is linear on each facet of the source (or its N-th power is, the length
+ *         staying what it is): with the gradient that fits the vectors of its neighbors best, unfolded around common
+ *         edges that are not sharper than 60 degrees}
+ *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what facets without a vector get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A
  *   facet without an area has none: it faces no way.
  * \pre `symmetry` is positive
@@ -245,9 +262,19 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * \param source_vectors vectors; what they have along the normals is lost
  * \param target_vectors what gets their images
  * \param np optional named parameters
- *   - `symmetry(int)`: 1 for vectors (the default), 2 for lines, 4 for crosses
- *   - `default_value(x)`: what vertices without a vector get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{symmetry}
+ *       \cgalParamDescription{1 for vectors (the default), 2 for lines, 4 for crosses}
+ *       \cgalParamType{`int`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what vertices without a vector get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which vertices have no vector from the source, and why
  * \pre `symmetry` is positive
  */

@@ -49,11 +49,23 @@ namespace Bspline_shells {
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
- *   - `interpolation(F)`: a model of `AttributeInterpolation`; by default `Barycentric_interpolation`
- *   - `mapping(F)`: `F()(value, differential)` with the `Flow_differential` from the source to the target; by default
- *     values arrive as they are
- *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{interpolation}
+ *       \cgalParamDescription{a model of `AttributeInterpolation`}
+ *       \cgalParamDefault{`Barycentric_interpolation`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{mapping}
+ *       \cgalParamDescription{`F()(value, differential)` with the `Flow_differential` from the source to the target; by
+ *         default values arrive as they are}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what vertices without a value get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which vertices have no value from the source, and why
  * \cgalHeading{Cost} some microseconds a vertex and core; with `mapping()` about twice as much
  */
@@ -119,8 +131,15 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param source_values the attribute
  * \param target_values what gets its values
  * \param np optional named parameters
- *   - `default_value(x)`: what vertices without a value get; by default they keep what they have
- *   - `visitor(V)`: a model of `FlowVisitor`
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{default_value}
+ *       \cgalParamDescription{what vertices without a value get; by default they keep what they have}
+ *       \cgalParamType{`x`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{visitor}
+ *       \cgalParamDescription{a model of `FlowVisitor`}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
  * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices
  *   of the source without an image are left out, and named too.
  */
