@@ -768,7 +768,8 @@ TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, near
   }
 }
 
-TEST_CASE("Second-order bounds: near the origin, where places have no errors, roundings of values prove nothing")
+TEST_CASE("Second-order bounds: near the origin, where places have no errors, roundings of values prove nothing",
+          "[slow]")
 {
   CGAL::Random random(61);
   int turned = 0;

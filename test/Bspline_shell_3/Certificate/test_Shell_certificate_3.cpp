@@ -196,7 +196,8 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
 }
 
 TEST_CASE("Certificate: bounds hold for all of the shell, also where the field is steeper and the thresholds are wider "
-          "than at its lowest cells")
+          "than at its lowest cells",
+          "[slow]")
 {
   const Mesh mesh = sphere(2);
   // ten times as steep above as below
@@ -606,7 +607,7 @@ TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothin
   CHECK(certify(exact, 0.75, 1.05, sphere(2, 0.9)));
 }
 
-TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the field or in a threshold")
+TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the field or in a threshold", "[slow]")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Mesh mesh = sphere(2);

@@ -608,7 +608,7 @@ TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are o
   CHECK_FALSE(CGAL::bspline_shell_3(mesh, P::resolution(6)).report().invalid_parameter);
 }
 
-TEST_CASE("TOO_MANY_CELLS: found out before they are listed")
+TEST_CASE("TOO_MANY_CELLS: found out before they are listed", "[slow]")
 {
   const Mesh mesh = sphere(0);
   CHECK(CGAL::bspline_shell_3(mesh, P::resolution(3000).dense_grid(true)).status() == Status::TOO_MANY_CELLS);

@@ -109,7 +109,7 @@ Mesh squares(int n, const Is_kept& is_kept)
 
 } // namespace
 
-TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned, of any size")
+TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned, of any size", "[slow]")
 {
   const auto is_in_L = [](int i, int j) { return i < 5 || j < 5; };
   const std::pair<Mesh, double> meshes[] = { { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80),
@@ -189,7 +189,8 @@ TEST_CASE("certified shells: the result does not depend on the number of threads
 }
 
 TEST_CASE(
-  "certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function")
+  "certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function",
+  "[slow]")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell coarse = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.02));
@@ -206,7 +207,7 @@ TEST_CASE(
   CHECK(width_at(varying, Point_3(1.8, 0.5, 1)) == Approx(0.04).epsilon(0.01));
 }
 
-TEST_CASE("certified shells: between two plates the shell is narrower than elsewhere, however small the gap")
+TEST_CASE("certified shells: between two plates the shell is narrower than elsewhere, however small the gap", "[slow]")
 {
   for(double gap : { 0.1, 0.008 }) {
     const Mesh mesh = together(box(Point_3(0, 0, 0), Point_3(1, 1, 0.2)),
@@ -392,7 +393,8 @@ Mesh globe(int latitudes, double x)
 }
 
 TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh "
-          "intersects itself")
+          "intersects itself",
+          "[slow]")
 {
   // limits after the first and the second round: the field of the latter was changed after it was bounded on the mesh
   struct Case

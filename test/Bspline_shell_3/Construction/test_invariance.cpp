@@ -136,7 +136,7 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
   }
 }
 
-TEST_CASE("Scaled by any number, a box has the same shell at every resolution")
+TEST_CASE("Scaled by any number, a box has the same shell at every resolution", "[slow]")
 {
   // At even resolutions all sides would lie in lattice planes, and after rounding on either side of them.
   const Mesh mesh = box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), oblong = box(Point_3(0, 0, 0), Point_3(1, 0.5, 0.25));
@@ -239,7 +239,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
   CHECK(shell.thickness() > 1e-3 * spacing); // so that the levels above are not all the same
 }
 
-TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit")
+TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit", "[slow]")
 {
   const Mesh mesh = lump();
   const auto build = [&](auto tag) {

@@ -129,7 +129,7 @@ TEST_CASE("Thin parts: between two plates the middle of the gap is not in the sh
   }
 }
 
-TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is thick, also at its rim")
+TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is thick, also at its rim", "[slow]")
 {
   const double thickness = 0.01;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
@@ -142,7 +142,7 @@ TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is t
   CHECK(is_outside(shell, Point_3(0.5, 0.5, thickness / 2)));
 }
 
-TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and the place is named")
+TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and the place is named", "[slow]")
 {
   const Mesh mesh = sphere(2);
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
@@ -213,7 +213,7 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
   CHECK(places > 0);
 }
 
-TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certified the place is named")
+TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certified the place is named", "[slow]")
 {
   for(double margin : { 0.1, 0.01 }) {
     Mesh::Vertex_index vertex;

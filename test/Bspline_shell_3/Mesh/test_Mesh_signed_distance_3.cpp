@@ -514,7 +514,7 @@ TEST_CASE("samples of the distance: together they are a uniform lattice, two to 
   CHECK(points == expected);
 }
 
-TEST_CASE("samples of the distance: made together they are those of single queries")
+TEST_CASE("samples of the distance: made together they are those of single queries", "[slow]")
 {
   SECTION("a torus")
   {

@@ -97,7 +97,7 @@ TEST_CASE("Intersecting facets: where spheres meet, touch, or coincide, on plane
   check(together(ball, ball));
 }
 
-TEST_CASE("Intersecting facets: a single facet through the surface is found wherever it is")
+TEST_CASE("Intersecting facets: a single facet through the surface is found wherever it is", "[slow]")
 {
   CGAL::Random random(1);
   const Mesh ball = sphere(4);

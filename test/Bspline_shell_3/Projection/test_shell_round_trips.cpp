@@ -88,7 +88,7 @@ void check_round_trips(const Shell& shell, const Mesh& a, const Mesh& b)
 
 } // namespace
 
-TEST_CASE("Round trips: on ten meshes, no point is lost and all return")
+TEST_CASE("Round trips: on ten meshes, no point is lost and all return", "[slow]")
 {
   for(const char* name : { "tetrahedron", "cube", "octahedron", "icosahedron", "cross", "tripod", "part", "ellipsoid",
                            "sphere", "eight" }) {

@@ -131,7 +131,7 @@ TEST_CASE("Front door: the message on polygons that are not a mesh counts points
   CHECK_FALSE(contains(shell.message(), "as thin as asked"));
 }
 
-TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is kept")
+TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is kept", "[slow]")
 {
   const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1), parameters::alpha(0.1));
   REQUIRE(strip.is_certified());

@@ -301,7 +301,7 @@ TEST_CASE("Level set: a level that the field has at corners of cells changes not
   check_closed_manifold(mesh);
 }
 
-TEST_CASE("Level set: of a field without any order it is still a closed manifold")
+TEST_CASE("Level set: of a field without any order it is still a closed manifold", "[slow]")
 {
   for(unsigned seed = 0; seed < 8; ++seed) {
     std::mt19937 random(seed);
@@ -345,7 +345,7 @@ TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
     }
 }
 
-TEST_CASE("Level set: across cells of different sizes it is closed, and on the level")
+TEST_CASE("Level set: across cells of different sizes it is closed, and on the level", "[slow]")
 {
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
@@ -367,7 +367,8 @@ TEST_CASE("Level set: across cells of different sizes it is closed, and on the l
   }
 }
 
-TEST_CASE("Level set: of a field without any order, on cells of different sizes, it is still a closed manifold")
+TEST_CASE("Level set: of a field without any order, on cells of different sizes, it is still a closed manifold",
+          "[slow]")
 {
   std::size_t passed = 0;
   for(unsigned seed = 0; seed < 12; ++seed) {

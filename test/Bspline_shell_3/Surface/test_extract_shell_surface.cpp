@@ -156,7 +156,7 @@ bool is_small(const Mesh& mesh)
 
 } // namespace
 
-TEST_CASE("Surfaces of a shell: closed, on either side of the mesh, and like it")
+TEST_CASE("Surfaces of a shell: closed, on either side of the mesh, and like it", "[slow]")
 {
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(
     box(Point_3(0, 0, 0), Point_3(1, 0.6, 0.3)), BS::parameters::resolution(12).relative_thickness(0.005));
