@@ -7,7 +7,8 @@ The storeys, from the ground up, are the folders of include/CGAL/Bspline_shell_3
 where they test them; examples and benchmarks name nothing internal.
 
 It also fails if a source of the package converts numbers to doubles by anything but rounded() of Support/coordinates.h:
-proofs hold for coordinates that are rounded in this way. And if a line of C++ has more columns than .clang-format allows.
+proofs hold for coordinates that are rounded in this way. And if a line of C++ has more columns than .clang-format allows,
+or a test file is not compiled.
 """
 import os
 import re
@@ -95,6 +96,10 @@ def main(root):
             text = read(root, place, name)
             if re.search(r"(\bBS|Bspline_shells)::internal::", text) or any(map(is_internal, includes(text))):
                 wrong.append(f"{place}/{name} names something internal")
+    tests = os.path.join(root, "test", "Bspline_shell_3")
+    lists = read(tests, "CMakeLists.txt")
+    wrong += [f"test/Bspline_shell_3/{name} is in no list of CMakeLists.txt" for name in files(tests)
+              if os.path.basename(name).startswith("test_") and name.endswith(".cpp") and f"{name}\n" not in lists.replace(")", "\n")]
     columns = int(re.search(r"^ColumnLimit: (\d+)$", read(root, ".clang-format"), re.MULTILINE).group(1))
     for place in ("include", "src", "test", "examples", "benchmark", "doc"):
         for name in files(os.path.join(root, place)):

@@ -66,6 +66,35 @@ TEST_CASE(
   CHECK(proved == 0);
 }
 
+TEST_CASE("critical points: near a side, the box stays in the cell; beyond it, none is proved")
+{
+  for(double x : { 0.02, 0.98 }) {
+    const auto p = BS::prove_critical_point(sum(square(x), square(0.5), square(0.5)));
+    REQUIRE(p);
+    CHECK(p->center[0] - p->radius >= 0);
+    CHECK(p->center[0] + p->radius <= 1);
+  }
+  for(double x : { -0.02, 1.02 }) CHECK_FALSE(BS::prove_critical_point(sum(square(x), square(0.5), square(0.5))));
+}
+
+TEST_CASE("critical points: none is proved where Newton's method is still on its way")
+{
+  // the derivative is c + m t + (1 - m) t^2 / 2 > 0; the steps towards its zero, beyond the side, are short
+  constexpr double m = 0.02, c = 0.01 * m;
+  const Cubic slow = { 0, c / 3, 2 * c / 3 + m / 6, c + m / 2 + (1 - m) / 6 };
+  CHECK_FALSE(BS::prove_critical_point(sum(slow, square(0.5), square(0.5))));
+  CHECK_FALSE(BS::prove_critical_point(sum(square(0.5), slow, square(0.5))));
+  CHECK_FALSE(BS::prove_critical_point(sum(square(0.5), square(0.5), slow)));
+}
+
+TEST_CASE("critical points: none is proved where a function within the radius may have its own beyond the box")
+{
+  // slopes of functions within the radius differ by up to six times the radius, 0.03: so may zeros, 0.02 from the side
+  BS::Enclosed_tricubic f = sum(square(0.02), square(0.5), square(0.5));
+  f.radius = 0.005;
+  CHECK_FALSE(BS::prove_critical_point(f));
+}
+
 TEST_CASE("critical points: none is proved where every function within the radius may have its own")
 {
   BS::Enclosed_tricubic f = sum(square(0.5), square(0.5), square(0.5));

@@ -9,12 +9,13 @@ behind one switch that is read from the environment: each test is compiled once.
 
 First all tests must pass without a fault. Then each fault is switched on, and tests are run up to the first that fails; to end in any other
 way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake: first the test that saw the
-fault last time, then the test file of the header, then the test files that include the header, or, if there are none, those that include a
-header that includes it. With --all, all other tests follow. Faults of check_certificate are left to its own tests, small certificates
+fault last time, then the test file of the header, then the test files that include the header, then those that include a header that
+includes it, and so on, three times. With --all, all other tests follow. Faults of check_certificate are left to its own tests, small certificates
 first; the large ones follow with --all.
 
 FOLDER keeps what was compiled and what was found, in found.json. A run that was cut off continues where it stopped: a fault is examined
-again if its text, or the code of its header or of a test file that it is left to, has changed since, or if it was not seen and --all asks for more tests.
+again if its text, or the code of its header or of the test file that saw it, has changed since; or if it was not seen, and any of its test
+files has changed, or --all asks for more tests.
 
 Exit code 0 if every fault is seen, but those that the list argues to change no answer; 1 if others survive, or one of these is seen; 2 if the
 list does not fit the sources. --dry stops after it was planted.
@@ -51,37 +52,42 @@ inline bool planted(int fault) { return fault == planted_fault; }
 class Sources:
     """headers, and the test files that include them"""
 
+    LEVELS = 3
+
     def __init__(self):
         self.includers = collections.defaultdict(set)
-        folders = (os.path.join(ROOT, HEADERS), os.path.join(ROOT, "test", "Bspline_shell_3"))
-        for path in (os.path.join(f, n) for folder in folders for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
-            for header in re.findall(r"#include <CGAL/Bspline_shell_3/(.*)>", open(path, encoding="utf-8").read()):
-                self.includers[header].add(path.removeprefix(os.path.join(ROOT, HEADERS)))
+        self.path_of_test = {}
+        top = os.path.join(ROOT, "include")
+        for folder in (top, os.path.join(ROOT, "test", "Bspline_shell_3")):
+            for path in (os.path.join(f, n) for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
+                name = os.path.relpath(path, top)
+                if path.endswith(".cpp"):
+                    name = os.path.basename(path).removesuffix(".cpp")
+                    self.path_of_test[name] = path
+                for header in re.findall(r"#include <(CGAL/.*)>", open(path, encoding="utf-8").read()):
+                    self.includers[header].add(name)
 
     def tests(self, header):
-        """those of the header itself; all others that include it, or, if there are none, that include a header that includes it"""
-        name = header.replace("_impl.h", ".h")
-        own, others = self._including(name)
-        if not own and not others:
-            for includer in sorted(n for n in self.includers[header] if n.endswith(".h")):
-                more = self._including(includer)
-                own |= more[0]
-                others |= more[1]
-        return own, others - own
+        """the test of the header itself; the other tests that include it; those that include a header that includes it; and so on"""
+        headers = {header, header.replace("_impl.h", ".h")}
+        levels = [{"test_" + os.path.basename(h).removesuffix(".h") for h in headers} & set(self.path_of_test)]
+        for _ in range(self.LEVELS):
+            names = set().union(*(self.includers[h] for h in headers))
+            levels.append({n for n in names if n in self.path_of_test} - set().union(*levels))
+            headers = {n for n in names if n not in self.path_of_test}
+        return levels
 
-    def _including(self, header):
-        own = "test_" + os.path.basename(header).removesuffix(".h") + ".cpp"
-        files = {n for n in self.includers[header] if n.endswith(".cpp")}
-        return {n for n in files if os.path.basename(n) == own}, {n for n in files if os.path.basename(n) != own}
-
-    def checksum(self, fault):
-        """of all that decides whether the fault is seen, but for other headers"""
+    def checksum(self, fault, test=None):
+        """of what decides whether a fault is seen, but for other headers: its text, the code of its header, and that of a test file, or of all
+        that could see it"""
         result = hashlib.sha256(fault.text.encode())
+        paths = [os.path.join(ROOT, fault.file)]
         if fault.is_of_checker:
-            paths = [os.path.join(f, n) for f, _, names in os.walk(os.path.join(ROOT, CHECKER)) for n in names if not n.endswith(".pyc")]
+            paths += [os.path.join(f, n) for f, _, names in os.walk(os.path.join(ROOT, CHECKER)) for n in names if n.endswith((".h", ".cpp"))]
+        elif test in self.path_of_test:
+            paths.append(self.path_of_test[test])
         else:
-            own, others = self.tests(fault.file.removeprefix(HEADERS))
-            paths = [os.path.join(ROOT, fault.file), *own, *others]
+            paths += [self.path_of_test[n] for level in self.tests(fault.file.removeprefix("include/")) for n in level]
         for path in sorted(paths):
             result.update(code(open(path, encoding="utf-8").read()))
         return result.hexdigest()
@@ -294,18 +300,20 @@ class Package_tests(Tests):
 
     def learn(self, output):
         """finds out how long each test and each test file takes"""
-        self.seconds = collections.defaultdict(float)
+        self.seconds, self.file = collections.defaultdict(float), {}
         for name, file, seconds in re.findall(r'<TestCase name="([^"]*)"[^>]*filename="[^"]*?(\w+)\.cpp".*?<OverallResult success=[^>]*durationInSeconds="([^"]*)"',
                                               output, re.DOTALL):
-            for key in (xml.sax.saxutils.unescape(name, {"&quot;": '"'}), file, ""):
+            name = xml.sax.saxutils.unescape(name, {"&quot;": '"'})
+            self.file[name] = file
+            for key in (name, file, ""):
                 self.seconds[key] += float(seconds)
 
     def attempts(self, fault, seen_by, is_all):
         """arguments that choose tests, and how long they may take"""
         if seen_by in self.seconds:
             yield [re.sub(r"([,\[\\])", r"\\\1", seen_by)], self.seconds[seen_by]
-        for paths in self.sources.tests(fault.file.removeprefix(HEADERS)):
-            files = sorted({os.path.basename(n).removesuffix(".cpp") for n in paths} & set(self.seconds), key=self.seconds.get)
+        for level in self.sources.tests(fault.file.removeprefix("include/")):
+            files = sorted(level & set(self.seconds), key=self.seconds.get)
             if files:
                 yield [",".join(f"[#{f}]" for f in files)], sum(self.seconds[f] for f in files)
         if is_all:
@@ -365,7 +373,7 @@ def main():
 
     def is_known(fault):
         known = found.get(fault.name, {})
-        return known.get("sources") == sources.checksum(fault) and (known["seen"] or known["all"] or not arguments.all)
+        return known.get("sources") == sources.checksum(fault, known.get("file")) and (known["seen"] or known["all"] or not arguments.all)
 
     unknown = [f for f in chosen if not is_known(f)]
     sets = {}
@@ -396,7 +404,9 @@ def main():
             seen, _ = sets[fault.is_of_checker].run(fault.number, only, 10 + 5 * seconds)
             if seen:
                 break
-        return fault, {"sources": sources.checksum(fault), "seen": seen, "by": seen.removesuffix(" (not in time)") if seen else None,
+        by = seen.removesuffix(" (not in time)") if seen else None
+        file = None if fault.is_of_checker else sets[False].file.get(by)
+        return fault, {"sources": sources.checksum(fault, file), "seen": seen, "by": by, "file": file,
                        "all": arguments.all, "time": round(time.time() - start, 1)}
 
     start, file, survivors, argued, mistaken = time.time(), None, [], [], []

@@ -29,11 +29,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what is known of the field of a round: how large it is on the mesh in each cell, which facets it crosses
- * upwards, and where thresholds were covered without an obstacle.
+ * \brief caches what was computed for the field of a round: its range on the mesh in each cell, the facets that it
+ * certainly crosses upwards, and the cover of the shell between its thresholds.
  *
- * What is known of a cell holds for the next field, too, if it is the same in that cell (`is_same_in_cell()`). That
- * alone decides what is examined again.
+ * There is one rule of invalidation: an entry remains valid for the next field if the field is the same in the cell
+ * (`is_same_in_cell()`).
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -52,11 +52,12 @@ public:
       m_thresholds(seeds(*problem.input))
   {}
 
-  /// \name Changes of the Field
+  /// \name Changes of the field
   /// @{
 
-  /// nothing is known of it
-  /// \param keeps_caps on finer cells: thresholds begin as narrow as they had to be before
+  /// clears the cache for a new field.
+  /// \param before the previous field, or null
+  /// \param keeps_caps whether thresholds stay as narrow as they had to be for the previous field
   void is_another(const Field* before, bool keeps_caps)
   {
     m_ranges = Mesh_ranges(m_fitted.field()->number_of_cells());
@@ -66,7 +67,7 @@ public:
     else m_thresholds.forget();
   }
 
-  /// it was fitted in part, on finer cells
+  /// updates the cache after a partial fit on finer cells
   void is_refined(const Field& before)
   {
     const Field& field = *m_fitted.field();
@@ -79,10 +80,10 @@ public:
     for(Index c = 0; c < now.size(); ++c)
       if(now[c] != Field::npos) m_ranges.keep(ranges, c, now[c]);
     m_thresholds.cells_were_refined(now);
-    examine_again(m_fitted.part()->cells);
+    invalidate_facets(m_fitted.part()->cells);
   }
 
-  /// it has other coefficients on the same cells
+  /// updates the cache after a change of coefficients on the same cells
   void has_changed(const Field& before)
   {
     const Field& field = *m_fitted.field();
@@ -91,14 +92,15 @@ public:
     for(Index c = 0; c < changed.size(); ++c)
       if(changed[c]) m_ranges.forget(c);
     m_thresholds.field_has_changed(changed);
-    examine_again(changed);
+    invalidate_facets(changed);
   }
   /// @}
 
-  /// \name Questions, Answered Where the Field Has Changed
+  /// \name Results
+  /// Only invalid entries are computed.
   /// @{
 
-  /// the range of the field on the mesh in each cell
+  /// returns the range of the field on the mesh in each cell
   const std::vector<Level_range>& ranges(Mesh_ranges::Precision precision)
   {
     m_ranges.template update<ConcurrencyTag>(
@@ -106,9 +108,9 @@ public:
       precision);
     return m_ranges.cells();
   }
-  /// where the field was too large when ranges were asked for last
+  /// returns the thick cells of the last call of `ranges()`
   const std::vector<Thick_cell>& thick_cells() const { return m_ranges.thick_cells(); }
-  /// asks for ranges that tell, and reports them
+  /// computes ranges and thick cells, and reports them
   void find_thick_cells(Refinement_budget& budget)
   {
     ranges(Mesh_ranges::SUFFICIENT);
@@ -117,14 +119,14 @@ public:
     budget.round().thick_cells = m_ranges.thick_cells().size();
     budget.end_step(Refinement_budget::BOUNDS);
   }
-  /// the range on each facet, coarsely
-  /// \pre ranges were asked for
+  /// returns an enclosure of the range on each facet
+  /// \pre `ranges()` was called
   std::vector<Level_range> facet_ranges() const
   {
     return m_ranges.template facets<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped());
   }
 
-  /// facets that the field does not certainly cross upwards
+  /// returns the facets for which it is not proved that the field crosses them upwards
   std::vector<Facet_failure> failing_facets()
   {
     std::vector<Facet_failure> failures = Bspline_shells::failing_facets<ConcurrencyTag>(
@@ -134,7 +136,7 @@ public:
     return failures;
   }
 
-  /// chooses thresholds, and returns where the mesh needs them wider than they should be
+  /// chooses thresholds, and returns the places where the mesh needs wider ones than obstacles allow
   /// \pre `thresholds().begin()` was called
   std::vector<Threshold_obstacle> choose_thresholds(const Narrowing_limits& limits)
   {
@@ -152,7 +154,7 @@ public:
   const Thresholds& thresholds() const { return m_thresholds; }
 
 private:
-  // a point on each component of a mesh
+  // returns a point on each component of a mesh
   static std::vector<Field::Point_3> seeds(const Input_mesh_3& input)
   {
     std::vector<Field::Point_3> points(input.number_of_components());
@@ -172,8 +174,8 @@ private:
     });
   }
 
-  // the facets in some cells
-  void examine_again(const std::vector<char>& cells)
+  // invalidates the facets in some cells
+  void invalidate_facets(const std::vector<char>& cells)
   {
     for(const Clipped_mesh_3::Piece& piece : m_fitted.clipped().pieces())
       if(cells[piece.cell]) m_unexamined[piece.facet] = 1;
@@ -181,7 +183,7 @@ private:
 
   const Refinement_problem& m_problem;
   const Fitted& m_fitted;
-  std::vector<char> m_unexamined; // of each facet: whether it is to be examined (again)
+  std::vector<char> m_unexamined; // by facet: whether its result is invalid
   Mesh_ranges m_ranges;
   Thresholds m_thresholds;
 };

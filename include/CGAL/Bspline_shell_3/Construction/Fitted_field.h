@@ -37,10 +37,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the field of a round, with the mesh cut by its cells and the equations that it minimizes an energy by.
+ * \brief the field of a round, the mesh clipped to its cells, and the linear system of the fit.
  *
- * It is fitted to all samples, or only near the cells that were split since the last round; samples of cells that stay
- * are not taken again.
+ * A fit computes all coefficients, or only those that act on the cells split since the last round. Samples of the
+ * signed distance are reused in cells that stay.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -56,10 +56,11 @@ public:
   /// \pre `problem` outlives this object
   explicit Fitted_field(const Refinement_problem& problem) : m_problem(problem) {}
 
-  /// fits a field on other cells.
-  /// \param may_be_partial whether only what acts on split cells may be fitted, if that is not nearly all
-  /// \param budget of the round
-  /// \return why that failed, if it did
+  /// fits a field on new cells.
+  /// \param cells the cells
+  /// \param may_be_partial whether to fit only the coefficients that act on split cells, if these are few
+  /// \param budget records sizes and times of the round
+  /// \return the reason of a failure
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, bool may_be_partial, Refinement_budget& budget)
   {
     release_equations();
@@ -76,7 +77,7 @@ public:
     budget.round().cells = m_field->number_of_cells();
     budget.round().unknowns = m_field->number_of_coefficients();
     budget.round().levels = m_field->number_of_levels();
-    m_clipped.reset(); // before there is another one
+    m_clipped.reset(); // frees memory before the next one is built
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_problem.input, m_field->cells()));
     const double largest_part = m_problem.parameters.tuning.largest_part * double(m_field->number_of_cells());
     m_part.reset();
@@ -96,11 +97,11 @@ public:
     return std::nullopt;
   }
 
-  /// sets the field to what `x()` has become
-  /// \return the field before
+  /// sets the field's coefficients to `x()`.
+  /// \return the previous field
   Field update() { return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width())); }
 
-  /// asks the next field to be nearer to zero on the mesh in some cells
+  /// increases the weight of the surface term of later fits in some cells
   void ask_nearer_to_zero(const std::vector<Index>& cells)
   {
     if(cells.empty()) return;
@@ -108,17 +109,17 @@ public:
     for(Index c : cells) m_surface_factors[c] = float(m_problem.parameters.tuning.weight_near_obstacles);
   }
 
-  /// frees the memory of the equations
+  /// frees the matrix
   void release_equations() { m_A = Matrix(); }
 
   const std::shared_ptr<Field>& field() const { return m_field; }
-  const Clipped_mesh_3& clipped() const { return *m_clipped; } ///< the mesh, cut by the cells
+  const Clipped_mesh_3& clipped() const { return *m_clipped; } ///< the mesh, clipped to the cells
   std::size_t cells_at_mesh() const { return m_clipped->cells().size(); }
-  const std::optional<Fitted_part>& part() const { return m_part; }     ///< that was fitted, if not all was
-  double width() const { return m_field->cells().lattice().spacing(); } ///< of root cells
+  const std::optional<Fitted_part>& part() const { return m_part; }     ///< the part that was fitted, in a partial fit
+  double width() const { return m_field->cells().lattice().spacing(); } ///< width of root cells
 
-  /// \name Equations
-  /// \f$x^T A x - 2 b^T x\f$ is minimal; coefficients are in units of the width of root cells
+  /// \name Linear system
+  /// The fit minimizes \f$x^T A x - 2 b^T x\f$. Coefficients are in units of the width of root cells.
   /// @{
   const Matrix& A() const { return m_A; }
   const Vector& b() const { return m_b; }
@@ -172,7 +173,7 @@ private:
   std::optional<Fitted_part> m_part;
   Matrix m_A;
   Vector m_b, m_x;
-  std::vector<float> m_surface_factors; // of cells (`Fit_energy`); empty if they are alike
+  std::vector<float> m_surface_factors; // by cell (`Fit_energy`); empty if all are 1
 };
 
 } // namespace Bspline_shells

@@ -34,8 +34,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief changes the field of a round by little where facets have too small a slope, or where it is too large on the
- * mesh (`Slope_enforcement`).
+ * \brief corrects the field of a round locally where slopes of facets are too small, or |f| is too large on the mesh
+ * (`Slope_enforcement`).
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -52,9 +52,8 @@ public:
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(fitted), m_examined(examined), m_budget(budget)
   {}
 
-  /// changes the field until slopes and sizes are as wanted, or nothing helps.
-  /// \return whether that was tried to the end; otherwise too much would have to be changed, and only
-  ///   `sloping_facets()` are known
+  /// corrects the field until all conditions are met, or corrections no longer help.
+  /// \return `false` if too many conditions fail; `sloping_facets()` has them then
   bool mend()
   {
     if(!m_enforcement) begin();
@@ -67,17 +66,17 @@ public:
     }
   }
 
-  /// the same, with more conditions
+  /// adds conditions, and corrects the field
   bool mend(std::vector<Slope_condition> conditions)
   {
     m_enforcement->insert(std::move(conditions));
     return mend();
   }
 
-  /// where slopes are still too small
+  /// returns the facets whose slope still fails
   const std::vector<Sloping_facet>& sloping_facets() const { return m_sloping; }
 
-  /// whether the field is too large on the mesh in more cells than small changes can mend
+  /// returns whether more cells are thick than corrections can handle
   bool are_many_thick() const
   {
     return m_examined.thick_cells().size()
@@ -94,14 +93,14 @@ private:
 
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  // the slope wanted of a facet in a cell
+  // returns the slope that a facet is to have in a cell
   double wanted_slope(Index c, std::uint32_t facet) const
   {
     return m_slope_limits.empty() ? m_problem.wanted_slopes[facet]
                                   : (std::min)(m_problem.wanted_slopes[facet], m_slope_limits[c]);
   }
 
-  // what the field may be on the mesh, in units of the width of root cells
+  // returns the largest |f| that corrections aim at on the mesh, in units of the width of root cells
   double largest_on_mesh(Index c) const
   {
     return m_tuning.size_aimed_at * m_problem.half_thickness(*m_fitted.field(), c) / m_fitted.width();
@@ -119,7 +118,7 @@ private:
     m_enforcement->insert(std::move(conditions));
   }
 
-  // where the field is largest in them
+  // at the point of each thick cell where |f| is largest
   void add_conditions_of_thick_cells(std::vector<Slope_condition>& conditions) const
   {
     for(const Thick_cell& t : m_examined.thick_cells())
@@ -143,7 +142,7 @@ private:
     return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0;
   }
 
-  // Meets the conditions, adds those of places where that was not enough, and so on.
+  // Alternates between corrections and new conditions at the places that still fail.
   Outcome exchange_conditions()
   {
     const std::size_t most_violated = (std::max)(m_tuning.least_violated_cells,
@@ -187,8 +186,8 @@ private:
     return Outcome::MENDED;
   }
 
-  // In cells wider than a wall or a gap in them, no more is wanted than what such cells allow. Returns whether that is
-  // less than before anywhere.
+  // Limits slopes in cells that are wider than a wall or gap in them to what such cells allow. Returns whether any
+  // slope was reduced.
   bool limit_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty()) return false;
@@ -226,7 +225,7 @@ private:
   Examined_field<ConcurrencyTag>& m_examined;
   Refinement_budget& m_budget;
   std::optional<Slope_enforcement<Field> > m_enforcement;
-  std::vector<double> m_slope_limits; // of cells; empty if slopes are limited nowhere
+  std::vector<double> m_slope_limits; // by cell; empty if no slope is limited
   std::vector<Sloping_facet> m_sloping;
 };
 

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// a facet with too small a slope in a cell
+/// a facet whose slope fails in a cell
 struct Sloping_facet
 {
   std::uint32_t cell, facet;
@@ -29,18 +29,18 @@ struct Sloping_facet
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the obstacles to the thresholds of a round tell.
+ * \brief the probable cause of the obstacles to thresholds in a round.
  */
 enum class Obstacle_kind
 {
-  FEW, ///< they are local
-  MANY,
-  THICK_FIELD, ///< many are left of a field that was too large on the mesh in many cells
-  NARROW_GAPS  ///< walls or gaps are too narrow for the shell asked for on much of the mesh
+  FEW,         ///< a few places
+  MANY,        ///< many places, without a common cause
+  THICK_FIELD, ///< many places, after the field was too large on the mesh in many cells
+  NARROW_GAPS  ///< walls or gaps are too narrow for the thickness on much of the mesh
 };
 
 /// \ingroup PkgBsplineShell3Construction
-/// with obstacles in more cells than that they are many
+/// returns the number of cells with obstacles above which these are many
 inline std::size_t many_obstacles(std::size_t cells_at_mesh, const Refinement_tuning& tuning)
 {
   return (std::max)(tuning.least_many_obstacles, cells_at_mesh / tuning.many_obstacles);
@@ -49,8 +49,8 @@ inline std::size_t many_obstacles(std::size_t cells_at_mesh, const Refinement_tu
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the rounds of a refinement have shown: whether they lead on, where refinement does not help, and whether
- * gaps are too narrow.
+ * \brief records the rounds of a refinement: their progress, the facets that refinement does not help, and whether gaps
+ * are too narrow.
  */
 class Refinement_history
 {
@@ -60,23 +60,24 @@ public:
     : m_tuning(tuning), m_refinements(number_of_facets, 0)
   {}
 
-  /// adds a round for which thresholds were chosen
-  /// \param undecided_volume of the boxes that are in the way: boxes are larger where there are many, so that few of
-  ///   them may have more volume than others before
+  /// records a round in which thresholds were chosen.
+  /// \param round numbers of thick cells, failing facets and obstacles
+  /// \param undecided_volume total volume of the obstacles' boxes; boxes differ in size, so that fewer boxes may have
+  ///   more volume
   void add_round(const Refinement_round& round, double undecided_volume)
   {
-    const bool leads_on = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
-                          || undecided_volume < m_tuning.progress * m_least_volume
-                          || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
-    m_rounds_in_vain = leads_on ? 0 : m_rounds_in_vain + 1;
+    const bool makes_progress = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
+                                || undecided_volume < m_tuning.progress * m_least_volume
+                                || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
+    m_rounds_in_vain = makes_progress ? 0 : m_rounds_in_vain + 1;
     m_least_volume = (std::min)(m_least_volume, undecided_volume);
     m_fewest_facets = (std::min)(m_fewest_facets, round.failing_facets);
     m_fewest_obstacles = (std::min)(m_fewest_obstacles, double(round.undecided_cells));
   }
-  /// whether the last rounds have not led on
+  /// returns whether the last rounds made no progress
   bool is_in_vain() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
 
-  /// the cells of facets that were not refined too often before
+  /// returns the cells of facets that have not reached the number of refinements allowed
   std::vector<std::uint32_t> cells_worth_refining(const std::vector<Sloping_facet>& facets) const
   {
     std::vector<std::uint32_t> cells;
@@ -84,7 +85,7 @@ public:
       if(is_worth_refining(f)) cells.push_back(f.cell);
     return cells;
   }
-  /// counts one more refinement of these facets
+  /// counts one refinement of each facet
   void add_refinements(const std::vector<Sloping_facet>& facets)
   {
     std::vector<std::uint32_t> refined;
@@ -94,11 +95,10 @@ public:
     for(std::uint32_t f : refined) ++m_refinements[f];
   }
 
-  /// tells the kind of the obstacles of a round. Gaps are narrow if there are very many, or many again after others
-  /// were refined; once known, that stays so.
-  /// \param cells with obstacles
-  /// \param cells_at_mesh that the mesh passes through
-  /// \param was_thick whether the field was too large on the mesh in many cells before small changes
+  /// classifies and records the obstacles of a round. Once gaps are found to be too narrow, they remain so.
+  /// \param cells number of cells with obstacles
+  /// \param cells_at_mesh number of surface cells
+  /// \param was_thick whether many cells were thick before corrections
   Obstacle_kind kind_of_obstacles(std::size_t cells, std::size_t cells_at_mesh, bool was_thick)
   {
     const bool are_many = cells > many_obstacles(cells_at_mesh, m_tuning);
@@ -120,7 +120,7 @@ private:
   }
 
   const Refinement_tuning& m_tuning;
-  std::vector<int> m_refinements; // of each facet: how often it was a reason for them
+  std::vector<int> m_refinements; // by facet: how often it caused refinement
   double m_least_volume = std::numeric_limits<double>::infinity(), m_fewest_obstacles = m_least_volume;
   std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max();
   int m_rounds_in_vain = 0;

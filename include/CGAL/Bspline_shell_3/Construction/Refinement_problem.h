@@ -30,16 +30,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what is the same in all rounds of a refinement.
+ * \brief the input of a refinement, which is constant in all rounds.
  */
 class Refinement_problem
 {
 public:
   typedef Hierarchical_bspline_field_3<> Field;
 
-  /// the thickness asked for near a point, user units
+  /// returns the requested thickness near a point, user units
   typedef std::function<double(const Field::Point_3&)> Thickness;
-  /// is called with each step that begins; throws to stop
+  /// called at the beginning of each step; throws to cancel
   typedef std::function<void(Shell_step)> Start;
 
   /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
@@ -52,7 +52,7 @@ public:
       wanted_slopes(Bspline_shells::wanted_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
   {}
 
-  /// half of the thickness asked for in the middle of a cell: how large the field may be on the mesh there
+  /// returns half of the requested thickness at the center of a cell: the largest |f| on the mesh in it
   double half_thickness(const Field& field, Field::Cell_index c) const
   {
     const Bbox_3 b = field.cell(c).bbox();
@@ -60,7 +60,7 @@ public:
            / 2;
   }
 
-  /// is made when it is asked for first
+  /// returns the local gap of the mesh; the first call builds it
   const Local_gap_3& gap()
   {
     if(!m_gap) m_gap.emplace(*input);
@@ -73,7 +73,7 @@ public:
   const Any_spd_solver& solver;
   const Start& start;
   const Refinement_parameters parameters;
-  const std::vector<double> wanted_slopes; ///< of each triangle, per user unit; zero where nothing helps
+  const std::vector<double> wanted_slopes; ///< by triangle, per user unit; zero at singular vertices
 
 private:
   std::optional<Local_gap_3> m_gap;

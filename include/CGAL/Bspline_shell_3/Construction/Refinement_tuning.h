@@ -14,68 +14,94 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the numbers that decide which cells are refined next, and when small changes of the field are tried instead.
+ * \brief tuned numbers of the refinement: when cells are split, and when the field is corrected instead.
  *
- * None of them decides what is proved. "One of `n`" cells is one of so many cells that the mesh passes through.
+ * They affect time and the number of cells; no proof depends on them. A *surface cell* is a cell that the mesh
+ * intersects. Fractions are stored as their reciprocals where they are compared with numbers of cells.
  */
 struct Refinement_tuning
 {
-  /// the largest share of all cells that is fitted apart from the others; more of them take as long as all
-  double largest_part = 0.75;
+  /// \name Partial fits
+  /// @{
 
-  /// how often a facet with too small a slope is a reason to refine: what that many refinements do not mend, more will
-  /// not
+  /// Largest fraction of the cells that a partial fit may cover. A larger one takes as long as a full fit.
+  double largest_part = 0.75;
+  /// @}
+
+  /// \name Corrections of slopes and values on the mesh (`Mended_field`)
+  /// @{
+
+  /// Number of times that a facet with a failing slope may cause refinement. Further refinement does not help.
   int max_refinements_of_a_facet = 5;
-  /// small changes are not tried if slopes are too small in more than one of so many cells, and in more than
-  /// `least_violated_cells`
+  /// No correction if conditions fail in more than 1/`violated_cells` of the surface cells, and in more than
+  /// `least_violated_cells`: the problem is not local, and splitting is faster.
   std::size_t violated_cells = 6, least_violated_cells = 64;
-  /// how often the places that small changes leave are added to what they have to mend
+  /// Number of times that the places that a correction leaves are added to the conditions.
   int max_slope_exchanges = 6;
-  /// the largest share of thick cells that such an exchange may leave, unless it leaves no more than `few_thick_cells`
+  /// Largest fraction of thick cells that an exchange may leave; otherwise cells are split. It does not apply to
+  /// `few_thick_cells` or fewer, for which a round would take longer.
   double thick_cells_left = 0.5;
   std::size_t few_thick_cells = 2;
-  /// the part of the slope asked for so far that is asked for along sharp fins, where not all conditions can be met
+  /// Factor on the slope asked for around cells whose conditions contradict each other, as along sharp fins.
   double relaxed_slope = 0.5;
+  /// @}
 
-  /// a cell is thick if the field is too large on the mesh in it. More than one of so many cells, or more than
-  /// `most_thick_cells`, are refined; small changes mend fewer, and take milliseconds each.
+  /// \name Thick cells
+  /// A surface cell is *thick* if |f| may exceed half of the thickness on the mesh in it.
+  /// @{
+
+  /// More than 1/`thick_cells` of the surface cells, or more than `most_thick_cells`, are split. Fewer are corrected,
+  /// at some milliseconds a cell.
   std::size_t thick_cells = 8, most_thick_cells = 1000;
-  /// if one of so many cells is thick before small changes, these cells are refined when thresholds have many obstacles
+  /// If more than 1/`many_thick_at_first` of the surface cells are thick before corrections, these cells are split
+  /// when thresholds have many obstacles later.
   std::size_t many_thick_at_first = 24;
-  /// such cells are those where the field is larger on the mesh than this part of what it may be
+  /// Fraction of half the thickness above which |f| makes a cell nearly thick: it would be thick in the next round.
   double nearly_thick = 0.8;
-  /// the part of what the field may be on the mesh that small changes aim at
+  /// Fraction of half the thickness that corrections aim at.
   double size_aimed_at = 0.95;
+  /// @}
 
-  /// obstacles in more than one of so many cells, and in more than `least_many_obstacles`, are many
+  /// \name Obstacles to thresholds
+  /// @{
+
+  /// Obstacles in more than 1/`many_obstacles` of the surface cells, and in more than `least_many_obstacles`, are many.
   std::size_t many_obstacles = 128, least_many_obstacles = 100;
-  /// with obstacles in one of so many cells, or twice in one of `cells_of_nearly_thin`, walls or gaps are too narrow
-  /// for the shell asked for
+  /// Walls or gaps count as too narrow for the shell if more than 1/`cells_of_thin` of the surface cells have
+  /// obstacles, or more than 1/`cells_of_nearly_thin` in two successive rounds with many obstacles.
   std::size_t cells_of_thin = 5, cells_of_nearly_thin = 12;
-  /// with obstacles in one of so many cells, these are refined alone; fewer of them with their neighbors
+  /// If more than 1/`cells_to_split_alone` of the surface cells have obstacles, they are split without neighbors.
   std::size_t cells_to_split_alone = 38;
-  /// so few cells are refined with their neighbors across faces only
+  /// Number of cells with obstacles up to which only their face neighbors are split with them.
   std::size_t few_obstacles = 8;
-  /// how often the field is asked to increase at obstacles, and the largest share of them that this may leave
+  /// Number of times that the field is corrected at obstacles, and the largest fraction of them that this may leave.
   int max_obstacle_exchanges = 3;
   double obstacles_left = 0.75;
+  /// @}
 
-  /// at narrow walls and gaps: the part of the room for thresholds that the field may take on the mesh
+  /// \name Narrow walls and gaps
+  /// @{
+
+  /// Fraction of an obstacle's value that |f| may reach on the mesh nearby without its cell being split.
   double most_at_obstacles = 0.7;
-  /// the part of half the thickness below which the field's size on the mesh does not count; it is smaller in the
-  /// middle of walls
+  /// Fraction of half the thickness below which |f| on the mesh is ignored, as in the middle of walls.
   double considerable = 1e-3;
-  /// how much more than elsewhere the next field's size on the mesh counts there
+  /// Weight of the surface term of the energy near obstacles, relative to elsewhere.
   double weight_near_obstacles = 20;
-  /// how often cells next to many obstacles are halved in a round
+  /// Largest number of halvings of a cell in one round.
   int max_halvings = 2;
-  /// rings of cells around refined ones that are refined, too
+  /// Rings of cells that are split around a split cell.
   int rings = 1;
+  /// @}
 
-  /// refinement ends after so many rounds that leave more than this share of the volume of obstacles, and of their
-  /// number
+  /// \name End of the refinement
+  /// @{
+
+  /// Number of successive rounds without progress after which refinement ends. A round makes progress if it reduces
+  /// the volume or the number of obstacles below `progress` times the least so far.
   int max_rounds_in_vain = 4;
   double progress = 0.9;
+  /// @}
 };
 
 } // namespace Bspline_shells

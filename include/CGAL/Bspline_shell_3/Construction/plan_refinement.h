@@ -21,50 +21,50 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells of a round where something was found wanting.
+ * \brief the cells of a round in which something fails.
  */
 struct Round_findings
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> sloping;  ///< where slopes are still too small
-  std::vector<Index> thick;    ///< where the field is too large on the mesh
-  bool are_many_thick = false; ///< too many for small changes
-  /// if there were many before small changes: those, and where the field was nearly too large
-  std::vector<Index> thick_at_first;
+  std::vector<Index> sloping;        ///< cells with failing slopes after corrections
+  std::vector<Index> thick;          ///< thick cells after corrections
+  bool are_many_thick = false;       ///< whether they are too many for corrections
+  std::vector<Index> thick_at_first; ///< thick and nearly thick cells before corrections, if many were thick
   std::vector<Threshold_obstacle> obstacles;
-  Obstacle_kind kind = Obstacle_kind::FEW; ///< of obstacles
-  std::vector<Index> culprits;             ///< at narrow gaps: where the field leaves no room for thresholds
-  std::vector<Index> similar;              ///< to these
-  std::vector<Index> two_sheets;           ///< where the surface passes twice
+  Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
+  std::vector<Index> culprits;             ///< at narrow gaps: cells where the field leaves no room for thresholds
+  std::vector<Index> similar;              ///< cells that are similar to culprits (`similar_cells()`)
+  std::vector<Index> two_sheets;           ///< cells in which an integral curve meets the mesh twice
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells to refine in the next round.
+ * \brief the cells to split before the next round.
  */
 struct Refinement_plan
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> split;          ///< ascending; empty if nothing can be refined
-  std::vector<Index> at_gaps;        ///< those of them to split more often where gaps are far narrower than cells
-  std::vector<Index> similar;        ///< to split with these, if limits allow it
-  std::vector<Index> nearer_to_zero; ///< where the field is asked to be nearer to zero on the mesh from now on
+  std::vector<Index> split;          ///< cells to split, ascending; empty if none can be split
+  std::vector<Index> at_gaps;        ///< cells to split repeatedly where gaps are far narrower than the cell
+  std::vector<Index> similar;        ///< cells to split as well, if the limits allow it
+  std::vector<Index> nearer_to_zero; ///< cells in which later fits get a larger weight of the surface term
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief decides which cells are refined after a round.
+ * \brief returns the cells to split after a round.
  *
- * Cells are refined with their neighbors of the same size where slopes fail or a few thresholds have obstacles, as what
- * is split must leave the field more freedom. Cells are refined alone where they are many.
+ * Around failing slopes and few obstacles, neighbors of the same size are split, too: splitting one cell hardly gives
+ * the field more freedom. Where many cells fail, they are split alone.
  *
- * \param cells of the round
- * \param found in it
- * \param cells_at_mesh that the mesh passes through
+ * \param cells the cells of the round
+ * \param found what failed in it
+ * \param cells_at_mesh number of surface cells
+ * \param tuning thresholds of the decisions
  */
 inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Round_findings& found,
                                        std::size_t cells_at_mesh, const Refinement_tuning& tuning)
@@ -92,7 +92,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
       mark(found.culprits);
-      if(marked.empty()) mark_widely(obstacles, all_axes); // culprits are as small as they may be
+      if(marked.empty()) mark_widely(obstacles, all_axes); // culprits have the least size
       plan.at_gaps = found.culprits;
       plan.similar = found.similar;
       plan.nearer_to_zero = found.culprits;

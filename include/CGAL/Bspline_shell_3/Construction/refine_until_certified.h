@@ -49,17 +49,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief fits a field on a hierarchy of cells, certifies it, refines cells where that fails, and begins again.
+ * \brief fits a field on a hierarchy of cells, certifies it, splits cells where the proof fails, and repeats.
  *
- * A round fits the energy on the present cells (`Fitted_field`). Where the field is too large on the mesh for the
- * thickness asked for, or facets have too small a slope, small changes mend both (`Mended_field`), unless that is in
- * too many cells. Then thresholds are chosen (`Narrowed_thresholds`); where the mesh needs them wider than they should
- * be, the field is asked to increase. Where none of this helps, cells are refined
- * (`plan_refinement()`). When nothing is found wanting, the certificate is asked.
+ * A round consists of these steps:
+ * - `Fitted_field` fits the energy on the present cells.
+ * - `Mended_field` corrects the field where slopes of facets are too small, or |f| is too large on the mesh, if that is
+ *   in few cells.
+ * - `Narrowed_thresholds` chooses thresholds. Where the mesh needs wider ones than obstacles allow, the field is
+ *   corrected again.
+ * - If nothing fails, `Shell_certificate_3` proves the claims.
+ * - Otherwise, `plan_refinement()` chooses the cells to split.
  *
- * Where not nearly all of the field is concerned, the next round is *partial*: only the coefficients that act on
- * refined cells are fitted again, and only what these change is examined again (`Examined_field`). If that does not
- * help, all are fitted in the round after it.
+ * A round is *partial* if few cells were split: it fits only the coefficients that act on them, and examines only the
+ * cells where the field changes (`Examined_field`). A partial round without progress is followed by a full one.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -104,21 +106,21 @@ public:
   }
 
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
-  /// which limit ended it, if one did
+  /// the limit that ended the refinement, if any
   const Refinement_limit& limit() const { return m_limit; }
   std::shared_ptr<const Field> field() const { return m_fitted.field(); }
-  /// the certificate of the last field, to which it refers
+  /// the certificate of the last field; it refers to `field()`
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return m_examined.thresholds().inner(); }
   const Threshold& outer() const { return m_examined.thresholds().outer(); }
-  /// encloses the last field on each triangle, coarsely
+  /// enclosures of the last field on each triangle
   std::vector<Level_range> facet_ranges() const { return m_examined.facet_ranges(); }
 
-  /// what stands in the way of the proof in the last round, narrowest first: obstacles to the thresholds, and witnesses
-  /// of the certificate
+  /// the places where the proof failed in the last round, narrowest first: obstacles to thresholds, and witnesses of
+  /// the certificate
   std::vector<Refinement_obstacle> obstacles();
 
-  /// how thick the shell of the last field is
+  /// the thickness of the shell of the last field
   Thickness_on_mesh thickness_on_mesh() const
   {
     return Bspline_shells::thickness_on_mesh(m_fitted.clipped(), inner(), outer(),
@@ -142,8 +144,7 @@ private:
     return std::nullopt;
   }
 
-  // Changes the field where little of it is to be changed, and chooses thresholds for it. Returns what is still
-  // wanting.
+  // corrects the field, chooses thresholds, and returns what still fails
   Round_findings mend_and_choose_thresholds()
   {
     Round_findings found;
@@ -165,7 +166,7 @@ private:
     return found;
   }
 
-  // what small changes have left
+  // records what fails after corrections
   void note(const Mended& mended, Round_findings& found) const
   {
     found.sloping = m_history.cells_worth_refining(mended.sloping_facets());
@@ -175,7 +176,7 @@ private:
       for(const Thick_cell& t : m_examined.thick_cells()) found.thick.push_back(t.cell);
   }
 
-  // what is nearly too thick would be in the next round, after small changes
+  // Cells that are nearly too thick would be too thick in the next round.
   std::vector<Index> nearly_thick_cells()
   {
     const std::vector<Level_range>& ranges = m_examined.ranges(Mesh_ranges::SHARP);
@@ -185,8 +186,8 @@ private:
     return cells;
   }
 
-  // Chooses thresholds. Where that is not enough, and if these places are few, the field is asked to increase along the
-  // direction that the facets nearby have in common.
+  // Chooses thresholds. If few obstacles remain, the field is corrected so that it increases there, along a direction
+  // that faces the same way as all facets nearby.
   void choose_thresholds(Mended& mended, Round_findings& found)
   {
     m_examined.thresholds().begin(*field(), m_problem.thickness);
@@ -213,7 +214,7 @@ private:
     found.obstacles = std::move(obstacles);
   }
 
-  // returns where the mesh needs thresholds wider than they should be
+  // returns the places where the mesh needs wider thresholds than obstacles allow
   std::vector<Threshold_obstacle> chosen_thresholds(int max_passes)
   {
     m_budget.round().examined = true;
@@ -235,8 +236,8 @@ private:
     return conditions;
   }
 
-  // Finds cells where the field is so large on the mesh that thresholds have no room at obstacles, or little: these
-  // would be the next ones. If places without are few, so are cells that are like them.
+  // Finds the cells where |f| leaves thresholds no room, or little, to pass obstacles. If obstacles without room are
+  // few, similar cells are added.
   void find_culprits(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().tight_places();
@@ -282,8 +283,7 @@ private:
                                           [&](std::size_t size) { return is_beyond_limits(size); });
   }
 
-  // Returns the limit that the next round would exceed with so many cells, if there is one. The number of points per
-  // cell is assumed to stay as it is.
+  // Returns the first limit that a round with so many cells would exceed. Points per cell are assumed to be constant.
   Refinement_limit limit_of_round(std::size_t cells) const
   {
     const double points = double(cells) / double(field()->number_of_cells()) * double(field()->number_of_points());
@@ -291,11 +291,11 @@ private:
   }
   bool is_beyond_limits(std::size_t cells) const { return limit_of_round(cells).resource != Refinement_resource::NONE; }
 
-  // asks the certificate, and notes cells that keep the claims from being proved
+  // proves the claims, and records cells with two sheets
   bool certify(Round_findings& found)
   {
-    m_examined.thresholds().forget_cover(); // the certificate finds out for itself
-    m_fitted.release_equations();           // the field stays as it is now
+    m_examined.thresholds().forget_cover(); // the certificate computes its own
+    m_fitted.release_equations();           // the field does not change any more
     m_certificate.emplace(*field(), inner(), outer());
     m_certificate->template verify<ConcurrencyTag>(m_problem.input);
     for(const Certificate_witness& w : m_certificate->witnesses())
@@ -307,7 +307,7 @@ private:
     return m_certificate->is_certified();
   }
 
-  // the last field, whatever may be proved of it
+  // certifies the last field, whatever can be proved
   void certify_as_it_is(Round_findings& found)
   {
     if(!m_examined.thresholds().are_chosen()) {
@@ -327,9 +327,9 @@ private:
   Refinement_history m_history;
   Refinement_budget m_budget;
   Refinement_limit m_limit;
-  bool m_is_mended = false; // whether the last field has the slopes asked for, but for some places
+  bool m_is_mended = false; // whether the last correction was completed
   std::optional<Certificate> m_certificate;
-  std::vector<Threshold_obstacle> m_obstacles; // of the last field
+  std::vector<Threshold_obstacle> m_obstacles; // of the last round
 };
 
 template <typename ConcurrencyTag>
@@ -338,7 +338,7 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   std::map<Index, std::array<double, 3> > places;
   for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
-    // of no place
+    // without a place
     if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NEEDED) continue;
     const Index c = field()->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });
