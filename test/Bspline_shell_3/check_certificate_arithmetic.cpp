@@ -116,7 +116,7 @@ TEST_CASE("intervals of the checker: they are no wider than rounding makes them"
   CHECK((i * j).hi == up(10.));
 }
 
-TEST_CASE("intervals of the checker: a hull contains all of them; a rational number lies in its interval")
+TEST_CASE("intervals of the checker: a hull contains all of them, a rational number lies in its interval")
 {
   const Interval h = hull(std::vector<Interval>{ { 0, 1 }, { -2, -1 }, { 3, 4 } });
   CHECK(h.lo == -2);

@@ -8,7 +8,8 @@ where they test them; examples and benchmarks name nothing internal.
 
 It also fails if a source of the package converts numbers to doubles by anything but rounded() of Support/coordinates.h:
 proofs hold for coordinates that are rounded in this way. And if a line of C++ has more columns than .clang-format allows,
-or a test file is not compiled.
+a test file is not compiled, or the title of a
+test has a semicolon, where CMake would cut it off: then no test would be run.
 """
 import os
 import re
@@ -100,6 +101,9 @@ def main(root):
     lists = read(tests, "CMakeLists.txt")
     wrong += [f"test/Bspline_shell_3/{name} is in no list of CMakeLists.txt" for name in files(tests)
               if os.path.basename(name).startswith("test_") and name.endswith(".cpp") and f"{name}\n" not in lists.replace(")", "\n")]
+    for name in files(tests):
+        titles = re.findall(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', read(tests, name))
+        wrong += [f"test/Bspline_shell_3/{name} has a title with a semicolon: {title}" for title in titles if ";" in title]
     columns = int(re.search(r"^ColumnLimit: (\d+)$", read(root, ".clang-format"), re.MULTILINE).group(1))
     for place in ("include", "src", "test", "examples", "benchmark", "doc"):
         for name in files(os.path.join(root, place)):

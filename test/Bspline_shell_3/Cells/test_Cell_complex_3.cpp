@@ -120,7 +120,7 @@ TEST_CASE("lattices: all corners are doubles, also those of cells halved twelve 
     }
 }
 
-TEST_CASE("lattices: one that says it is exact is, whatever the distance; hopeless ones say so")
+TEST_CASE("lattices: one that says it is exact is, whatever the distance, hopeless ones say so")
 {
   int exact = 0, hopeless = 0;
   for(int e = 0; e < 60; ++e) {
@@ -393,7 +393,7 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
   }
 }
 
-TEST_CASE("cells: a point one bit outside the domain is outside; so is one that is no point")
+TEST_CASE("cells: a point one bit outside the domain is outside, so is one that is no point")
 {
   const Cells cells(quarters, { Key::encode(0, 0, 0) });
   const Point inside = { 0.1, 0.1, 0.1 };

@@ -190,7 +190,7 @@ TEST_CASE("hierarchies: without a split cell they are the cells they were made o
   CHECK_FALSE(none.visit_cells(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), [](Index) {}));
 }
 
-TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, and what the grading asks for; no more")
+TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, and what the grading asks for, no more")
 {
   for(unsigned seed = 6; seed <= 9; ++seed) {
     CGAL::Random random(seed);
@@ -384,7 +384,7 @@ TEST_CASE("hierarchies: corners of the smallest leaves are doubles, also those o
 }
 
 TEST_CASE(
-  "hierarchies: leaves of the last level stay as they are; far from the lattice's origin there are fewer levels")
+  "hierarchies: leaves of the last level stay as they are, far from the lattice's origin there are fewer levels")
 {
   CGAL::Random random(20);
   const BS::Lattice_3 integers(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
@@ -425,7 +425,7 @@ TEST_CASE("hierarchies: where corners are no doubles, nothing is split")
   CHECK(cells.refined({ 0, 5 }).number_of_cells() == cells.number_of_cells());
 }
 
-TEST_CASE("hierarchies: their leaves are all that they are made of; other sets of leaves are refused")
+TEST_CASE("hierarchies: their leaves are all that they are made of, other sets of leaves are refused")
 {
   typedef std::vector<std::vector<std::uint64_t> > Leaves;
   CGAL::Random random(22);

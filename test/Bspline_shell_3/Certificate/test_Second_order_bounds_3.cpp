@@ -241,7 +241,7 @@ TEST_CASE(
   CHECK(transversal > 100);
 }
 
-TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a hair; what curves away costs nothing")
+TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a hair, what curves away costs nothing")
 {
   const Uniform_field field = uniform_field(dome);
   const Triangle around_peak = horizontal(0.2, 0.1),
@@ -549,7 +549,7 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
 }
 
 TEST_CASE(
-  "Second-order bounds: nothing is proved where the field or a threshold is no number; elsewhere all is as ever")
+  "Second-order bounds: nothing is proved where the field or a threshold is no number, elsewhere all is as ever")
 {
   Hierarchical_field field = hierarchical_field(height);
   Hierarchical_field inner = field, outer = field;

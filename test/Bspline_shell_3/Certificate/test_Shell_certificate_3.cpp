@@ -462,7 +462,7 @@ TEST_CASE("Certificate: what reaches the end of the domain is not in its interio
   }
 }
 
-TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted; so is a mesh elsewhere")
+TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a mesh elsewhere")
 {
   const Field field = radial_field();
   Mesh mesh = sphere(2);
@@ -1188,7 +1188,7 @@ TEST_CASE("Certificate: scaling field and thresholds by a power of two changes n
   }
 }
 
-TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients; nor "
+TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients, nor "
           "bounds of facets' displacements")
 {
   typedef BS::Spline_threshold<Field> Varying;

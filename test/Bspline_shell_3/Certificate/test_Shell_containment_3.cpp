@@ -160,7 +160,7 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
   CHECK(segments > 10);
 }
 
-TEST_CASE("Containment: levels belong to the shell, exactly, for points; what is on a level is not proved to be inside")
+TEST_CASE("Containment: levels belong to the shell, exactly, for points, what is on a level is not proved to be inside")
 {
   namespace BS = CGAL::Bspline_shells;
   const auto without_cover = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), 0.25, 0.5);

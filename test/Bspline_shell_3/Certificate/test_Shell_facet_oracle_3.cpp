@@ -156,7 +156,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
   }
 }
 
-TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient; not from or to outside "
+TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient, not from or to outside "
           "the domain")
 {
   const auto shell = ball_shell();

@@ -66,7 +66,7 @@ TEST_CASE(
   CHECK(proved == 0);
 }
 
-TEST_CASE("critical points: near a side, the box stays in the cell; beyond it, none is proved")
+TEST_CASE("critical points: near a side, the box stays in the cell, beyond it, none is proved")
 {
   for(double x : { 0.02, 0.98 }) {
     const auto p = BS::prove_critical_point(sum(square(x), square(0.5), square(0.5)));

@@ -47,7 +47,7 @@ TEST_CASE("Marked cells: around a cell are those within half of its width, of an
   }
 }
 
-TEST_CASE("Marked cells: with its neighbors are those of the same size, across faces, edges or vertices; each is "
+TEST_CASE("Marked cells: with its neighbors are those of the same size, across faces, edges or vertices, each is "
           "marked once, in their order")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {

@@ -240,7 +240,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   CHECK(wrong == 0);
 }
 
-TEST_CASE("Ranges on the mesh: those of facets enclose the field; any number of threads gives the same")
+TEST_CASE("Ranges on the mesh: those of facets enclose the field, any number of threads gives the same")
 {
   Problem problem = ball();
   problem.set_noisy_distance(0.1, 3);

@@ -33,7 +33,7 @@ void add_round(Budget& budget, bool is_partial, bool is_examined)
 
 } // namespace
 
-TEST_CASE("Budget: a round takes memory for each cell and each point; a limit of memory comes before one of numbers")
+TEST_CASE("Budget: a round takes memory for each cell and each point, a limit of memory comes before one of numbers")
 {
   const BS::Refinement_limit limit = Budget(limits(no_limit)).limit_of_round(3000, 9000, no_limit);
   CHECK(limit.resource == Refinement_resource::NONE);

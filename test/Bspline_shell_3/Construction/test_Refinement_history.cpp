@@ -105,7 +105,7 @@ TEST_CASE("Refinement history: many obstacles of a field that was too large on t
 }
 
 TEST_CASE(
-  "Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row; that stays so")
+  "Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row, that stays so")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);

@@ -43,7 +43,7 @@ TEST_CASE("Resolution: a cube is bent in the cells at its edges, and folded in t
   }
 }
 
-TEST_CASE("Resolution: two sides of a plate that are in the same cell are a fold; in wide cells all is")
+TEST_CASE("Resolution: two sides of a plate that are in the same cell are a fold, in wide cells all is")
 {
   CHECK(shares(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.05).folded == 1);
   const BS::Bend_shares ball = shares(sphere(3), 1. / 16), in_one_cell = shares(sphere(3), 100);
@@ -64,7 +64,7 @@ TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickne
 }
 
 TEST_CASE(
-  "Resolution: a shell has the one that is chosen, or the one that is asked for; the number of threads does not matter")
+  "Resolution: a shell has the one that is chosen, or the one that is asked for, the number of threads does not matter")
 {
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   CHECK(CGAL::certified_bspline_shell_3(cube).report().gamma == Approx(20));

@@ -6,7 +6,7 @@
 namespace test_gap_in_cell {
 namespace BS = CGAL::Bspline_shells;
 
-TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both; no more than is looked for, and "
+TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both, no more than is looked for, and "
           "nothing of other cells")
 {
   // a plate 0.3 thick, and 0.2 above it one that is 0.1 thick, for y > 0

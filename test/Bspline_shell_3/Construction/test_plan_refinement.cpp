@@ -64,7 +64,7 @@ TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
 }
 
 TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large "
-          "in few; alone where in many")
+          "in few, alone where in many")
 {
   const Hierarchy cells = block();
   const Index middle = cell_at(cells, { 0, 0, 0 }), other = cell_at(cells, { 3, 3, 3 });

@@ -22,7 +22,7 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell; the narrowest first")
+TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell, the narrowest first")
 {
   // a plate 0.3 thick at z = 1, and 0.2 above it one that is 0.6 thick, for y > 0
   Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));

@@ -91,7 +91,7 @@ TEST_CASE(
   CHECK(zero >= 6);
 }
 
-TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part, along its normal; no more than a few "
+TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part, along its normal, no more than a few "
           "in cells with many facets")
 {
   for(int subdivisions : { 0, 1, 6 }) {

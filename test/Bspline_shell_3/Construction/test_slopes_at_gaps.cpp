@@ -19,7 +19,7 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, which splines on the cells attain; no "
+TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, which splines on the cells attain, no "
           "limit where the wall is no narrower")
 {
   CGAL::Random random(1);

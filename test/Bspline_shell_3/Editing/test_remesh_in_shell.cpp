@@ -400,7 +400,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
 }
 
 TEST_CASE(
-  "Remeshing: a constrained polyline stays one, with vertices on what it was; edges that are new are not constrained")
+  "Remeshing: a constrained polyline stays one, with vertices on what it was, edges that are new are not constrained")
 {
   // a map that gives new edges the wrong value, unless it is told
   for(bool value_of_new : { false, true }) {
@@ -678,7 +678,7 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   CHECK(qualities(mesh).front() >= qualities(start).front());
 }
 
-TEST_CASE("Remeshing: a visitor is told of each iteration; what was done until it ends the edit is certified and kept")
+TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until it ends the edit is certified and kept")
 {
   struct Visitor
   {
@@ -716,7 +716,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration; what was done until i
   }
   SECTION("some operations of the first")
   {
-    visitor.most_operations = 2000;
+    visitor.most_operations = 200;
     const auto result = remesh(mesh, visitor);
     REQUIRE(result);
     CHECK(result.end == BS::Edit_end::VISITOR);

@@ -222,7 +222,7 @@ TEST_CASE("Simplification: on request vertices are located on the result as the 
   }
 }
 
-TEST_CASE("Simplification: without a stop it ends where every collapse is refused; a second time does nothing")
+TEST_CASE("Simplification: without a stop it ends where every collapse is refused, a second time does nothing")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
   const auto result = simplify(mesh, torus_shell(), CGAL::parameters::default_values());

@@ -200,7 +200,7 @@ std::array<double, 64> local_coefficients(const Field& field, const Eigen::Vecto
 } // namespace
 
 TEST_CASE(
-  "hierarchical fields: every level has the functions that act on its leaves; free are those that act on no larger one")
+  "hierarchical fields: every level has the functions that act on its leaves, free are those that act on no larger one")
 {
   for(unsigned seed = 1; seed <= 3; ++seed) {
     CGAL::Random random(seed);

@@ -431,7 +431,7 @@ TEST_CASE("Slopes: with more violated cells than allowed nothing changes, and al
   CHECK(problem.least_slack(conditions, x) >= 0);
 }
 
-TEST_CASE("Slopes: conditions can be added after a call; old ones still hold")
+TEST_CASE("Slopes: conditions can be added after a call, old ones still hold")
 {
   const Problem problem = bar();
   CGAL::Random random(5);

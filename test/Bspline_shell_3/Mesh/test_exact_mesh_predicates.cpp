@@ -249,7 +249,7 @@ TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, 
   }
 }
 
-TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first; so is a facet on "
+TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first, so is a facet on "
           "which an end lies")
 {
   Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));

@@ -366,7 +366,7 @@ TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, boun
 }
 
 TEST_CASE(
-  "Bounds: a field on a cell has the cell's radius; thresholds are subtracted with theirs, and have their range")
+  "Bounds: a field on a cell has the cell's radius, thresholds are subtracted with theirs, and have their range")
 {
   typedef BS::Uniform_bspline_field_3<> Field;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);

@@ -101,7 +101,7 @@ TEST_CASE("The answer is yes if and only if the least value is positive, up to r
   CHECK(in_the_middle > 500);
 }
 
-TEST_CASE("What is no number, and no positive value at a corner, is not positive; numbers of any size are compared")
+TEST_CASE("What is no number, and no positive value at a corner, is not positive, numbers of any size are compared")
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for(std::size_t v = 0; v < 3; ++v)
