@@ -241,7 +241,8 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
         remesher(
           mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all,
           [&] { return !result.invalid_parameter && bool(visitor.go_on()); }, result);
-      for(unsigned int i = 0; i < iterations && remesher.goes_on(visitor.start_iteration(i)); ++i) {
+      for(unsigned int i = 0; i < iterations && remesher.goes_on(); ++i) {
+        if(!visitor.start_iteration(i)) remesher.stop();
         remesher.flip_to_larger_angles();
         remesher.split_long_edges();
         remesher.collapse_short_edges();

@@ -80,12 +80,9 @@ public:
     }
   }
 
-  // Whether no answer of `go_on` or of the caller's has been no. If one has, nothing is done any more.
-  bool goes_on(bool answer)
-  {
-    m_goes_on = m_goes_on && answer;
-    return m_goes_on;
-  }
+  // Once stopped, by the caller or by `go_on`, no pass changes anything.
+  void stop() { m_goes_on = false; }
+  bool goes_on() const { return m_goes_on; }
 
   // of the old vertices: those into which they were collapsed
   std::vector<vertex_descriptor> images() const
@@ -220,7 +217,11 @@ public:
   }
 
 private:
-  bool asks_to_go_on() { return m_goes_on && goes_on(m_go_on()); }
+  bool asks_to_go_on()
+  {
+    m_goes_on = m_goes_on && m_go_on();
+    return m_goes_on;
+  }
 
   typedef std::vector<Point> Link;
 
