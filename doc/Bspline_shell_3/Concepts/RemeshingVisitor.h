@@ -2,9 +2,10 @@
  * \ingroup PkgBsplineShell3Concepts
  * \cgalConcept
  *
- * is told how far `CGAL::Bspline_shells::remesh_in_shell()` has come, and may end it. What has been done until then is
- * certified and kept; `CGAL::Bspline_shells::Edit_report::end` is `VISITOR`, then. If the edit is done again with a
- * proof for each facet, iterations begin at 0 again.
+ * The concept `RemeshingVisitor` describes a visitor of `CGAL::Bspline_shells::remesh_in_shell()`: it receives the
+ * progress and can end the edit. The result up to then is certified and kept, and
+ * `CGAL::Bspline_shells::Edit_report::end` is `VISITOR`. If the edit is repeated with a proof for each facet,
+ * iterations start at 0 again.
  *
  * \cgalHasModel `CGAL::Bspline_shells::Default_remeshing_visitor`
  */
