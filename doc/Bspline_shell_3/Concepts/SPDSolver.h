@@ -11,6 +11,7 @@ that is passed by value is copied before its first use.
 
 \cgalHasModel `CGAL::Bspline_shells::Conjugate_gradient_solver`
 \cgalHasModel `CGAL::Bspline_shells::Cholmod_solver`
+\cgalHasModel `CGAL::Bspline_shells::Solver_traits_adaptor`
 
 \sa `CGAL::Bspline_shells::fit_field()`
 */

@@ -53,8 +53,6 @@ TEST_CASE("Facet oracle: without a shell, all facets are rejected")
   CHECK(oracle(pole, link, memory) != Placement_verdict::ACCEPTED);
   CHECK(oracle(pole, link[0], link[1]) != Placement_verdict::ACCEPTED);
   CHECK(oracle.winding_number(pole, link) == 0);
-  CHECK_FALSE(oracle.level_between(link[0], link[1]));
-  CHECK_FALSE(oracle.moved_to_level(pole, 0.5));
 }
 
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell in the middle of the opposite edge is rejected")
@@ -154,24 +152,6 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
     CHECK(accepted > questions / 50);
     CHECK(accepted < questions / 2);
   }
-}
-
-TEST_CASE("Facet oracle: a point is moved to the level between two others, along the gradient, not from or to outside "
-          "the domain")
-{
-  const auto shell = ball_shell();
-  const Oracle oracle(shell);
-  const std::optional<double> level = oracle.level_between(Point_3(0.6, 0, 0), Point_3(0, 0, -0.8));
-  REQUIRE(level);
-  CHECK(*level == Approx((0.36 + 0.64) / 2));
-  const std::optional<Point_3> moved = oracle.moved_to_level(Point_3(0.3, 0.4, 0.5), *level);
-  REQUIRE(moved);
-  CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(*level).epsilon(1e-4));
-  CHECK(std::sqrt(CGAL::cross_product(*moved - CGAL::ORIGIN, Point_3(0.3, 0.4, 0.5) - CGAL::ORIGIN).squared_length())
-        < 1e-12);
-  CHECK_FALSE(oracle.level_between(Point_3(0.6, 0, 0), Point_3(0, 0, 50)));
-  CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 50), *level));
-  CHECK_FALSE(oracle.moved_to_level(Point_3(0, 0, 0.8), 1e6));
 }
 
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
@@ -299,9 +279,6 @@ TEST_CASE("Facet oracle: the same answers for a field that is scaled by a power 
     CHECK(oracle(pole, band({ 0, 60, 120, 180, 240, 300 }), memory) == Placement_verdict::ACCEPTED);
     CHECK(oracle(pole, band({ 0, 120, 240 }), memory) == Placement_verdict::LEAVES_SHELL);
     CHECK(oracle.winding_number(pole, band({ 0, 120, 240 })) == 1);
-    const auto moved = oracle.moved_to_level(Point_3(0, 0.3, 0.7), 0.5 * scale);
-    REQUIRE(moved);
-    CHECK((*moved - CGAL::ORIGIN).squared_length() == Approx(0.5));
   }
 }
 } // namespace test_Shell_facet_oracle_3

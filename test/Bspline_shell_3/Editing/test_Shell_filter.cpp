@@ -1,12 +1,10 @@
-// Shell_filter.h, Shell_facet_oracle_3.h, Triangle_predicate_oracle.h, Collapse_visitor.h: what leaves the shell, faces
-// away or winds twice is rejected, for that reason, and what is accepted is proved.
+// Shell_filter.h, Shell_facet_oracle_3.h, Collapse_visitor.h: what leaves the shell, faces away or winds twice is
+// rejected, for that reason, and what is accepted is proved.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
-#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
-#include <CGAL/Bspline_shell_3/Certificate/Triangle_predicate_oracle.h>
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polyhedral_envelope.h>
@@ -14,10 +12,13 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Polyhedral_envelope_filter.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace test_Shell_filter {
@@ -91,7 +92,7 @@ struct Edge_count_stop
 };
 
 // Collapses edges to their middles, shortest first, under a filter, to n edges.
-template <typename Filter, typename Visitor = SMS::internal::Dummy_visitor>
+template <typename Filter, typename Visitor = BS::Silent_collapse_visitor>
 int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
 {
   return SMS::edge_collapse(mesh, Edge_count_stop{ edges },
@@ -273,32 +274,34 @@ TEST_CASE("Filter: it composes with other filters, and refuses what they refuse"
   CHECK(refusing.statistics().number(Placement_verdict::ACCEPTED) == 0);
 }
 
-TEST_CASE("Filter: an envelope, or any other predicate on triangles, takes the place of the shell")
+TEST_CASE("Filter: made from a shell, it does the same as with an oracle that proves all facets")
+{
+  const Oracle all(shell(), BS::Facet_proofs::ALL);
+  const Mesh start = sphere(2);
+  Mesh mesh = start, other = start;
+  const BS::Shell_filter of_shell(shell()), of_oracle(all);
+  collapse(mesh, 6, of_shell);
+  collapse(other, 6, of_oracle);
+  CHECK(mesh.number_of_faces() < start.number_of_faces() / 2);
+  CHECK(mesh.number_of_faces() == other.number_of_faces());
+  CHECK(of_shell.statistics().by_verdict == of_oracle.statistics().by_verdict);
+}
+
+TEST_CASE("Filter: a filter that is not copied keeps the mesh in an envelope, too")
 {
   const Mesh start = sphere(2);
-  const CGAL::Polyhedral_envelope<Kernel> envelope(start, 0.2);
-  const BS::Triangle_predicate_oracle<CGAL::Polyhedral_envelope<Kernel> > in_envelope(envelope);
+  const double thickness = 0.05;
+  const SMS::Polyhedral_envelope_filter<Kernel> envelope_filter(thickness);
+  const BS::Shell_filter filter(shell(), std::cref(envelope_filter));
   Mesh mesh = start;
-  const BS::Shell_filter filter(in_envelope);
   collapse(mesh, 6, filter);
   CHECK(mesh.number_of_faces() < start.number_of_faces());
-  CHECK(envelope(mesh));
-  CHECK(filter.statistics().number(Placement_verdict::LEAVES_SHELL) > 0);
-
-  // with the shell's own containment, what the oracle of facets accepts is accepted
-  REQUIRE(shell());
-  const BS::Shell_containment_3<> contains(shell());
-  const BS::Triangle_predicate_oracle<BS::Shell_containment_3<> > contained(contains);
-  const Mesh small = sphere(1);
-  for(auto v : small.vertices()) {
-    BS::Triangle_predicate_oracle<BS::Shell_containment_3<> >::Memory memory;
-    CHECK(judge(small.point(v), link_of(small, v)) == Placement_verdict::ACCEPTED);
-    CHECK(contained(small.point(v), link_of(small, v), memory) == Placement_verdict::ACCEPTED);
+  CHECK(CGAL::Polyhedral_envelope<Kernel>(start, thickness)(mesh));
+  CHECK(filter.statistics().number(Placement_verdict::BASE_FILTER) > 0);
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
+          == Placement_verdict::ACCEPTED);
   }
-
-  const auto nothing = [](const Point_3&, const Point_3&, const Point_3&) { return false; };
-  mesh = start;
-  const BS::Triangle_predicate_oracle rejecting(nothing);
-  CHECK(collapse(mesh, 6, BS::Shell_filter(rejecting)) == 0);
 }
 } // namespace test_Shell_filter

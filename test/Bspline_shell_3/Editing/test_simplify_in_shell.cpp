@@ -3,13 +3,17 @@
 #include "frozen_facets.h"
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/bspline_shell_3.h>
 
+#include <CGAL/Filtered_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_triangle_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
@@ -36,6 +40,13 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 using BS::Placement_verdict;
 typedef BS::Edit_status Status;
 typedef CGAL::Bspline_shell_3<> Shell;
+
+// a kernel with predicates of its own, which is not one of CGAL's
+struct Own_filtered_kernel
+  : CGAL::Filtered_kernel_adaptor<
+      CGAL::Type_equality_wrapper<CGAL::Simple_cartesian<double>::Base<Own_filtered_kernel>::Type, Own_filtered_kernel>,
+      true>
+{};
 
 // a shell with room around the mesh that it was built for
 Shell widened(const Shell& shell, double room)
@@ -733,5 +744,34 @@ TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop 
   CHECK(result.collapsed <= 40);
   CHECK(num_vertices(mesh) == vertices - result.collapsed);
   CHECK(result.images.size() == vertices);
+}
+
+TEMPLATE_TEST_CASE("Simplification and remeshing: of meshes of any kernel with double coordinates, the same result", "",
+                   CGAL::Simple_cartesian<double>, Own_filtered_kernel)
+{
+  typedef CGAL::Surface_mesh<typename TestType::Point_3> Other_mesh;
+  const auto same = [](const Other_mesh& other, const Mesh& mesh) {
+    REQUIRE(other.number_of_vertices() == mesh.number_of_vertices());
+    const auto is_same = [&](Mesh::Vertex_index v) {
+      const auto& p = other.point(v);
+      return !mesh.is_removed(v) && Point_3(p.x(), p.y(), p.z()) == mesh.point(v);
+    };
+    return std::all_of(other.vertices_begin(), other.vertices_end(), is_same);
+  };
+  const auto target = P::stop(BS::Facet_count_stop_predicate(400));
+  Mesh mesh = torus(1, 0.4, 40, 20);
+  Other_mesh other;
+  CGAL::copy_face_graph(mesh, other);
+  REQUIRE(BS::simplify_in_shell(mesh, torus_shell(), target));
+  REQUIRE(BS::simplify_in_shell(other, torus_shell(), target));
+  CHECK(same(other, mesh));
+  REQUIRE(BS::remesh_in_shell(mesh, 0.2, torus_shell(), CGAL::parameters::number_of_iterations(1)));
+  REQUIRE(BS::remesh_in_shell(other, 0.2, torus_shell(), CGAL::parameters::number_of_iterations(1)));
+  CHECK(same(other, mesh));
+
+  const BS::Shell_containment_3 contains(torus_shell());
+  CHECK(contains(other));
+  CHECK(contains(typename TestType::Point_3(1.4, 0, 0)));
+  CHECK_FALSE(contains(typename TestType::Point_3(1, 0, 0), typename TestType::Point_3(1.4, 0, 0)));
 }
 } // namespace test_simplify_in_shell

@@ -7,14 +7,16 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
-#include <CGAL/Bspline_shell_3/Certificate/Triangle_predicate_oracle.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
+#include <CGAL/Bspline_shell_3/Editing/Shell_placement.h>
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Soup_map_3.h>
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 
 #include <memory>
 #include <type_traits>
@@ -72,7 +74,9 @@ typedef BS::Shell_facet_oracle_3<Field, Threshold> Oracle;
 static_assert(refuses_temporaries<Oracle, Shell>());
 static_assert(refuses_temporaries<Oracle, Shell, BS::Facet_proofs>());
 static_assert(refuses_temporaries<BS::Shell_filter<Oracle>, Oracle>());
-static_assert(refuses_temporaries<BS::Triangle_predicate_oracle<Oracle>, Oracle>());
+static_assert(refuses_temporaries<BS::Shell_filter<Oracle>, Shell>());
+typedef CGAL::Surface_mesh_simplification::Midpoint_placement<Mesh> Midpoint;
+static_assert(refuses_temporaries<BS::Shell_placement<Shell, Midpoint>, Shell>());
 static_assert(refuses_temporaries<BS::Shell_cover_3<Field, Threshold>, Field, Threshold, Threshold>());
 static_assert(refuses_temporaries<BS::Field_predicates_3<Field>, Field>());
 static_assert(refuses_temporaries<BS::Second_order_bounds_3<Field, Threshold>, Field, Threshold, Threshold>());

@@ -8,12 +8,14 @@
 
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -77,6 +79,7 @@ public:
   /// \pre `keys` are sorted and unique
   explicit Lattice_set_3(const std::vector<std::uint64_t>& keys)
   {
+    CGAL_precondition(std::is_sorted(keys.begin(), keys.end(), std::less_equal<std::uint64_t>()));
     m_points.reserve(keys.size());
     for(std::uint64_t key : keys) m_points.push_back(Lattice_key::decode(key));
     if(keys.empty()) return;

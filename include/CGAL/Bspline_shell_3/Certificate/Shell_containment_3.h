@@ -12,9 +12,11 @@
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Point_3.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -22,6 +24,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -57,9 +60,15 @@ public:
   }
   explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete; // it would dangle
 
+  /// \name Queries
+  /// of points of any kernel whose `FT` is `double`
+  /// @{
+
   /// a point; exact for constant thresholds
-  bool operator()(const Point_3& p) const
+  template <typename Kernel>
+  bool operator()(const CGAL::Point_3<Kernel>& q) const
   {
+    const Point_3& p = point(q);
     if(m_is_empty || !(m_cover ? is_in_cover(p) : is_in_cell(p))) return false;
     if constexpr(Threshold::is_constant) {
       Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
@@ -70,19 +79,22 @@ public:
   }
 
   /// a segment
-  bool operator()(const Point_3& source, const Point_3& target) const
+  template <typename Kernel>
+  bool operator()(const CGAL::Point_3<Kernel>& source, const CGAL::Point_3<Kernel>& target) const
   {
-    return contains(std::array<Point_3, 2>{ source, target });
+    return contains(std::array<Point_3, 2>{ point(source), point(target) });
   }
 
   /// a triangle
-  bool operator()(const Point_3& t0, const Point_3& t1, const Point_3& t2) const
+  template <typename Kernel>
+  bool operator()(const CGAL::Point_3<Kernel>& t0, const CGAL::Point_3<Kernel>& t1,
+                  const CGAL::Point_3<Kernel>& t2) const
   {
-    return contains(std::array<Point_3, 3>{ t0, t1, t2 });
+    return contains(std::array<Point_3, 3>{ point(t0), point(t1), point(t2) });
   }
 
   /// all facets of a triangle mesh.
-  /// \tparam TriangleMesh a model of `FaceListGraph` with points of type `Point_3`
+  /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \param mesh the mesh
   /// \param np `vertex_point_map` as in all of \cgal
   template <typename TriangleMesh, typename T, typename Tag, typename Base>
@@ -104,6 +116,19 @@ public:
   {
     return (*this)(mesh, CGAL::parameters::default_values());
   }
+
+  /// all triangles of a soup.
+  /// \tparam PointRange a random access range of points
+  /// \tparam TriangleRange a range of random access ranges of three positions in `points`
+  template <typename PointRange, typename TriangleRange, typename = typename TriangleRange::value_type,
+            typename = typename PointRange::value_type>
+  bool operator()(const PointRange& points, const TriangleRange& triangles) const
+  {
+    for(const auto& t : triangles)
+      if(!(*this)(points[t[0]], points[t[1]], points[t[2]])) return false;
+    return true;
+  }
+  /// @}
 
   /// which component of a certified shell each component of a mesh lies in, if it is closed, or can be closed as the
   /// mesh of the shell was. A mesh may be contained and have fewer components than the shell, or several in one; then
@@ -130,22 +155,18 @@ public:
     return match_components(m_shell->component_paths(), input);
   }
 
-  /// all triangles of a soup.
-  /// \tparam PointRange a random access range of points
-  /// \tparam TriangleRange a range of random access ranges of three positions in `points`
-  template <typename PointRange, typename TriangleRange, typename = typename TriangleRange::value_type,
-            typename = typename PointRange::value_type>
-  bool operator()(const PointRange& points, const TriangleRange& triangles) const
-  {
-    for(const auto& t : triangles)
-      if(!(*this)(points[t[0]], points[t[1]], points[t[2]])) return false;
-    return true;
-  }
-
   /// whether nothing is contained: there is no shell
   bool is_empty() const { return m_is_empty; }
 
 private:
+  template <typename Kernel>
+  static decltype(auto) point(const CGAL::Point_3<Kernel>& p)
+  {
+    static_assert(std::is_same<typename Kernel::FT, double>::value,
+                  "The coordinates must be doubles: others would be rounded.");
+    return internal::converted<Point_3>(p);
+  }
+
   // Whether a point that lies between the thresholds is in the shell. So is everything connected to it between the
   // thresholds: the boxes around the cover are excluded.
   bool is_in_cover(const Point_3& p) const { return m_cover->component(p) != Cover_box::no_component; }

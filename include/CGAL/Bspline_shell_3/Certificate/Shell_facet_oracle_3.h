@@ -66,8 +66,6 @@ enum class Facet_proofs
  *
  * The oracle is immutable: const member functions may be called from several threads at once.
  *
- * \cgalModels `ShellContainmentOracle`
- *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex;
@@ -138,6 +136,8 @@ public:
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
   explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete; // it would dangle
 
+  const Shell& shell() const { return *m_shell; }
+
   /// which of the facets that are accepted are proved
   Facet_proofs proofs() const { return m_proofs; }
 
@@ -174,12 +174,6 @@ public:
   /// the same, if the field is known at `p`; by an axis that is long enough for its direction not to be spoilt by
   /// rounding
   std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
-
-  /// the mean of the field's values at two points, rounded; nothing outside the domain
-  std::optional<double> level_between(const Point_3& a, const Point_3& b) const;
-
-  /// `p` moved along the gradient to where the field has a value, rounded; nothing if that leaves the domain
-  std::optional<Point_3> moved_to_level(const Point_3& p, double level) const;
 
 private:
   typedef typename Field::Cell_index Cell_index;
@@ -354,36 +348,6 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
   if(!found.is_transversal && m_predicates.crosses_upwards(triangle) != Verdict::PROVED)
     return Placement_verdict::FACES_AWAY;
   return Placement_verdict::ACCEPTED;
-}
-
-template <typename Field, typename Threshold, typename ConcurrencyTag>
-std::optional<double> Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::level_between(const Point_3& a,
-                                                                                            const Point_3& b) const
-{
-  const Field& field = m_shell->field();
-  const auto fa = field.value(a), fb = field.value(b);
-  if(!fa || !fb) return std::nullopt;
-  return (*fa + *fb) / 2;
-}
-
-template <typename Field, typename Threshold, typename ConcurrencyTag>
-auto Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::moved_to_level(const Point_3& p, double level) const
-  -> std::optional<Point_3>
-{
-  constexpr int steps = 3; // of Newton's method; the field is nearly linear across the shell
-  const Field& field = m_shell->field();
-  Point_3 x = p;
-  for(int n = 0; n < steps; ++n) {
-    const Cell_index c = field.locate(x);
-    if(c == Field::npos) return std::nullopt;
-    const auto jet = field.cell(c).first_order_jet(x);
-    const Coordinates gradient = internal::scaled_to_unit(jet.gradient);
-    const double unit = internal::reciprocal_power_of_two(jet.gradient), squared = internal::dot(gradient, gradient);
-    if(!(squared > 0)) return std::nullopt;
-    const double s = unit * (level - jet.value) / squared;
-    x = Point_3(x[0] + s * gradient[0], x[1] + s * gradient[1], x[2] + s * gradient[2]);
-  }
-  return x;
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>

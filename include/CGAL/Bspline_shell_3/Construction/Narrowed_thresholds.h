@@ -18,6 +18,7 @@
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -106,6 +107,7 @@ public:
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
+    CGAL_precondition(m_wanted);
     constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
     // what the mesh needs counts where thresholds are capped
     bool is_sharp = !m_wanted->caps().empty();
@@ -154,9 +156,17 @@ public:
   bool are_chosen() const { return bool(m_inner); }
 
   /// \pre `are_chosen()`
-  const Threshold& inner() const { return *m_inner; }
+  const Threshold& inner() const
+  {
+    CGAL_precondition(are_chosen());
+    return *m_inner;
+  }
   /// \pre `are_chosen()`
-  const Threshold& outer() const { return *m_outer; }
+  const Threshold& outer() const
+  {
+    CGAL_precondition(are_chosen());
+    return *m_outer;
+  }
 
   /// of the boxes where the last `choose()` left undecided whether the shell has a critical point, and of those at the
   /// end of the domain; infinite before the first one

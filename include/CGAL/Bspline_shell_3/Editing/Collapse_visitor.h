@@ -6,8 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_COLLAPSE_VISITOR_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_COLLAPSE_VISITOR_H
 
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
@@ -54,6 +52,38 @@ private:
   std::unordered_map<vertex_descriptor, vertex_descriptor> m_kept;
 };
 
+/// \ingroup PkgBsplineShell3Editing
+/// \brief a visitor that does nothing, whatever the type of the profile.
+///
+/// \cgalModels `EdgeCollapseSimplificationVisitor`
+struct Silent_collapse_visitor
+{
+  template <typename TriangleMesh>
+  void OnStarted(TriangleMesh&)
+  {}
+  template <typename TriangleMesh>
+  void OnFinished(TriangleMesh&)
+  {}
+  template <typename Profile>
+  void OnStopConditionReached(const Profile&)
+  {}
+  template <typename Profile, typename OptionalCost>
+  void OnCollected(const Profile&, const OptionalCost&)
+  {}
+  template <typename Profile, typename OptionalCost>
+  void OnSelected(const Profile&, const OptionalCost&, std::size_t, std::size_t)
+  {}
+  template <typename Profile, typename OptionalPoint>
+  void OnCollapsing(const Profile&, const OptionalPoint&)
+  {}
+  template <typename Profile, typename Vertex>
+  void OnCollapsed(const Profile&, const Vertex&)
+  {}
+  template <typename Profile>
+  void OnNonCollapsable(const Profile&)
+  {}
+};
+
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
@@ -68,7 +98,7 @@ private:
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam BaseVisitor a model of `EdgeCollapseSimplificationVisitor`
  */
-template <typename TriangleMesh, typename BaseVisitor = Surface_mesh_simplification::internal::Dummy_visitor>
+template <typename TriangleMesh, typename BaseVisitor = Silent_collapse_visitor>
 class Collapse_visitor
 {
 public:

@@ -14,6 +14,7 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -163,7 +164,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
                 "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
-  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   typedef Bspline_shell_3<Field, Threshold> Shell;
@@ -187,10 +188,10 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 
   // An edge with a target length that is none is left alone, and there is no result: it might be split for ever.
   double shortest = std::numeric_limits<double>::infinity();
-  const auto sizing = [&](const Point& p) -> double {
+  const auto sizing = [&](const auto& p) -> double {
     double length = 0;
     if constexpr(std::is_arithmetic<Sizing>::value) (void)p, length = double(target_edge_length);
-    else length = target_edge_length(p);
+    else length = target_edge_length(internal::converted<Point>(p));
     result.invalid_parameter.check("target_edge_length", length, Parameter_bounds::positive());
     if(result.invalid_parameter) return std::numeric_limits<double>::quiet_NaN();
     shortest = (std::min)(shortest, length);
@@ -232,9 +233,9 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
       typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
       typedef Shell_projection_3<Shell, TriangleMesh> Projection;
       const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
-      const auto project = [&](const Point& p) -> Point {
+      const auto project = [&](const auto& p) {
         const auto image = projection(p);
-        return image ? Point(image.point[0], image.point[1], image.point[2]) : p;
+        return image ? image.point : p;
       };
       internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>,
                                decltype(edge_is_constrained), std::remove_cv_t<decltype(vertex_is_constrained)> >
@@ -249,7 +250,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
         remesher.flip_to_regular_valences();
         for(unsigned int j = 0; j < relaxations; ++j)
           if(do_project) remesher.template relax<ConcurrencyTag>(project);
-          else remesher.template relax<ConcurrencyTag>([](const Point& p) { return p; });
+          else remesher.template relax<ConcurrencyTag>([](const auto& p) { return p; });
       }
       remesher.flip_to_larger_angles();
       result.images = remesher.images();

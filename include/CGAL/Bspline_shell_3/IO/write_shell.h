@@ -15,6 +15,8 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -246,6 +248,7 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
 template <typename Field, typename Threshold>
 std::uint64_t shell_checksum(const Bspline_shell_3<Field, Threshold>& shell)
 {
+  CGAL_precondition(bool(shell));
   std::ostream nowhere(nullptr);
   internal::File_output output(nowhere);
   internal::write_ASCII_shell(output, shell);

@@ -12,6 +12,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Union_find.h>
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <cmath>
@@ -354,6 +355,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::mapped(
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(const Place& place) const
 {
+  CGAL_precondition(is_valid());
   const Piece p = piece(place);
   return { Index(p.new_facet), internal::clamped(mapped(p, place.barycentric)) };
 }
@@ -361,12 +363,14 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::image(
 CGAL_BSPLINE_SHELL_3_INLINE std::array<std::array<double, 3>, 3> Shell_truncation_3::derivative(
   const Place& place) const
 {
+  CGAL_precondition(is_valid());
   const Piece p = piece(place);
   return { { mapped(p, { 1, 0, 0 }), mapped(p, { 0, 1, 0 }), mapped(p, { 0, 0, 1 }) } };
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Place Shell_truncation_3::preimage(const Place& place) const
 {
+  CGAL_precondition(is_valid());
   typedef std::array<double, 3> Barycentric;
   const auto combined = [](const Barycentric& weights, const std::array<Barycentric, 3>& corners) {
     Barycentric b = {};

@@ -12,6 +12,8 @@
 #include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -104,6 +106,7 @@ std::size_t fan_winding_number(const TriangleMesh& mesh,
 template <typename TriangleMesh>
 bool is_fan_embedded(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
+  CGAL_precondition(!CGAL::is_border(v, mesh));
   const auto link = internal::vertex_link(mesh, v);
   const auto& p = get(get(CGAL::vertex_point, mesh), v);
   std::array<double, 3> mean = {};

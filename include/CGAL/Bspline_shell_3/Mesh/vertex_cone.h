@@ -10,6 +10,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -75,6 +77,7 @@ template <typename TriangleMesh>
 std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> vertex_cone(
   const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
+  CGAL_precondition(!CGAL::is_border(v, mesh));
   return internal::cone_direction(internal::vertex_fan(mesh, v));
 }
 

@@ -17,6 +17,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -166,6 +167,7 @@ public:
   /// \pre the vertex has a facet
   Target_image operator()(Source_vertex v) const
   {
+    CGAL_precondition(halfedge(v, source()) != boost::graph_traits<Source_mesh>::null_halfedge());
     return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source()));
   }
 

@@ -12,6 +12,8 @@
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -89,6 +91,7 @@ struct Shell_of_soup_3
   /// \pre there is a shell
   Shell_kind kind() const
   {
+    CGAL_precondition(bool(shell()));
     return proxy                        ? Shell_kind::PROXY
            : shell_of_mesh.closing()    ? Shell_kind::VIRTUALLY_CLOSED
            : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED

@@ -13,6 +13,8 @@
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
+#include <CGAL/assertions.h>
+
 #include <string>
 #include <utility>
 
@@ -70,7 +72,11 @@ public:
   /// The map from the soup's mesh to the proxy; `Map::inverse()` leads back. It prepares a tree of boxes for both: keep
   /// it.
   /// \pre there is a proxy, and no other thread prepares a map of it
-  Map map() const { return map(m_mesh); }
+  Map map() const
+  {
+    CGAL_precondition(bool(m_shell));
+    return map(m_mesh);
+  }
   /// the map from the soup's mesh to another mesh in the shell, as edits of the proxy return it
   Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
 

@@ -158,6 +158,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
 
   explicit Named_parameters(const T& v) : Pack(v) {}
+  explicit Named_parameters(const Pack& pack) : Pack(pack) {}
   template <typename B>
   Named_parameters(const T& v, const B& base) : Pack(v, base)
   {}
@@ -251,6 +252,14 @@ namespace parameters {
   {                                                                                                                    \
     return Named_parameters<K, TAG>(k);                                                                                \
   }
+
+/// Continues a sequence that began in `CGAL::parameters`, such as
+/// `with(CGAL::parameters::vertex_point_map(vpm)).resolution(60)`.
+template <typename T, typename Tag, typename Base>
+Named_parameters<T, Tag, Base> with(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return Named_parameters<T, Tag, Base>(np);
+}
 
 CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS)
 #undef CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS

@@ -68,6 +68,14 @@ std::array<double, 3> rounded_coordinates(const Vector& v)
   return { rounded(v[0]), rounded(v[1]), rounded(v[2]) };
 }
 
+// Returns a point whose coordinates are doubles, as a point of another kernel: `p` itself if it has this type.
+template <typename Point, typename Other>
+decltype(auto) converted(Other&& p)
+{
+  if constexpr(!std::is_same<Point, std::decay_t<Other> >::value) return Point(p[0], p[1], p[2]);
+  else return static_cast<std::conditional_t<std::is_lvalue_reference<Other>::value, const Point&, Point> >(p);
+}
+
 struct Hash_coordinates
 {
   // zeros of both signs are equal

@@ -10,6 +10,8 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -56,7 +58,8 @@ class Shell_remesher
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point_of_mesh;
+  typedef typename Oracle::Point_3 Point;
   typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector;
   // relative length, and a number that tells equal ones apart; 0 if the edge is not in the queue
   typedef std::pair<double, std::size_t> Key;
@@ -210,7 +213,7 @@ public:
       for(std::size_t n = 0; n < moves.size(); ++n) {
         for(Placement_verdict verdict : moves[n].verdicts) count(verdict);
         if(moves[n].verdicts.empty() || moves[n].verdicts.back() != Placement_verdict::ACCEPTED) continue;
-        put(m_vpm, independent[n], moves[n].place);
+        set_point(independent[n], moves[n].place);
         ++m_report.moves;
       }
     }
@@ -253,7 +256,8 @@ private:
   static constexpr double sharp = 0.05;
 
   // a reference, or a point, as the map has it
-  decltype(auto) point(vertex_descriptor v) const { return get(m_vpm, v); }
+  decltype(auto) point(vertex_descriptor v) const { return converted<Point>(get(m_vpm, v)); }
+  void set_point(vertex_descriptor v, const Point& p) { put(m_vpm, v, converted<Point_of_mesh>(p)); }
 
   double relative_length(halfedge_descriptor h) const
   {
@@ -389,14 +393,13 @@ private:
       return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
     if(!may_split_at(p)) {
-      const auto level = m_oracle.level_between(point(q.a), point(q.b));
-      const auto moved = level ? m_oracle.moved_to_level(p, *level) : std::nullopt;
+      const auto moved = move_to_mean_level(m_oracle.shell().field(), p, point(q.a), point(q.b));
       if(is_constrained || !moved || !may_split_at(*moved)) return Graph_traits::null_vertex();
       p = *moved;
     }
     const halfedge_descriptor half = Euler::split_edge(h, m_mesh);
     const vertex_descriptor v = target(half, m_mesh);
-    put(m_vpm, v, p);
+    set_point(v, p);
     put(m_first_old, v, none);
     // a map may have any value for edges that are new, unless it is told
     set_constrained(edge(half, m_mesh), is_constrained);
@@ -472,7 +475,7 @@ private:
     set_constrained(edge(h, m_mesh), false);
     join_old_vertices(source(h, m_mesh), target(h, m_mesh));
     const vertex_descriptor v = Euler::collapse_edge(edge(h, m_mesh), m_mesh, m_edge_is_constrained);
-    put(m_vpm, v, p);
+    set_point(v, p);
     ++m_report.collapses;
     return v;
   }

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_SHELL_PLACEMENT_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_SHELL_PLACEMENT_H
+
+#include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief a placement for `CGAL::Surface_mesh_simplification::edge_collapse()` that brings the places of another policy
+ * into a shell: a place that is not between the thresholds is moved along the gradient to the mean level of the edge's
+ * ends.
+ *
+ * `Shell_filter` rejects fewer places then. Whether a place is moved is decided in floating-point arithmetic: this
+ * policy proves nothing, the filter does.
+ *
+ * \cgalModels `GetPlacement`
+ *
+ * \tparam Shell a `CGAL::Bspline_shell_3`
+ * \tparam BasePlacement a model of `GetPlacement`
+ *
+ * \sa `Shell_filter`
+ */
+template <typename Shell, typename BasePlacement>
+class Shell_placement
+{
+public:
+  /// \pre `shell` outlives this object and its copies
+  Shell_placement(const Shell& shell, const BasePlacement& base_placement = BasePlacement())
+    : m_shell(&shell), m_base_placement(base_placement)
+  {}
+  Shell_placement(const Shell&&, const BasePlacement& = BasePlacement()) = delete; // it would dangle
+
+  /// returns the place of the other policy, moved if need be; none if that policy has none.
+  /// \tparam Profile a model of `EdgeCollapseProfile` whose points have coordinates of type `double`
+  template <typename Profile>
+  auto operator()(const Profile& profile) const
+  {
+    auto place = m_base_placement(profile);
+    if(!place) return place;
+    const Point_3 p = point(*place);
+    const auto value = m_shell->field().value(p);
+    if(value && *value >= m_shell->inner_threshold().value(p) && *value <= m_shell->outer_threshold().value(p))
+      return place;
+    const auto moved = internal::move_to_mean_level(m_shell->field(), p, point(profile.p0()), point(profile.p1()));
+    if(moved) place = internal::converted<typename Profile::Point>(*moved);
+    return place;
+  }
+
+private:
+  typedef typename Shell::Point_3 Point_3;
+
+  template <typename Point>
+  static Point_3 point(const Point& p)
+  {
+    return internal::converted<Point_3>(p);
+  }
+
+  const Shell* m_shell;
+  BasePlacement m_base_placement;
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_SHELL_PLACEMENT_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_CLOSED_FOR_EDIT_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_CLOSED_FOR_EDIT_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Opens a mesh again that was closed for an edit, also when an exception ends that.
+template <typename TriangleMesh>
+class Closed_for_edit
+{
+public:
+  explicit Closed_for_edit(TriangleMesh& mesh) : m_mesh(mesh) {}
+  Closed_for_edit(const Closed_for_edit&) = delete;
+  Closed_for_edit& operator=(const Closed_for_edit&) = delete;
+  ~Closed_for_edit() { open(); }
+
+  // whether the mesh is closed now
+  template <typename VertexPointMap>
+  bool close(const Shell_closing_3& closing, VertexPointMap vpm)
+  {
+    auto attached = closing.attach(m_mesh, vpm);
+    if(!attached) return false;
+    m_attached = std::move(*attached);
+    return true;
+  }
+  const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces() const
+  {
+    return m_attached.faces;
+  }
+  void open()
+  {
+    Shell_closing_3::detach(m_mesh, m_attached);
+    forget();
+  }
+  // the mesh is another one
+  void forget() { m_attached = Attached(); }
+
+private:
+  typedef Shell_closing_3::Attached<TriangleMesh> Attached;
+  TriangleMesh& m_mesh;
+  Attached m_attached; // nothing if the mesh is as it was
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_CLOSED_FOR_EDIT_H

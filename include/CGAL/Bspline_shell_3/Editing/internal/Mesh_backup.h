@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H
+
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/properties.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they
+// are.
+template <typename TriangleMesh>
+bool is_restored_in_place(const TriangleMesh&)
+{
+  return false;
+}
+template <typename Point>
+bool is_restored_in_place(const Surface_mesh<Point>& mesh)
+{
+  return !mesh.has_garbage();
+}
+
+template <typename TriangleMesh>
+void assign(const TriangleMesh& before, TriangleMesh& mesh)
+{
+  mesh = before;
+}
+
+// Assigned to, a Surface_mesh would replace its properties: maps of the caller's would dangle, and those that are
+// dynamic would remove others when they go. So it is emptied, and filled again.
+// \pre `before` is a copy of what the mesh was
+template <typename Point>
+void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
+{
+  for(auto v : mesh.vertices()) mesh.remove_vertex(v);
+  for(auto e : mesh.edges()) mesh.remove_edge(e);
+  for(auto f : mesh.faces()) mesh.remove_face(f);
+  mesh.collect_garbage();
+  mesh.join(before);
+}
+
+// What a mesh is before it is edited, with its points and its constrained edges wherever maps keep them.
+template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
+class Mesh_backup
+{
+  typedef boost::property_traits<EdgeIsConstrainedMap> Constraint_traits;
+  typedef typename boost::property_map<TriangleMesh, vertex_point_t>::type Point_map_of_mesh;
+  static constexpr bool has_own_points = std::is_same<VertexPointMap, Point_map_of_mesh>::value;
+  // maps that cannot be written to need no care
+  static constexpr bool has_own_constraints =
+    !std::is_convertible<typename Constraint_traits::category, boost::writable_property_map_tag>::value
+    || std::is_const<std::remove_reference_t<typename Constraint_traits::reference> >::value;
+public:
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+
+  Mesh_backup(const TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained)
+    : m_mesh(mesh), m_vpm(vpm), m_edge_is_constrained(edge_is_constrained)
+  {
+    for(auto v : vertices(mesh)) m_points.push_back(get(vpm, v));
+    if constexpr(!has_own_constraints)
+      for(auto e : edges(mesh)) m_is_constrained.push_back(get(edge_is_constrained, e) ? 1 : 0);
+  }
+
+  // in the order of vertices(mesh)
+  const std::vector<Point>& points() const { return m_points; }
+
+  // makes the mesh what it was; its elements are new, unless it is restored in place
+  void restore(TriangleMesh& mesh)
+  {
+    if constexpr(!has_own_constraints)
+      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, false); // they vanish, and may be keys of the map
+    assign(m_mesh, mesh);
+    std::size_t n = 0;
+    if constexpr(!has_own_points)
+      for(auto v : vertices(mesh)) put(m_vpm, v, m_points[n++]);
+    n = 0;
+    if constexpr(!has_own_constraints)
+      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, m_is_constrained[n++] != 0);
+  }
+
+private:
+  TriangleMesh m_mesh;
+  VertexPointMap m_vpm;
+  EdgeIsConstrainedMap m_edge_is_constrained;
+  std::vector<Point> m_points;
+  std::vector<char> m_is_constrained; // in the order of edges(mesh)
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_POLICIES_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_POLICIES_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
+#include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/tags.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge
+// satisfies the link condition, placement and filter once for this edge, before any other.
+struct Collapse_state
+{
+  bool is_waiting = false; // whether the selected edge has no placement yet
+  bool is_accepted = false;
+  bool has_stopped = false;
+  bool has_deferred = false;          // a place that was too expensive
+  Edit_end obstacle = Edit_end::MESH; // why the selected edge has no place
+  double cost = 0;                    // cost of the selected edge
+  double largest_cost = 0;            // largest cost of a collapsed edge
+  double allowance = 1;               // by what factor other places than the policy's may cost more
+  std::size_t initial_edges = 0;
+  std::size_t closing_facets = 0;
+  std::size_t collapsed = 0, retried = 0;
+
+  // what stop predicates and visitors are told: three for each two facets of the mesh, as if those that close it were
+  // not there
+  std::size_t edges_without_closing(std::size_t edges) const
+  {
+    return closing_facets == 0 ? edges : 3 * (2 * edges / 3 - closing_facets) / 2;
+  }
+};
+
+// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the
+// edges before anyone is told.
+template <typename TriangleMesh, typename Visitor, typename Rules>
+class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
+{
+  typedef Collapse_visitor<TriangleMesh, Visitor> Base;
+public:
+  Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
+    : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state),
+      m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
+  {}
+
+  // why none of the edges that are left was collapsed: the shell is named before the filter
+  Edit_end end() const
+  {
+    if(m_state->has_stopped) return Edit_end::STOP_PREDICATE;
+    Edit_end end = Edit_end::MESH;
+    for(auto e : edges(*m_mesh)) {
+      const Edit_end obstacle = get(m_obstacle, e);
+      if(obstacle == Edit_end::SHELL) return obstacle;
+      if(obstacle == Edit_end::FILTER) end = obstacle;
+    }
+    return end;
+  }
+
+  void OnStarted(TriangleMesh&) {}
+  void OnFinished(TriangleMesh&) {}
+  template <typename Profile, typename OptionalCost>
+  void OnCollected(const Profile& profile, const OptionalCost& cost)
+  {
+    Run::poll();
+    Base::OnCollected(profile, cost);
+  }
+  template <typename Profile, typename OptionalCost>
+  void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
+  {
+    Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
+    m_state->is_waiting = true;
+    m_state->obstacle = Edit_end::MESH; // unless a place is rejected
+    m_state->cost = cost ? rounded(*cost) : 0;
+  }
+  template <typename Profile, typename OptionalPoint>
+  void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
+  {
+    Base::OnCollapsing(profile, placement);
+    m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
+    ++m_state->collapsed;
+    m_rules->before_collapse(profile);
+  }
+  template <typename Profile, typename Vertex>
+  void OnCollapsed(const Profile& profile, const Vertex& v)
+  {
+    m_rules->after_collapse(profile, v);
+    Base::OnCollapsed(profile, v);
+  }
+  template <typename Profile>
+  void OnNonCollapsable(const Profile& profile)
+  {
+    Base::OnNonCollapsable(profile);
+    put(m_obstacle, edge(profile.v0_v1(), *m_mesh), m_state->obstacle);
+  }
+
+private:
+  TriangleMesh* m_mesh;
+  Rules* m_rules;
+  Collapse_state* m_state;
+  // why an edge was given up, the last time that it was
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;
+};
+
+// the caller's predicate, over several runs
+template <typename Stop>
+struct Continued_stop_predicate
+{
+  const Stop* stop;
+  Collapse_state* state;
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
+  {
+    Run::poll();
+    state->has_stopped = (*stop)(cost, profile, state->initial_edges, state->edges_without_closing(edges));
+    return state->has_stopped;
+  }
+};
+
+// whether costs are told when a run begins, and after each collapse
+template <typename Cost, typename = void>
+struct Requires_updates : Tag_false
+{};
+template <typename Cost>
+struct Requires_updates<Cost, std::void_t<typename Cost::Update_tag> > : Boolean_tag<Cost::Update_tag::value>
+{};
+
+// The caller's costs, which remember the mesh before from one run to the next.
+template <typename Cost>
+struct Continued_cost
+{
+  typedef Boolean_tag<Requires_updates<Cost>::value> Update_tag;
+
+  const Cost* cost;
+  const Collapse_state* state;
+
+  template <typename Profile, typename OptionalPoint>
+  auto operator()(const Profile& profile, const OptionalPoint& placement) const
+  {
+    return (*cost)(profile, placement);
+  }
+  template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+  void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
+  {
+    if(state->collapsed == 0) cost->initialize(mesh, vpm, traits);
+  }
+  template <typename Profile, typename Vertex>
+  void update_after_collapse(const Profile& profile, const Vertex& v) const
+  {
+    cost->update_after_collapse(profile, v);
+  }
+};
+
+// For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several
+// places that passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow
+// only some places, they take that of the policy's; where they allow none, nothing is accepted.
+template <typename Cost, typename Placement, typename Filter, typename Field, typename Rules>
+class Retrying_placement
+{
+public:
+  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Field& field,
+                     const Rules& rules, Collapse_state& state)
+    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_field(&field), m_rules(&rules), m_state(&state)
+  {}
+
+  template <typename Profile>
+  Optional<typename Profile::Point> operator()(const Profile& profile) const
+  {
+    typedef typename Profile::Point Point;
+    typedef Optional<Point> Place;
+
+    const auto allowed = m_rules->allowed_places(profile);
+    Place placement;
+    if(allowed.are_all) placement = (*m_placement)(profile);
+    else if(!allowed.places.empty()) placement = cheapest(profile, allowed.places);
+    else placement = profile.p0();
+    if(!m_state->is_waiting) return placement;
+    m_state->is_waiting = false;
+
+    const Placement_statistics before = m_filter->statistics();
+    const bool is_allowed = allowed.are_all || !allowed.places.empty();
+    m_state->is_accepted = is_allowed && bool(placement) && bool((*m_filter)(profile, placement));
+    if(m_state->is_accepted || !is_allowed) return placement;
+    const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
+    boost::container::static_vector<std::pair<double, Point>, 5> others;
+    const auto add = [&](const Point& p) {
+      const auto cost = (*m_cost)(profile, Place(p));
+      if(!cost) return;
+      if(rounded(*cost) <= due) others.emplace_back(rounded(*cost), p);
+      else m_state->has_deferred = true;
+    };
+    if(allowed.are_all) {
+      const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
+      for(const Point& p : { profile.p0(), profile.p1(), middle }) add(p);
+      const auto at = [](const Point& p) { return converted<typename Field::Point_3>(p); };
+      for(const Place& from : { placement, Place(middle) })
+        if(from)
+          if(const auto moved = move_to_mean_level(*m_field, at(*from), at(profile.p0()), at(profile.p1())))
+            add(converted<Point>(*moved));
+    } else {
+      for(const Point& p : allowed.places)
+        if(p != *placement) add(p);
+    }
+    std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& other : others)
+      if((*m_filter)(profile, Place(other.second))) {
+        m_state->is_accepted = true;
+        m_state->cost = other.first;
+        ++m_state->retried;
+        return other.second;
+      }
+    const Placement_statistics& now = m_filter->statistics();
+    constexpr Placement_verdict filter = Placement_verdict::BASE_FILTER;
+    const std::size_t by_filter = now.number(filter) - before.number(filter);
+    const std::size_t rejected = now.rejected() - before.rejected();
+    if(rejected > 0) m_state->obstacle = rejected > by_filter ? Edit_end::SHELL : Edit_end::FILTER;
+    return placement;
+  }
+
+private:
+  template <typename Profile, typename Point>
+  Optional<Point> cheapest(const Profile& profile, const std::vector<Point>& places) const
+  {
+    Optional<Point> best;
+    double least = 0;
+    for(const Point& p : places) {
+      const auto cost = (*m_cost)(profile, Optional<Point>(p));
+      const double value = cost ? rounded(*cost) : std::numeric_limits<double>::infinity();
+      if(best && !(value < least)) continue;
+      best = p;
+      least = value;
+    }
+    return best;
+  }
+
+  const Cost* m_cost;
+  const Placement* m_placement;
+  const Filter* m_filter;
+  const Field* m_field;
+  const Rules* m_rules;
+  Collapse_state* m_state;
+};
+
+// Passes what the placement found acceptable.
+struct Accepted_filter
+{
+  const Collapse_state* state;
+
+  template <typename Profile, typename OptionalPoint>
+  OptionalPoint operator()(const Profile&, const OptionalPoint& placement) const
+  {
+    return state->is_accepted ? placement : OptionalPoint();
+  }
+};
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_POLICIES_H

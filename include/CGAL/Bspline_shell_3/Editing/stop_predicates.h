@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_STOP_PREDICATES_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_STOP_PREDICATES_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief stops a simplification of a closed triangle mesh when it has no more facets than asked for.
+ *
+ * \cgalModels `StopPredicate`
+ */
+class Facet_count_stop_predicate
+{
+public:
+  explicit Facet_count_stop_predicate(std::size_t facets) : m_facets(facets) {}
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t edges) const
+  {
+    return 2 * edges <= 3 * m_facets;
+  }
+
+private:
+  std::size_t m_facets;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief lets a simplification go on until the mesh is as coarse as the filter allows.
+ *
+ * \cgalModels `StopPredicate`
+ */
+struct Never_stop_predicate
+{
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile&, std::size_t, std::size_t) const
+  {
+    return false;
+  }
+};
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_STOP_PREDICATES_H
