@@ -7,6 +7,7 @@
 #define CGAL_CERTIFIED_SOUP_PROXY_3_H
 
 #include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
+#include <CGAL/Bspline_shell_3/Construction/Resolution_tuning.h>
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -115,7 +116,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   const double alpha = choose_parameter(get_parameter(np, tags::alpha), unit / 50);
   const double offset = choose_parameter(get_parameter(np, tags::offset), alpha / 4);
-  const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::finest_resolution);
+  const double resolution = choose_parameter(get_parameter(np, tags::resolution), BS::resolution_tuning.finest);
   const double relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness), 1.);
   const double thickness = choose_parameter(get_parameter(np, tags::thickness), 1.);
   const double max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);

@@ -58,9 +58,10 @@ TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickne
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(7, 7, 7)), 0.07) == 20);
   CHECK(chosen(sphere(4), 0.02) == 20);
   CHECK(chosen(demo_mesh("hole.off"), 0.01 * input(demo_mesh("hole.off")).unit()) == 24);
-  CHECK(chosen(demo_mesh("fandisk.off"), 0.01 * input(demo_mesh("fandisk.off")).unit()) == BS::finest_resolution);
-  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.01) == BS::finest_resolution);
-  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::finest_resolution);
+  CHECK(chosen(demo_mesh("fandisk.off"), 0.01 * input(demo_mesh("fandisk.off")).unit())
+        == BS::resolution_tuning.finest);
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.01) == BS::resolution_tuning.finest);
+  CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::resolution_tuning.finest);
 }
 
 TEST_CASE(
@@ -71,7 +72,7 @@ TEST_CASE(
   CHECK(CGAL::certified_bspline_shell_3(cube, parameters::resolution(12).relative_thickness(0.05)).report().gamma
         == Approx(12));
   CHECK(CGAL::certified_bspline_shell_3(cube, parameters::relative_thickness(0.005)).report().gamma
-        == Approx(BS::finest_resolution));
+        == Approx(BS::resolution_tuning.finest));
   const Mesh elephant = demo_mesh("elephant.off");
   const BS::Bend_shares one = shares(elephant, 0.05), two = shares<CGAL::Parallel_if_available_tag>(elephant, 0.05);
   CHECK(one.bent == two.bent);

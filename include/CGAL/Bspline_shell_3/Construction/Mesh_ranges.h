@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MESH_RANGES_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MESH_RANGES_H
 
+#include <CGAL/Bspline_shell_3/Construction/Threshold_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
@@ -151,12 +152,6 @@ public:
   }
 
 private:
-  static constexpr int max_grid_halvings = 2;    // of edges: 3 values for a triangle, then 12; a third would take 30
-  static constexpr int max_depth = 5;            // each takes three quarters of the excess of a bound
-  static constexpr double nearly_largest = 0.95; // a point whose value is that part of the largest will do
-  // excess of a bound that is not to be improved, beyond values at corners in the cell, relative to the size asked for
-  static constexpr double sharp = 0.004;
-
   struct Bounds_by_corners
   {
     Level_range at_corners, range;
@@ -287,8 +282,8 @@ private:
     };
     // A cell is thick whatever else is found, if it is at a point; that should be about the worst one. Pieces on which
     // the field is nearly between values that it has elsewhere need not be known better.
-    const auto open_from = [&] { return most > size ? most / nearly_largest : size; };
-    const double excess = sharp * size;
+    const auto open_from = [&] { return most > size ? most / threshold_tuning.nearly_largest : size; };
+    const double excess = threshold_tuning.range_excess * size;
     const auto is_enough = [&](const Level_range& r) {
       return is_within(r, open_from())
              && (precision == SUFFICIENT || (r.min >= attained.min - excess && r.max <= attained.max + excess));
@@ -305,7 +300,7 @@ private:
       // then, what a grid says that may be fine enough
       Level_range values = by_corners[n - first].at_corners;
       bool is_known = false;
-      for(int halvings = 1, seen = 0; halvings <= max_grid_halvings && !is_known; ++halvings) {
+      for(int halvings = 1, seen = 0; halvings <= threshold_tuning.max_grid_halvings && !is_known; ++halvings) {
         const std::pair<double, double> beyond = bounds.excess_on_grid(corners, halvings, scratch.part);
         if(!is_enough(bounds.widened(values, beyond))) continue;
         while(seen < halvings)
@@ -332,7 +327,7 @@ private:
         const Level_range part = { *hull.first - in.error, *hull.second + in.error };
         // so written that bounds that are not numbers end the search
         const bool is_open = (std::max)(-part.min, part.max) > open_from();
-        if(is_open && t.depth < max_depth) t.push_quarters(stack);
+        if(is_open && t.depth < threshold_tuning.max_range_depth) t.push_quarters(stack);
         else range.include(part);
       }
     }

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include <CGAL/Bspline_shell_3/Construction/Threshold_tuning.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
@@ -107,8 +108,7 @@ public:
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
-    CGAL_precondition(m_wanted);
-    constexpr int max_passes_of_many = 2; // where cells are to be refined in any case
+    CGAL_precondition(m_wanted.has_value());
     // what the mesh needs counts where thresholds are capped
     bool is_sharp = !m_wanted->caps().empty();
     m_tight.clear();
@@ -131,7 +131,7 @@ public:
       // there may be more boxes for them next time
       for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
-      const bool is_enough = pass + 1 >= max_passes_of_many && !obstacles.empty()
+      const bool is_enough = pass + 1 >= threshold_tuning.max_passes_of_many && !obstacles.empty()
                              && (std::max)(cells_of(obstacles).size(), unresolved.size()) > limits.many_obstacles;
       const bool helps = !narrowed.empty()
                          || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
@@ -295,7 +295,7 @@ private:
         obstacles.push_back({ box.cell, middle });
         return;
       }
-      const Nearest place = { std::abs(level), middle, int(box.depth) <= coarsest_depth };
+      const Nearest place = { std::abs(level), middle, int(box.depth) <= threshold_tuning.coarse_depth };
       const auto it = nearest.insert({ { box.cell, level > 0 ? 1 : -1 }, place }).first;
       if(place.size < it->second.size) it->second = place;
     };
@@ -319,15 +319,14 @@ private:
                                          std::vector<Threshold_obstacle>& obstacles,
                                          std::vector<Threshold_obstacle>& unresolved)
   {
-    constexpr double margin = 0.98; // of a cap that makes a difference
-    constexpr double much = 0.7;    // of the room, that the mesh takes
+    const double margin = threshold_tuning.useful_cap;
     std::vector<Threshold_obstacle> narrowed;
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
       const Sign side = Sign(n.first.second);
       const double size = n.second.size, needed = (std::max)(side * m_wanted->needed(c, side), 0.);
       const Threshold_obstacle place = { c, n.second.point, side, size };
-      if(needed > much * size) m_tight[n.first] = place;
+      if(needed > threshold_tuning.tight * size) m_tight[n.first] = place;
       const Threshold& threshold = side == POSITIVE ? *m_outer : *m_inner;
       const double now = side * threshold.value(Point_3(place.point[0], place.point[1], place.point[2]), c);
       const double room = n.second.is_coarse ? size : (std::min)(size, now);
@@ -342,8 +341,6 @@ private:
     }
     return narrowed;
   }
-
-  static constexpr int coarsest_depth = 3; // halvings: boxes of cells where boxes ran out
 
   std::vector<Point_3> m_seeds;
   const Field* m_field = nullptr;

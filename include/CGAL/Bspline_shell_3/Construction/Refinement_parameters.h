@@ -15,10 +15,6 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Construction
-/// the largest number of root cells per longest side of a mesh's box that `choose_resolution()` chooses
-constexpr double finest_resolution = 30;
-
 /*!
  * \ingroup PkgBsplineShell3Construction
  *

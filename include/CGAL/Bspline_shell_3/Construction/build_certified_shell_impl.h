@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_BUILD_CERTIFIED_SHELL_IMPL_H
 
 #include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
+#include <CGAL/Bspline_shell_3/Construction/Resolution_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
 #include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
@@ -50,7 +51,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   const std::shared_ptr<const Input_mesh_3>& input = construction.input();
   const double largest_thickness = parameters.largest_thickness(input->unit());
   const double resolution = parameters.resolution ? *parameters.resolution
-                            : parameters.sizing   ? finest_resolution
+                            : parameters.sizing   ? resolution_tuning.finest
                                                   : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);

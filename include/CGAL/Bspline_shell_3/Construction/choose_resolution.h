@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
+#include <CGAL/Bspline_shell_3/Construction/Resolution_tuning.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
@@ -45,7 +46,6 @@ struct Bend_shares
 template <typename ConcurrencyTag>
 Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
 {
-  constexpr double bent = 0.9, folded = 0.7;
   const Cell_hierarchy_3 cells(Cell_complex_3(lattice, cells_entered_by_mesh<ConcurrencyTag>(mesh, lattice)));
   const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(mesh, cells);
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
@@ -62,8 +62,8 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
       area += a;
     }
     const double length = internal::norm(sum);
-    if(length < bent * area) ++shares.bent;
-    if(length < folded * area) ++shares.folded;
+    if(length < resolution_tuning.bent * area) ++shares.bent;
+    if(length < resolution_tuning.folded * area) ++shares.folded;
   }
   shares.bent /= double(all);
   shares.folded /= double(all);
@@ -87,14 +87,15 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
 template <typename ConcurrencyTag>
 double choose_resolution(const Input_mesh_3& mesh, double thickness)
 {
-  constexpr double middle = 24, coarsest = 20, widest = 5.5, few = 1. / 8, very_few = 1. / 64;
-  if(!(mesh.unit() <= coarsest * widest * thickness)) return finest_resolution;
-  const Lattice_3 lattice = Lattice_3::off_the_ends(mesh.bbox(), mesh.unit() / coarsest);
-  if(!lattice.is_exact()) return finest_resolution;
+  const Resolution_tuning& t = resolution_tuning;
+  if(!(mesh.unit() <= t.coarsest * t.widest_cell * thickness)) return t.finest;
+  const Lattice_3 lattice = Lattice_3::off_the_ends(mesh.bbox(), mesh.unit() / t.coarsest);
+  if(!lattice.is_exact()) return t.finest;
   const Bend_shares shares = bend_shares<ConcurrencyTag>(mesh, lattice);
-  if(shares.folded > very_few) return finest_resolution;
+  if(shares.folded > t.folded_cells) return t.finest;
   // there are bends along curves, and so their share grows with the width of cells
-  return shares.bent <= few ? coarsest : shares.bent * coarsest / middle <= few ? middle : finest_resolution;
+  if(shares.bent <= t.bent_cells) return t.coarsest;
+  return shares.bent * t.coarsest / t.middle <= t.bent_cells ? t.middle : t.finest;
 }
 
 } // namespace Bspline_shells

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINE_AT_GAPS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
@@ -61,13 +62,12 @@ Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector
 {
   typedef Cell_hierarchy_3::Index Index;
   constexpr std::size_t chunk = 16;
-  constexpr double far_narrower = 4;
   std::vector<int> halvings(obstacles.size(), 1);
   internal::for_each_chunk<ConcurrencyTag>(obstacles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       double width = cells.width(obstacles[n]) / 2;
       const double narrowest = gap_in_cell(gap, clipped, obstacles[n], width);
-      for(; width > far_narrower * narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
+      for(; width > condition_tuning.cell_at_gap * narrowest && halvings[n] < most_halvings; width /= 2) ++halvings[n];
     }
   });
   Cell_hierarchy_3 refined = cells.refined(marked, rings);

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SIMILAR_CELLS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 
 #include <CGAL/Bbox_3.h>
@@ -38,7 +39,6 @@ inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3
                                                           const std::vector<Cell_hierarchy_3::Index>& given)
 {
   typedef Cell_hierarchy_3::Index Index;
-  constexpr double about = 0.7;
   // less than zero where there is no mesh
   const auto largest = [&](Index c) { return (std::max)(-ranges[c].min, ranges[c].max); };
   enum : char
@@ -55,7 +55,7 @@ inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3
   for(Index start : starts) {
     if(state[start] == PASSED) continue;
     state[start] = PASSED;
-    const double least = about * largest(start);
+    const double least = condition_tuning.similar * largest(start);
     front.assign(1, start);
     while(!front.empty()) {
       const Index from = front.back();

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPE_CONDITIONS_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPE_CONDITIONS_H
 
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
@@ -84,8 +85,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slo
 std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted,
                                               const Predicate& is_asked, const Size& largest)
 {
-  constexpr double small = 0.25;
-  constexpr std::size_t few = 8, most = 48; // pieces in a cell
+  const std::size_t few = condition_tuning.few_pieces, most = condition_tuning.max_pieces;
   constexpr std::size_t chunk = 1024;
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const auto is_small = [&](const Clipped_mesh_3::Piece& piece) {
@@ -96,7 +96,7 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
         high[a] = (std::max)(high[a], clipped.point(piece.first + v)[a]);
       }
     return !((std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] })
-             > small * field.cells().width(piece.cell));
+             > condition_tuning.small_piece * field.cells().width(piece.cell));
   };
   // a cell belongs to the chunk that its first piece is in
   const auto first_of_cell = [&](std::size_t n) {
@@ -149,7 +149,6 @@ std::optional<Slope_condition> common_slope(const Field& field, const Clipped_me
                                             typename Field::Cell_index c, const std::array<double, 3>& point,
                                             double distance, double fraction)
 {
-  constexpr double least_margin = 0.01;
   const typename Field::Cell cell = field.cell(c);
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   for(double reach : { (std::max)(2 * distance, cell.width()), 2 * distance, 1.25 * distance }) {
@@ -175,7 +174,7 @@ std::optional<Slope_condition> common_slope(const Field& field, const Clipped_me
       normals.emplace_back(clipped.normal(f)[0], clipped.normal(f)[1], clipped.normal(f)[2]);
     std::array<double, 3> axis = cone_axis(normals);
     const double margin = internal::norm(axis);
-    if(!(margin > least_margin)) continue;
+    if(!(margin > condition_tuning.least_common_cosine)) continue;
     for(double& x : axis) x /= margin;
     return Slope_condition{ c, facets.front(), cell.local_coordinates(point), axis, fraction * margin };
   }

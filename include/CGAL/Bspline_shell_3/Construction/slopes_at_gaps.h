@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPES_AT_GAPS_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
@@ -41,12 +42,11 @@ std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vec
                                    const Local_gap_3& gap, const Clipped_mesh_3& clipped)
 {
   constexpr std::size_t chunk = 16;
-  constexpr double part = 0.25;
   std::vector<double> slopes(asked.size(), std::numeric_limits<double>::infinity());
   internal::for_each_chunk<ConcurrencyTag>(asked.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
       const double width = cells.width(asked[n]), narrowest = gap_in_cell(gap, clipped, asked[n], width);
-      if(narrowest < width) slopes[n] = part * narrowest / width;
+      if(narrowest < width) slopes[n] = condition_tuning.slope_at_gap * narrowest / width;
     }
   });
   return slopes;

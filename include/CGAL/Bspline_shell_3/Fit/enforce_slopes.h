@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
 #define CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
 
+#include <CGAL/Bspline_shell_3/Fit/Slope_tuning.h>
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
@@ -142,7 +143,7 @@ public:
     if(m_points.size() == 0) m_points = m_field.template extend<ConcurrencyTag>(x);
     m_changed.assign(m_field.number_of_cells(), 0);
     std::size_t violated_before = 0; // the sweep
-    for(int sweep = 0; sweep < max_sweeps; ++sweep) {
+    for(int sweep = 0; sweep < slope_tuning.max_sweeps; ++sweep) {
       find_slacks<ConcurrencyTag>();
       std::vector<std::pair<double, Index> > violated; // worst first
       for(Index c = 0; c < m_field.number_of_cells(); ++c) {
@@ -150,9 +151,10 @@ public:
       }
       if(sweep == 0) report.violated_before = violated.size();
       if(violated.empty()) break;
-      const bool too_many = sweep == 0
-                              ? violated.size() > most_violated
-                              : violated.size() > few && double(violated.size()) > progress * double(violated_before);
+      const bool too_many = sweep == 0 ? violated.size() > most_violated
+                                       : violated.size() > slope_tuning.few_violated_cells
+                                           && double(violated.size())
+                                                > slope_tuning.violated_cells_left * double(violated_before);
       violated_before = violated.size();
       if(too_many) {
         report.enforced = false;
@@ -173,17 +175,6 @@ public:
   }
 
 private:
-  static constexpr int max_sweeps = 3;
-  static constexpr std::size_t few = 64;           // violated cells that are left, whatever the progress of a sweep
-  static constexpr double progress = 0.7;          // largest share of violations that a sweep may leave
-  static constexpr std::size_t max_unknowns = 500; // in a patch
-  static constexpr int max_exchanges = 8;
-  static constexpr std::size_t max_rows = 160, max_new_rows = 32;
-  static constexpr double helps = 0.5;              // largest share of a violation that a useful patch leaves
-  static constexpr double largest_multiplier = 1e2; // the weights make one near ten
-  static constexpr double excess = 0.05; // part by which a solution is to exceed what is wanted, as it is not exact
-  static constexpr int max_dual_sweeps = 100;
-  static constexpr double dual_tolerance = 1e-4;                        // of slopes
   static constexpr std::size_t cells_at_once = 8, columns_at_once = 16; // for a thread
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
@@ -386,7 +377,7 @@ private:
     const auto make_unique = [&] { sort_unique(unknowns); };
     m_field.visit_cells(core, free_coefficients);
     make_unique();
-    if(unknowns.size() > max_unknowns) {
+    if(unknowns.size() > slope_tuning.max_unknowns) {
       unknowns.clear();
       free_coefficients(patch.center);
       make_unique();
@@ -426,7 +417,7 @@ private:
       }
       for(const std::pair<Index, double>& m : moved) m_points[m.first] = m.second;
     }
-    m_hopeless[patch.center] = least_slack(patch.center).first < helps * slack_before;
+    m_hopeless[patch.center] = least_slack(patch.center).first < slope_tuning.violation_left * slack_before;
   }
 
   // those that the unknowns of a patch act on
@@ -530,13 +521,14 @@ private:
     Eigen::MatrixXd W(size, 0);       // L^-1 G^T, for the conditions G in the program
     Eigen::MatrixXd K(0, 0);          // W^T W
     Vector wanted(0), multipliers(0); // of G x, beyond what x has
-    for(int exchange = 0; exchange < max_exchanges; ++exchange) {
+    for(int exchange = 0; exchange < slope_tuning.max_exchanges; ++exchange) {
       std::vector<Violation> violated = internal::collect_from_chunks<ConcurrencyTag, Violation>(
         cells.size(), cells_at_once, [&](std::size_t begin, std::size_t end, std::vector<Violation>& found) {
           find_violations(cells, begin, end, step, found);
         });
       const std::size_t more = (std::min)(
-        { violated.size(), max_rows - (std::min)(max_rows, std::size_t(W.cols())), max_new_rows });
+        { violated.size(), slope_tuning.max_rows - (std::min)(slope_tuning.max_rows, std::size_t(W.cols())),
+          slope_tuning.max_new_rows });
       if(more == 0) break;
       std::partial_sort(violated.begin(), violated.begin() + std::ptrdiff_t(more), violated.end());
       const Eigen::Index old = W.cols();
@@ -552,7 +544,8 @@ private:
         W.col(column).setZero();
         const std::array<double, 64> local = local_row(m_conditions[v.condition], v.number);
         for(const typename Patch_cell::Entry& e : cell.entries) W(e.place, column) += e.weight * local[e.n];
-        wanted[column] = excess * std::abs(bound(m_conditions[v.condition], v.number)) - cell.before[n][v.number];
+        wanted[column] = slope_tuning.excess * std::abs(bound(m_conditions[v.condition], v.number))
+                         - cell.before[n][v.number];
         multipliers[column] = 0;
       }
       internal::for_each_chunk<ConcurrencyTag>(more, columns_at_once, [&](std::size_t begin, std::size_t end) {
@@ -567,18 +560,19 @@ private:
       });
       K.bottomLeftCorner(Eigen::Index(more), old) = K.topRightCorner(old, Eigen::Index(more)).transpose();
       Vector gap = wanted - W.transpose() * free - K * multipliers;
-      for(int sweep = 0; sweep < max_dual_sweeps; ++sweep) {
+      for(int sweep = 0; sweep < slope_tuning.max_dual_sweeps; ++sweep) {
         double largest = 0;
         for(Eigen::Index m = 0; m < K.cols(); ++m) {
           if(!(K(m, m) > 0)) continue;
-          const double next = (std::min)(largest_multiplier, (std::max)(0., multipliers[m] + gap[m] / K(m, m)));
+          const double next = (std::min)(slope_tuning.largest_multiplier,
+                                         (std::max)(0., multipliers[m] + gap[m] / K(m, m)));
           const double delta = next - multipliers[m];
           if(delta == 0) continue;
           gap -= delta * K.col(m);
           multipliers[m] = next;
           largest = (std::max)(largest, std::abs(delta) * K(m, m));
         }
-        if(largest < dual_tolerance) break;
+        if(largest < slope_tuning.dual_tolerance) break;
       }
       step = factor.matrixU().solve(free + W * multipliers);
     }

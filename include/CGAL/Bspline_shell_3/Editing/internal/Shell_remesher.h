@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -111,7 +112,7 @@ public:
       const edge_descriptor e = edge(h, m_mesh);
       if(m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e))) return;
       const double length = relative_length(h);
-      if(length > longest) insert(queue, -length, h);
+      if(length > remeshing_tuning.longest) insert(queue, -length, h);
     };
     for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
     while(!queue.empty() && asks_to_go_on()) {
@@ -131,7 +132,7 @@ public:
       if(m_frozen.has_end_of(e) || m_frozen.has_edge(e) || (m_protect_constraints && get(m_edge_is_constrained, e)))
         return;
       const double length = relative_length(h);
-      if(length < shortest) insert(queue, length, h);
+      if(length < remeshing_tuning.shortest) insert(queue, length, h);
     };
     for(edge_descriptor e : edges(m_mesh)) put(m_key, e, Key());
     for(edge_descriptor e : edges(m_mesh)) add(halfedge(e, m_mesh));
@@ -156,7 +157,7 @@ public:
   {
     const auto is_about_right = [&](edge_descriptor e) {
       const double length = relative_length(halfedge(e, m_mesh));
-      return m_frozen.has_edge(e) || (length >= shortest && length <= longest);
+      return m_frozen.has_edge(e) || (length >= remeshing_tuning.shortest && length <= remeshing_tuning.longest);
     };
     if(std::all_of(edges(m_mesh).begin(), edges(m_mesh).end(), is_about_right)) return Edit_end::TARGET;
     if(!m_goes_on) return Edit_end::VISITOR;
@@ -174,20 +175,19 @@ public:
       const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
       const int before = deviation(q.a, 0) + deviation(q.b, 0) + deviation(q.c, 0) + deviation(q.d, 0);
       const int after = deviation(q.a, -1) + deviation(q.b, -1) + deviation(q.c, 1) + deviation(q.d, 1);
-      if(after < before) flip(halfedge(e, m_mesh), q, (std::min)(quality_before(q), regular_quality));
+      if(after < before) flip(halfedge(e, m_mesh), q, (std::min)(quality_before(q), remeshing_tuning.regular_quality));
     }
   }
 
   // until no flip does, or the last passes change next to nothing
   void flip_to_larger_angles()
   {
-    constexpr int most_passes = 10;
-    for(int pass = 0; pass < most_passes; ++pass) {
+    for(int pass = 0; pass < remeshing_tuning.max_flip_passes; ++pass) {
       std::size_t flipped = 0;
       for(edge_descriptor e : edges(m_mesh)) {
         if(!asks_to_go_on()) return;
         const Quadrilateral q(halfedge(e, m_mesh), m_mesh);
-        flipped += flip(halfedge(e, m_mesh), q, least_gain * quality_before(q));
+        flipped += flip(halfedge(e, m_mesh), q, remeshing_tuning.least_gain * quality_before(q));
       }
       if(flipped == 0) return;
     }
@@ -245,15 +245,7 @@ private:
     vertex_descriptor a, b, c, d;
   };
 
-  static constexpr double longest = 4. / 3, shortest = 4. / 5; // edges, relative to the target length
-  static constexpr double least_shrinkage = 0.9;               // ratio of new edges to the one that is split
-  // that a flip towards regular valences must leave, if it was better before
-  static constexpr double regular_quality = 0.3;
-  static constexpr double good_quality = 0.7; // that a move must leave, if it was better before
-  static constexpr double least_gain = 1.01;  // of quality, by a flip
   static constexpr std::array<double, 3> parts_of_moves = { { 1, 0.5, 0.25 } }; // that are tried
-  // second eigenvalue of the normals' tensor: 25 degrees between two equal facets
-  static constexpr double sharp = 0.05;
 
   // a reference, or a point, as the map has it
   decltype(auto) point(vertex_descriptor v) const { return converted<Point>(get(m_vpm, v)); }
@@ -389,7 +381,8 @@ private:
     // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no
     // shorter than they were, for ever.
     const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
-    if(longest_new > least_shrinkage * least_shrinkage * CGAL::squared_distance(point(q.a), point(q.b)))
+    if(longest_new > remeshing_tuning.largest_new_edge * remeshing_tuning.largest_new_edge
+                       * CGAL::squared_distance(point(q.a), point(q.b)))
       return Graph_traits::null_vertex();
     // the middle is rounded, and may be out of a thin shell by as much
     if(!may_split_at(p)) {
@@ -457,10 +450,11 @@ private:
     const Point &a = point(source(h, m_mesh)), &b = point(target(h, m_mesh));
     const std::array<Point, 3> places = { { b, a, CGAL::midpoint(a, b) } };
     const std::size_t number = is_source_fixed || is_target_fixed || is_constrained ? 1 : places.size();
-    const double before = (std::min)(quality_around(h), regular_quality);
+    const double before = (std::min)(quality_around(h), remeshing_tuning.regular_quality);
     for(std::size_t n = 0; n < number; ++n) {
       const bool is_short = std::all_of(m_link.begin(), m_link.end(), [&](const Point& q) {
-        return std::sqrt(CGAL::squared_distance(places[n], q)) <= longest * m_sizing(CGAL::midpoint(places[n], q));
+        return std::sqrt(CGAL::squared_distance(places[n], q))
+               <= remeshing_tuning.longest * m_sizing(CGAL::midpoint(places[n], q));
       });
       if(is_short && quality_of_star(places[n], m_link) >= before && judge(places[n]) == Placement_verdict::ACCEPTED) {
         p = places[n];
@@ -498,7 +492,7 @@ private:
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
     if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;
     // edges that are sharp stay, and no facets get across them
-    if(unit_normal(a, b, c) * unit_normal(b, a, d) < least_cosine) return false;
+    if(unit_normal(a, b, c) * unit_normal(b, a, d) < remeshing_tuning.least_cosine) return false;
     for(const auto& facet : { std::array<Point, 3>{ { a, d, c } }, std::array<Point, 3>{ { d, b, c } } })
       if(count(m_oracle(facet[0], facet[1], facet[2])) != Placement_verdict::ACCEPTED) return false;
     Euler::flip_edge(h, m_mesh);
@@ -533,7 +527,7 @@ private:
   {
     Move found;
     const Vector move = tangential_move(p, link);
-    const double before = (std::min)(quality_of_star(p, link), good_quality);
+    const double before = (std::min)(quality_of_star(p, link), remeshing_tuning.good_quality);
     for(double part : parts_of_moves) {
       found.place = project(p + part * move);
       if(found.place == p || !(quality_of_star(found.place, link) >= before)) continue;
@@ -564,13 +558,12 @@ private:
     // directions in which no normal points: two on a smooth surface, one along an edge, none at a corner
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     for(int i = 0; i < 2; ++i)
-      if(eigen.eigenvalues()[i] < sharp)
+      if(eigen.eigenvalues()[i] < remeshing_tuning.crease)
         move += eigen.eigenvectors().col(i) * eigen.eigenvectors().col(i).dot(center / area);
     return Vector(move[0], move[1], move[2]);
   }
 
   static constexpr std::size_t none = std::size_t(-1);
-  static constexpr double least_cosine = 0.9; // between facets of which the edge may be flipped
 
   TriangleMesh& m_mesh;
   VertexPointMap m_vpm;

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_CURVE_ERROR_H
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_tuning.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 
 #include <algorithm>
@@ -86,17 +87,14 @@ struct Image_error
 template <typename Result, typename Trace>
 Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
 {
-  constexpr int most_repetitions = 3;
-  constexpr double safety = 2;         // of estimates to first order
-  constexpr double aim = 0.25;         // of the tolerance: errors are not exactly proportional to those of the steps
-  constexpr double least_steps = 1e-5; // of the tolerance: of the default one, the rounding of coordinates
+  const Curve_tuning& t = curve_tuning;
   double step_tolerance = tolerance;
   const Flow_status status = trace(step_tolerance, result);
   if(status != Flow_status::SUCCESS) return status;
-  for(int repetition = 0; repetition < most_repetitions; ++repetition) {
+  for(int repetition = 0; repetition < t.max_repetitions; ++repetition) {
     const double error = (std::max)(result.error.at_image, result.error.at_start);
-    if(safety * error <= tolerance || !(step_tolerance > least_steps * tolerance)) break;
-    step_tolerance = (std::max)(step_tolerance * aim * tolerance / error, least_steps * tolerance);
+    if(t.safety * error <= tolerance || !(step_tolerance > t.least_step_tolerance * tolerance)) break;
+    step_tolerance = (std::max)(step_tolerance * t.aim * tolerance / error, t.least_step_tolerance * tolerance);
     Result closer;
     if(trace(step_tolerance, closer) != Flow_status::SUCCESS) break;
     result = closer;

@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_tuning.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/visit_facets_passed.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
@@ -86,14 +87,14 @@ private:
   bool walk(Curve& curve, Index facet, Hit& best) const
   {
     Index previous = Projection_facets_3::npos;
-    for(int moves = 0; moves < max_moves; ++moves) {
+    for(int moves = 0; moves < curve_tuning.max_moves; ++moves) {
       Hit hit;
       hit.facet = facet;
       Coordinates x;
       while(true) {
         if(!(dot(m_facets->normal(facet), curve.derivative()) > 0)) return false;
         if(pass_plane(curve, facet, hit.value, x)) break;
-        const double goal = curve.value() + overshoot * (hit.value - curve.value());
+        const double goal = curve.value() + curve_tuning.overshoot * (hit.value - curve.value());
         if(curve.step(goal) != Flow_status::SUCCESS && !pass_plane(curve, facet, hit.value, x)) return false;
       }
       const auto position = m_facets->position(facet, x);
@@ -206,11 +207,6 @@ private:
     });
   }
 
-  static constexpr int max_moves = 64;
-  // of steps, so that facets are near their ends, where cutting them is cheap
-  static constexpr double overshoot = 1.015;
-  static constexpr double bend = 0.1; // of a curve, as a part of its length
-
   const Shell* m_shell;
   const Projection_facets_3* m_facets;
   double m_tolerance;
@@ -224,7 +220,8 @@ Flow_status Facet_on_curve<Shell>::trace(const Coordinates& start, Index near, d
   if(status != Flow_status::SUCCESS) return status;
   // the facet that the tangent meets, over edges or by the tree
   const Coordinates x = curve.state(), tangent = curve.derivative();
-  const double above = curve.room(true), below = curve.room(false), margin = bend * (above - below) * curve.speed();
+  const double above = curve.room(true), below = curve.room(false),
+               margin = curve_tuning.bend * (above - below) * curve.speed();
   if(near != Projection_facets_3::npos) {
     const Index facet = m_facets->facet_on_line_near(near, x, tangent, below, above);
     if(facet != Projection_facets_3::npos) {

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Curve_tuning.h>
 #include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
@@ -182,7 +183,7 @@ public:
     if(s == m_begin_s) {
       m_end = m_begin;
       m_end_dx = m_begin_dx;
-    } else if(std::abs(m_stepped.s - s) <= near_end * std::abs(m_stepped.s - m_begin_s)) {
+    } else if(std::abs(m_stepped.s - s) <= curve_tuning.near_end * std::abs(m_stepped.s - m_begin_s)) {
       m_end = at(s);
       m_velocity(m_end, m_end_dx, s);
     } else {
@@ -210,14 +211,6 @@ public:
 private:
   typedef boost::numeric::odeint::runge_kutta_dopri5<State> Stepper;
   typedef boost::numeric::odeint::default_step_adjuster<double, double> Step_adjuster;
-
-  static constexpr double slack = 1e-6;         // of a cell's width
-  static constexpr double near_end = 0.03;      // of a step's length
-  static constexpr double steps_per_curve = 10; // that share the tolerance
-  static constexpr int max_steps = 2000;
-  static constexpr double smallest_step = 1e-12; // of a cell's width
-  // relative to the range of f on a cell: where steps get that small, it is to blame
-  static constexpr double smallest_gradient = 1e-4;
 
   static bool is_finite(const State& x)
   {
@@ -257,7 +250,8 @@ private:
   double error_of_step() const
   {
     const double largest = (std::max)({ std::abs(m_end[0]), std::abs(m_end[1]), std::abs(m_end[2]) });
-    return m_step_error * m_step_tolerance / steps_per_curve + std::numeric_limits<double>::epsilon() * largest;
+    return m_step_error * m_step_tolerance / curve_tuning.steps_per_curve
+           + std::numeric_limits<double>::epsilon() * largest;
   }
 
   void begin_step()
@@ -271,7 +265,7 @@ private:
 
   Flow_status step_in_cell(double goal)
   {
-    if(++m_steps > max_steps) return Flow_status::TOO_MANY_STEPS;
+    if(++m_steps > curve_tuning.max_steps) return Flow_status::TOO_MANY_STEPS;
     if(m_next_cell != Field::npos) enter_next_cell();
     begin_step();
     const double longest = m_velocity.cell.width() / speed();
@@ -290,17 +284,17 @@ private:
       m_stepper.do_step(m_velocity, m_begin, m_begin_dx, m_begin_s, m_end, m_end_dx, ds, errors);
       m_step_error = 0;
       for(double error : errors)
-        m_step_error = (std::max)(m_step_error, std::abs(error) * (steps_per_curve / m_step_tolerance));
+        m_step_error = (std::max)(m_step_error, std::abs(error) * (curve_tuning.steps_per_curve / m_step_tolerance));
       const bool accepted = !(m_step_error > 1);
       if(accepted && is_finite(m_end) && is_gradient_certain() && goes_on()) {
         m_step_size = std::abs(ds);
         break;
       }
       ds = accepted ? ds / 8 : Step_adjuster().decrease_step(ds, m_step_error, Stepper::error_order_value);
-      if(!(std::abs(ds) > smallest_step * longest)) {
+      if(!(std::abs(ds) > curve_tuning.shortest_step * longest)) {
         cut(m_begin_s);
         const auto range = m_velocity.cell.coefficient_range();
-        return m_velocity.cell.width() < smallest_gradient * (range.second - range.first) * speed()
+        return m_velocity.cell.width() < curve_tuning.small_gradient * (range.second - range.first) * speed()
                  ? Flow_status::GRADIENT_VANISHES
                  : Flow_status::TOO_MANY_STEPS;
       }
@@ -319,8 +313,8 @@ private:
     double exit = m_end_s;
     for(int a = 0; a < 3; ++a) {
       const double t = (m_end[a] - corner[a]) / width;
-      if(t >= -slack && t <= 1 + slack) continue;
-      const double s = crossing(a, t < 0 ? corner[a] : corner[a] + width, slack / 2 * width);
+      if(t >= -curve_tuning.slack && t <= 1 + curve_tuning.slack) continue;
+      const double s = crossing(a, t < 0 ? corner[a] : corner[a] + width, curve_tuning.slack / 2 * width);
       if(axis == -1 || std::abs(s - m_begin_s) < std::abs(exit - m_begin_s)) {
         axis = a;
         upwards = t > 0;
@@ -334,10 +328,12 @@ private:
       const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
       std::array<double, 3> beyond;
       for(int a = 0; a < 3; ++a)
-        beyond[a] = (std::min)((std::max)(x[a], corner[a] + slack * width), corner[a] + (1 - slack) * width);
+        beyond[a] = (std::min)((std::max)(x[a], corner[a] + curve_tuning.slack * width),
+                               corner[a] + (1 - curve_tuning.slack) * width);
       for(const std::array<double, 3>& p : { beyond, x }) {
         beyond = p;
-        beyond[axis] = upwards ? corner[axis] + (1 + slack) * width : corner[axis] - slack * width;
+        beyond[axis] = upwards ? corner[axis] + (1 + curve_tuning.slack) * width
+                               : corner[axis] - curve_tuning.slack * width;
         m_next_cell = m_shell->field().locate(Point_3(beyond[0], beyond[1], beyond[2]));
         if(is_shell_cell(m_next_cell)) break;
       }
