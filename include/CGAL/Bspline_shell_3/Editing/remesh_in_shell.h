@@ -60,7 +60,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the
  *   moves of vertices; the result is the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
- *   a kernel with exact predicates and `FT` = `double`
+ *   any kernel whose `FT` is `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
  * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell

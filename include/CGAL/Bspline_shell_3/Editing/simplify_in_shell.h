@@ -56,7 +56,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
  *         the result is the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
- *   a kernel with exact predicates and `FT` = `double`
+ *   any kernel whose `FT` is `double`
  *
  * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell
  *   was built for. If it is not edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, it
