@@ -128,7 +128,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
                                                  parameters.allow_open_shell);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                               std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
   BS::Invalid_parameter invalid = parameters.invalid();

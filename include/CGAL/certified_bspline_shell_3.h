@@ -175,7 +175,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
   refinement.max_bytes = choose_parameter(get_parameter(np, tags::memory_limit), 4e9);
 
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
-  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                               std::numeric_limits<double>::infinity());
   BS::Shell_construction construction(visitor, max_seconds);
   BS::Invalid_parameter invalid = parameters.invalid();
@@ -193,7 +193,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
     };
   BS::Input_mesh_3::Truncator truncator;
   if(choose_parameter(get_parameter(np, tags::truncate), true)
-     && !choose_parameter(get_parameter(np, tags::allow_self_intersections), false))
+     && !choose_parameter(get_parameter(np, internal_np::allow_self_intersections), false))
     truncator = [&](const BS::Input_mesh_3& input) {
       const double thickness = parameters.largest_thickness(input.unit());
       return BS::truncate_mesh<ConcurrencyTag>(

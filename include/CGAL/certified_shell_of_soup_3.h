@@ -50,7 +50,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
   namespace BS = Bspline_shells;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const double max_seconds = choose_parameter(get_parameter(np, BS::parameter_tags::time_limit),
+  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                               std::numeric_limits<double>::infinity());
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));

@@ -90,7 +90,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
 
-  const double max_seconds = choose_parameter(get_parameter(np, tags::time_limit),
+  const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                               std::numeric_limits<double>::infinity());
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
   BS::internal::Run run(max_seconds, BS::internal::Go_on<std::remove_reference_t<decltype(visitor)> >::of(visitor));

@@ -41,7 +41,7 @@ std::vector<Index> by_search(const Hierarchy& cells, const Ranges& ranges, const
       for(Index c = 0; c < reached.size(); ++c)
         for(Index n = 0; n < reached.size() && !reached[c]; ++n)
           if(reached[n] && are_neighbors(cells, c, n) && largest(ranges[c]) >= 0.7 * largest(ranges[start]))
-            more = reached[c] = is_similar[c] = 1;
+            more = (reached[c] = is_similar[c] = 1);
     }
   }
   for(Index c : given) is_similar[c] = 0;

@@ -567,17 +567,18 @@ namespace {
 // accepts all stars, and remembers them
 struct Recording_oracle
 {
+  typedef Kernel::Point_3 Point_3;
   struct Memory
   {};
   struct Star
   {
-    Kernel::Point_3 center;
-    std::vector<Kernel::Point_3> link;
+    Point_3 center;
+    std::vector<Point_3> link;
   };
 
   std::vector<Star>* stars;
 
-  Placement_verdict operator()(const Kernel::Point_3& p, const std::vector<Kernel::Point_3>& link, Memory&) const
+  Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory&) const
   {
     stars->push_back({ p, link });
     return Placement_verdict::ACCEPTED;

@@ -35,4 +35,16 @@ TEST_CASE("Named parameters: default values may be continued")
   const auto np = P::with(CGAL::parameters::default_values()).resolution(60);
   CHECK(choose_parameter(get_parameter(np, BS::parameter_tags::resolution), 0) == 60);
 }
+
+TEST_CASE("Named parameters: what CGAL calls by the same name is the same parameter")
+{
+  const auto np = CGAL::parameters::allow_self_intersections(true);
+  const auto own = P::allow_self_intersections(true);
+  CHECK(choose_parameter(get_parameter(np, CGAL::internal_np::allow_self_intersections), false));
+  CHECK(choose_parameter(get_parameter(own, CGAL::internal_np::allow_self_intersections), false));
+  // CGAL 6 calls it time_limit(), too
+  const auto limited = CGAL::parameters::maximum_running_time(5.);
+  CHECK(choose_parameter(get_parameter(limited, CGAL::internal_np::maximum_running_time), 0.) == 5.);
+  CHECK(choose_parameter(get_parameter(P::time_limit(5.), CGAL::internal_np::maximum_running_time), 0.) == 5.);
+}
 } // namespace test_Named_parameters

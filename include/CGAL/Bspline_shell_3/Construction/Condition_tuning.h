@@ -12,7 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the conditions on slopes and of cells at gaps. They affect time and the number of cells only.
+/// \brief tuned numbers of the conditions on slopes and of cells at gaps. They affect time and the number of cells
+/// only.
 struct Condition_tuning
 {
   /// Width of a piece of the mesh, in cells, up to which one condition in its middle stands for it; the corners of

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the cells with which the refinement begins (`choose_resolution()`). A *resolution* is a number
-/// of cells per longest side of the mesh's box. They affect time and the number of cells only.
+/// \brief tuned numbers of the cells with which the refinement begins (`choose_resolution()`). A *resolution* is a
+/// number of cells per longest side of the mesh's box. They affect time and the number of cells only.
 struct Resolution_tuning
 {
   /// Resolutions that are tried, from the coarsest on; the finest is taken without asking.

@@ -94,7 +94,7 @@ public:
     if(arithmetic_self_test() != Arithmetic_status::SOUND) return Shell_status::UNSOUND_ARITHMETIC;
     start(Shell_step::CHECK);
     Input_mesh_3::Tolerated_defects tolerated;
-    tolerated.self_intersections = choose_parameter(get_parameter(np, parameter_tags::allow_self_intersections), false);
+    tolerated.self_intersections = choose_parameter(get_parameter(np, internal_np::allow_self_intersections), false);
     tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
     const auto mesh_copy = std::make_shared<Input_mesh_3>();
     const Shell_status status = mesh_copy->template build<ConcurrencyTag>(

@@ -35,10 +35,6 @@ enum constant_thresholds_t
 {
   constant_thresholds
 };
-enum time_limit_t
-{
-  time_limit
-};
 enum number_of_rings_t
 {
   number_of_rings
@@ -66,10 +62,6 @@ enum memory_limit_t
 enum effort_limit_t
 {
   effort_limit
-};
-enum allow_self_intersections_t
-{
-  allow_self_intersections
 };
 enum allow_singular_vertices_t
 {
@@ -176,7 +168,6 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::thickness_t, thickness)                                                                          \
   ADD(parameter_tags::sizing_t, sizing)                                                                                \
   ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                                      \
-  ADD(parameter_tags::time_limit_t, time_limit)                                                                        \
   ADD(parameter_tags::number_of_rings_t, number_of_rings)                                                              \
   ADD(parameter_tags::dense_grid_t, dense_grid)                                                                        \
   ADD(parameter_tags::energy_weights_t, energy_weights)                                                                \
@@ -184,7 +175,6 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                                                \
   ADD(parameter_tags::memory_limit_t, memory_limit)                                                                    \
   ADD(parameter_tags::effort_limit_t, effort_limit)                                                                    \
-  ADD(parameter_tags::allow_self_intersections_t, allow_self_intersections)                                            \
   ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                                              \
   ADD(parameter_tags::virtual_closing_t, virtual_closing)                                                              \
   ADD(parameter_tags::closing_t, closing)                                                                              \
@@ -204,6 +194,8 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(parameter_tags::stop_t, stop)                                                                                    \
   ADD(parameter_tags::locate_vertices_t, locate_vertices)                                                              \
   ADD(parameter_tags::freeze_rejected_facets_t, freeze_rejected_facets)                                                \
+  ADD(internal_np::maximum_running_time_t, time_limit)                                                                 \
+  ADD(internal_np::allow_self_intersections_t, allow_self_intersections)                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                                                   \
   ADD(internal_np::grid_spacing_t, grid_spacing)                                                                       \
   ADD(internal_np::visitor_t, visitor)                                                                                 \

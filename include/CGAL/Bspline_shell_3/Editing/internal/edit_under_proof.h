@@ -194,7 +194,7 @@ Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return edit_and_certify<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, proofs, np, result, edit);
   };
   const double max_seconds = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, parameter_tags::time_limit), std::numeric_limits<double>::infinity());
+    CGAL::parameters::get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
   result.invalid_parameter.check("time_limit", max_seconds, Parameter_bounds::positive_or_infinite());
   if(result.invalid_parameter) return Edit_status::INVALID_PARAMETER;
   Run run(max_seconds);
