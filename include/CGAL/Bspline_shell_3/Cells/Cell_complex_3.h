@@ -25,29 +25,29 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief the lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
+ * \brief The lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
  *
- * The spacing is rounded to at most 20 significant bits and the origin to a multiple of half the spacing's last bit, so
- * that every corner of a cell, also of a cell halved up to `finest_level` times, is a `double`: what is proved on a
- * cell's box is proved for the cell. The lattice is symmetric about the box's center: a mesh that is mirrored, turned
- * by a right angle or scaled by a power of two gets the mirrored, turned or scaled lattice.
+ * The spacing is rounded to at most 20 significant bits, and the origin to a multiple of half the spacing's last bit.
+ * So the corners of all cells, also of cells halved up to `finest_level` times, are `double`s: a proof on a cell's box
+ * holds for the cell. The lattice is symmetric about the box's center. If a mesh is mirrored, turned by a right angle
+ * or scaled by a power of two, so is its lattice.
  */
 class Lattice_3
 {
 public:
   typedef Lattice_point Point;            ///< three `int`
-  static constexpr int finest_level = 12; ///< how often cells may be halved, at least
+  static constexpr int finest_level = 12; ///< how often cells can be halved, at least
 
   Lattice_3() = default;
 
-  /// a lattice with a point near the center of `box`, of a spacing near `spacing` (user units)
+  /// Constructs a lattice with a point near the center of `box`, and with a spacing near `spacing` (user units).
   /// \pre `box` is finite, `spacing > 0`
   Lattice_3(const Bbox_3& box, double spacing)
   {
     double largest = 0;
     for(int a = 0; a < 3; ++a) largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
     int exponent, magnitude;
-    const double mantissa = std::frexp(spacing, &exponent); // in [1/2, 1)
+    const double mantissa = std::frexp(spacing, &exponent); // lies in [1/2, 1)
     const double cells = (largest + 4 * spacing) / spacing;
     std::frexp(cells, &magnitude);
     const int bits = (std::min)(max_bits, 51 - finest_level - magnitude);
@@ -56,28 +56,30 @@ public:
     const double last_bit = std::ldexp(1., exponent - bits);
     m_spacing = std::nearbyint(std::ldexp(mantissa, bits)) * last_bit;
     for(int a = 0; a < 3; ++a) {
-      const double center = (box.min)(a) / 2 + (box.max)(a) / 2; // rounds alike when mirrored
+      const double center = (box.min)(a) / 2 + (box.max)(a) / 2; // rounds alike if mirrored
       m_origin[a] = std::nearbyint(center / last_bit) * last_bit;
     }
   }
 
-  /// The same, but shifted by half a spacing along the axes across which the ends of the box would lie in lattice
-  /// planes or near them. Sides of a mesh in such planes are, after rounding, on either side of them, and the cells of
-  /// a scaled mesh would not be the scaled cells.
+  /// Returns the lattice of the constructor, shifted so that the ends of the box are not close to lattice planes. The
+  /// shift is half a spacing, along each axis where an end would lie in a lattice plane or near it. Otherwise, rounding
+  /// would put sides of a mesh on either side of such a plane, and the cells of a scaled mesh would not be the scaled
+  /// cells.
   static Lattice_3 off_the_ends(const Bbox_3& box, double spacing)
   {
     Lattice_3 lattice(box, spacing);
     if(!lattice.m_exact) return lattice;
     for(int a = 0; a < 3; ++a) {
       const double end = ((box.max)(a) / 2 - (box.min)(a) / 2) / lattice.m_spacing;
-      // not at a quarter, which boxes with simple ratios of sides have, and where rounding would decide
+      // The bound is not 1/4: boxes with simple ratios of sides have this fraction, and rounding would decide.
       if(std::abs(end - std::nearbyint(end)) < 0.2) lattice.m_origin[a] -= lattice.m_spacing / 2;
     }
     return lattice;
   }
 
-  /// the lattice of this very origin and spacing, as that of a file. `is_exact()` is for the corners of the cells with
-  /// lattice points from `first` to `last`, also halved up to `finest_level` times.
+  /// Returns the lattice with exactly this origin and spacing, for example from a file. `is_exact()` refers to the
+  /// corners of the cells with lattice points from `first` to `last`, also if they are halved up to `finest_level`
+  /// times.
   /// \pre coordinates of `first` and `last` are at most `Lattice_key::max_coordinate` in size
   static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first,
                                const Point& last)
@@ -87,7 +89,7 @@ public:
     lattice.m_spacing = spacing;
     if(!(std::isfinite(spacing) && spacing > 0)) return lattice;
     constexpr int digits = std::numeric_limits<double>::digits;
-    // corners are multiples of 2^unit, and doubles if they are less than 2^(unit + digits)
+    // Corners are multiples of 2^unit, and doubles if they are less than 2^(unit + digits).
     int unit = last_bit(spacing) - finest_level;
     for(double x : origin) {
       if(!std::isfinite(x)) return lattice;
@@ -104,8 +106,8 @@ public:
     return lattice;
   }
 
-  /// how often cells with lattice points from `first` to `last` may be halved so that their corners are exact: more
-  /// than `finest_level` times where coordinates are not large
+  /// Returns how often cells with lattice points from `first` to `last` can be halved with exact corners. If
+  /// coordinates are not large, this is more than `finest_level`.
   int number_of_halvings(const Point& first, const Point& last) const
   {
     if(!m_exact) return 0;
@@ -116,17 +118,17 @@ public:
       furthest = (std::max)({ furthest, std::abs(coordinate(a, first[a])), std::abs(coordinate(a, last[a] + 1)) });
     }
     constexpr int digits = std::numeric_limits<double>::digits;
-    // corners are multiples of 2^(unit - halvings), and doubles if they are less than 2^(unit - halvings + digits)
+    // Corners are multiples of 2^(unit - halvings), and doubles if they are less than 2^(unit - halvings + digits).
     return (std::min)(unit + digits - 1 - std::ilogb(furthest),
                       unit - std::numeric_limits<double>::min_exponent + digits);
   }
 
-  /// whether the corners are exact; if not, the cells are too small for coordinates of that size
+  /// Returns `true` if the corners are exact. Otherwise, the cells are too small for the size of their coordinates.
   bool is_exact() const { return m_exact; }
   double spacing() const { return m_spacing; } ///< edge length of a cell, user units
   const std::array<double, 3>& origin() const { return m_origin; }
 
-  /// a coordinate of the lattice plane number `i` across axis `a`, exact
+  /// Returns the exact coordinate of lattice plane `i` across axis `a`.
   double coordinate(int a, int i) const { return m_origin[a] + i * m_spacing; }
 
   std::array<double, 3> corner(const Point& p) const
@@ -134,7 +136,7 @@ public:
     return { coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2]) };
   }
 
-  /// the number `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exact.
+  /// Returns the number `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exactly.
   /// \pre `x` is at most `Lattice_key::max_coordinate` spacings from the origin
   int interval(int a, double x) const
   {
@@ -145,9 +147,9 @@ public:
   }
 
 private:
-  static constexpr int max_bits = 20; // significant ones of a spacing
+  static constexpr int max_bits = 20; // significant bits of a spacing
 
-  // the exponent of the last bit that is set in `x`, which is neither zero nor infinite
+  // Returns the exponent of the last bit that is set in `x`, which is neither zero nor infinite.
   static int last_bit(double x)
   {
     int exponent;
@@ -167,7 +169,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief a finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
+ * \brief A finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
  *
  * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its least corner. Neighboring
  * cells along x have consecutive numbers. Memory is linear in the number of cells.
@@ -181,7 +183,7 @@ public:
 
   Cell_complex_3() = default;
 
-  /// the cells of `lattice` with the given lattice points; `keys` are sorted and unique
+  /// Constructs the cells of `lattice` with the given lattice points; `keys` are sorted and unique.
   Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys) : m_lattice(lattice), m_cells(keys)
   {
     for(Index c = 0; c < m_cells.size(); ++c)
@@ -193,19 +195,19 @@ public:
   }
 
   const Lattice_3& lattice() const { return m_lattice; }
-  /// whether the corners of all cells are exact
+  /// Returns `true` if the corners of all cells are exact.
   bool is_exact() const
   {
     return number_of_cells() == 0
            || Lattice_3::from_origin(m_lattice.origin(), m_lattice.spacing(), m_first, m_last).is_exact();
   }
-  /// how often the cells may be halved so that all corners are exact
+  /// Returns how often the cells can be halved with all corners exact.
   int number_of_halvings() const { return number_of_cells() == 0 ? 0 : m_lattice.number_of_halvings(m_first, m_last); }
   std::size_t number_of_cells() const { return m_cells.size(); }
   double width() const { return m_lattice.spacing(); }
   double width(Index) const { return width(); }
   /// \name As a Hierarchy
-  /// for complexes of one level, whose cells are all leaves
+  /// The complex has one level, and all cells are leaves.
   /// @{
   int number_of_levels() const { return 1; }
   int level(Index) const { return 0; }
@@ -217,8 +219,8 @@ public:
   std::array<double, 3> corner(Index cell) const { return m_lattice.corner(m_cells.point(cell)); }
   Index cell(const Lattice_3::Point& p) const { return m_cells.index(p); }
 
-  /// the cell across the face of `cell` with normal along `axis`, on the side of larger (`positive`) or smaller
-  /// coordinates; `npos` where the domain ends
+  /// Returns the cell across the face of `cell` with normal along `axis`, on the side of larger (`positive`) or smaller
+  /// coordinates; `npos` where the domain ends.
   Index neighbor(Index cell, int axis, bool positive) const
   {
     Lattice_3::Point p = m_cells.point(cell);
@@ -226,8 +228,8 @@ public:
     return m_cells.index(p);
   }
 
-  /// a cell that contains the point, `npos` if there is none. Points on a common face get the cell of larger
-  /// coordinates, if it exists.
+  /// Returns a cell that contains the point, or `npos` if there is none. If the point is on a common face, this is the
+  /// cell of larger coordinates, if it exists.
   template <typename Point>
   Index locate(const Point& p) const
   {
@@ -235,22 +237,22 @@ public:
     bool on_plane[3];
     for(int a = 0; a < 3; ++a) {
       if(!(std::abs(p[a] - m_lattice.origin()[a]) < m_lattice.spacing() * Lattice_key::max_coordinate))
-        return npos; // also for a coordinate that is not a number
+        return npos; // also if a coordinate is NaN
       l[a] = m_lattice.interval(a, p[a]);
       on_plane[a] = m_lattice.coordinate(a, l[a]) == p[a];
     }
     return closed_cell(l, on_plane);
   }
 
-  /// calls `visit(cell)` once for every cell that meets the closed box; returns whether the closed cells cover the box.
-  /// Any box will do: an infinite one meets all cells, an empty one or one with a coordinate that is not a number meets
-  /// none, and neither is covered.
+  /// Calls `visit(cell)` once for every cell that meets the closed box; returns whether the closed cells cover the box.
+  /// Any box is allowed. An infinite box meets all cells; a box that is empty or has a NaN coordinate meets none.
+  /// Neither is covered.
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
     if(m_cells.size() == 0) return false;
     bool covered = true;
-    double lower[3], upper[3]; // the box, up to where the cells end
+    double lower[3], upper[3]; // the box, clipped to the extent of the cells
     Lattice_3::Point first, last;
     bool flat_on_plane[3];
     for(int a = 0; a < 3; ++a) {
@@ -264,9 +266,9 @@ public:
       flat_on_plane[a] = on_plane && lower[a] == upper[a];
       if(on_plane) --first[a];
     }
-    // a missing cell leaves a gap only if the box reaches into it, not if it touches its boundary
+    // A missing cell leaves a gap only if the box reaches into it, not if the box touches its boundary.
     const auto reaches_into = [&](int a, int i) {
-      if(flat_on_plane[a]) return i == last[a]; // the cell below does as well: see closed_cell()
+      if(flat_on_plane[a]) return i == last[a]; // the cell below suffices, too: see closed_cell()
       return lower[a] < m_lattice.coordinate(a, i + 1) && upper[a] > m_lattice.coordinate(a, i);
     };
     for(int k = first[2]; k <= last[2]; ++k)
@@ -284,8 +286,8 @@ public:
   const Lattice_set_3& cells() const { return m_cells; }
 
 private:
-  // the cell with the lattice point `l`, or, as cells are closed, one that is below it across axes along which what is
-  // looked up lies on the plane between the two
+  // Returns the cell with the lattice point `l`. If it does not exist, returns a cell below it, across axes along which
+  // the query lies on the plane between the two: cells are closed.
   Index closed_cell(const Lattice_3::Point& l, const bool (&on_plane)[3]) const
   {
     Index cell = m_cells.index(l);

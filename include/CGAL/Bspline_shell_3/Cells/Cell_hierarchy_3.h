@@ -27,11 +27,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief cells of different sizes that fill the cells of a `Cell_complex_3`: a forest of octrees, graded for splines.
+ * \brief A forest of octrees whose roots are the cells of a `Cell_complex_3`, graded for splines.
  *
- * A cell of level \f$l\f$ has the width of a root cell divided by \f$2^l\f$; it is a *leaf*, or it is split into eight
- * cells of the next level. The leaves are numbered from 0, coarse ones first. Around a split cell, three rings of cells
- * of its own level exist, as far as the domain reaches (they are leaves or split themselves). So a spline function of
+ * A cell of level \f$l\f$ has the width of a root cell divided by \f$2^l\f$. It is a *leaf*, or it is split into eight
+ * cells of the next level. The leaves are numbered from 0, coarse ones first. Around a split cell, there are three
+ * rings of cells of the same level within the domain; these are leaves or split themselves. So a spline function of
  * level \f$l\f$ that acts on a split cell acts on no cell coarser than \f$l\f$.
  *
  * Corners of all cells are exact `double`s. Memory is linear in the number of cells.
@@ -44,21 +44,22 @@ public:
   static constexpr Index npos = Cell_complex_3::npos; ///< no leaf
   Cell_hierarchy_3() : Cell_hierarchy_3(Cell_complex_3()) {}
 
-  /// root cells only
+  /// Constructs a hierarchy of root cells only.
   explicit Cell_hierarchy_3(Cell_complex_3 roots) : m_roots(std::move(roots))
   {
     int largest = 0;
     for(Index c = 0; c < m_roots.number_of_cells(); ++c)
       for(int i : m_roots.lattice_point(c)) largest = (std::max)(largest, std::abs(i) + 1);
-    // lattice points of finer levels, also of rings around the domain, have keys
+    // Lattice points of finer levels need keys, also in rings around the domain.
     const int finest = (std::min)(int(most_levels), m_roots.number_of_halvings() - subdivisions_of_a_leaf);
     while(m_max_level < finest && largest < Lattice_key::max_coordinate >> (m_max_level + 1)) ++m_max_level;
     number_cells();
   }
 
-  /// The hierarchy with the given leaves split, and with each of them rings of cells around it. Without any, what is
-  /// split would be narrower than a function of the next level; with two, all functions that act on the leaf are of the
-  /// next level. More cells are split where the grading asks for it. Leaves of level `max_level()` stay as they are.
+  /// Returns the hierarchy with the given leaves split, and with `rings` rings of cells around each of them split, too.
+  /// Without rings, the split region would be narrower than a function of the next level. With two rings, only
+  /// functions of the next level act on the leaf. More cells are split if the grading requires it. Leaves of level
+  /// `max_level()` are not split.
   Cell_hierarchy_3 refined(const std::vector<Index>& leaves, int rings = 2) const
   {
     Cell_hierarchy_3 finer;
@@ -79,8 +80,9 @@ public:
     return finer;
   }
 
-  /// The hierarchy with these leaves: keys of lattice points of each level, sorted and unique. Empty if there is none:
-  /// leaves overlap or do not fill a cell that is split, are too small, or the grading asks for more.
+  /// Returns the hierarchy with the given leaves, which are sorted and unique keys of lattice points for each level.
+  /// Returns nothing if leaves overlap or do not fill a split cell, if they are too small, or if they violate the
+  /// grading.
   static std::optional<Cell_hierarchy_3> from_leaves(const Lattice_3& lattice,
                                                      const std::vector<std::vector<std::uint64_t> >& leaves)
   {
@@ -114,42 +116,42 @@ public:
   }
 
   const Cell_complex_3& roots() const { return m_roots; }
-  const Lattice_3& lattice() const { return m_roots.lattice(); } ///< of the root cells
-  bool is_exact() const { return m_roots.is_exact(); }           ///< whether the corners of all cells are
+  const Lattice_3& lattice() const { return m_roots.lattice(); } ///< lattice of the root cells
+  bool is_exact() const { return m_roots.is_exact(); }           ///< whether the corners of all cells are exact
   int number_of_levels() const { return int(m_levels.size()); }
   int max_level() const { return m_max_level; }                   ///< cells of this level are not split
-  std::size_t number_of_cells() const { return m_leaves.size(); } ///< leaves
+  std::size_t number_of_cells() const { return m_leaves.size(); } ///< number of leaves
   int level(Index c) const { return m_leaves[c].level; }
-  /// the leaf's least corner, on the lattice of its level
+  /// Returns the leaf's least corner, on the lattice of its level.
   const Lattice_3::Point& lattice_point(Index c) const { return m_leaves[c].point; }
   double width(Index c) const { return level_width(level(c)); }
   double level_width(int level) const { return m_level_width[std::size_t(level)]; }
-  /// a coordinate of the plane number `i` across an axis between cells of a level, exact
+  /// Returns the exact coordinate of plane `i` across an axis between cells of a level.
   double coordinate(int level, int axis, int i) const
   {
     return m_roots.lattice().origin()[axis] + i * level_width(level);
   }
   std::array<double, 3> corner(Index c) const { return corner(level(c), lattice_point(c)); }
-  /// leaves of a level are numbered consecutively: the first of them
+  /// Returns the first leaf of a level; leaves of a level are numbered consecutively.
   Index first_leaf(int level) const { return m_levels[std::size_t(level)].first_leaf; }
 
-  /// all cells of a level, leaves and split ones
+  /// Returns all cells of a level, leaves and split ones.
   const Lattice_set_3& cells(int level) const { return m_levels[std::size_t(level)].cells; }
-  /// the leaf that is the given cell of a level; `npos` if it is split or does not exist
+  /// Returns the leaf that is the given cell of a level; `npos` if the cell is split or does not exist.
   Index leaf(int level, const Lattice_3::Point& p) const
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
     return n == npos ? npos : l.nodes[n].leaf;
   }
-  /// whether the cell of a level with that lattice point exists and is split
+  /// Returns `true` if the cell of a level with that lattice point exists and is split.
   bool is_split(int level, const Lattice_3::Point& p) const
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
     return n != npos && l.nodes[n].leaf == npos;
   }
-  /// the leaf that the cell of a level with that lattice point is, or is a part of; `npos` if there is none
+  /// Returns the leaf that is or contains the cell of a level with that lattice point; `npos` if there is none.
   Index leaf_around(int level, Lattice_3::Point p) const
   {
     for(int l = level; l >= 0; --l) {
@@ -159,14 +161,15 @@ public:
     }
     return npos;
   }
-  /// whether the cell of a level with that lattice point is part of the domain, be it larger or smaller leaves
+  /// Returns `true` if the cell of a level with that lattice point is part of the domain, whatever the size of its
+  /// leaves.
   bool is_in_domain(int level, Lattice_3::Point p) const
   {
     for(int& i : p) i = floor_shift(i, level);
     return m_roots.cell(p) != npos;
   }
 
-  /// a leaf that contains the point, `npos` if there is none
+  /// Returns a leaf that contains the point; `npos` if there is none.
   template <typename Point>
   Index locate(const Point& p) const
   {
@@ -183,7 +186,7 @@ public:
     }
   }
 
-  /// calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box
+  /// Calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box.
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -191,7 +194,7 @@ public:
                                [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
   }
 
-  /// calls `visit(n)` for every leaf that has a part of a face of `c` in common; returns whether there is any
+  /// Calls `visit(n)` for every leaf that shares a part of the given face of `c`; returns whether there is any.
   template <typename Visitor>
   bool visit_neighbors(Index c, int axis, bool positive, const Visitor& visit) const
   {
@@ -217,18 +220,18 @@ private:
   struct Node
   {
     Index leaf; // npos if the cell is split
-    Index rows; // of children, if it is
+    Index rows; // position of the children in `rows`, if it is split
   };
   struct Level
   {
     Lattice_set_3 cells;
     std::vector<Node> nodes; // by number of the cell
-    // the first children in the four rows of a split cell, along x; numbers in the next level
+    // For each split cell, the first children in its four rows along x; numbers in the next level.
     std::vector<std::array<Index, 4> > rows;
     Index first_leaf = 0;
   };
 
-  // a child of a split cell, by the bits of its octant: its number in the next level, and its lattice point
+  // Returns a child of a split cell, by the bits of its octant: its number in the next level, or its lattice point.
   Index child(int level, const Node& node, int octant) const
   {
     return m_levels[std::size_t(level)].rows[node.rows][std::size_t(octant >> 1)] + Index(octant & 1);
@@ -270,7 +273,7 @@ private:
     return keys;
   }
 
-  // the cells one level above that must be split as those of level `l` are
+  // Returns the cells one level above that must be split because of the split cells of level `l`.
   Keys needed_by_grading(int l) const { return parents(in_domain(dilate(m_split[std::size_t(l)], -3, 3), l)); }
 
   void number_cells()
@@ -315,7 +318,7 @@ private:
     return { coordinate(level, 0, p[0]), coordinate(level, 1, p[1]), coordinate(level, 2, p[2]) };
   }
 
-  // visits the leaves, in a cell that meets the box, that meet it
+  // Visits the leaves that meet the box, in a cell that meets it.
   template <typename Visitor>
   void visit_leaves(int level, Index n, const Lattice_3::Point& p, const Bbox_3& box, const Visitor& visit) const
   {
@@ -348,12 +351,12 @@ private:
   }
 
   static constexpr int most_levels = 10;
-  static constexpr int subdivisions_of_a_leaf = 8; // that keep corners exact
+  static constexpr int subdivisions_of_a_leaf = 8; // halvings of a leaf that keep corners exact
 
   Cell_complex_3 m_roots;
   int m_max_level = 0;
   std::array<double, most_levels + 2> m_level_width;
-  std::vector<Keys> m_split; // the cells of each level that are split
+  std::vector<Keys> m_split; // split cells of each level
   std::vector<Level> m_levels;
   std::vector<Leaf> m_leaves;
 };

@@ -24,22 +24,22 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Cells
-/// \f$(i, j, k)\f$, \f$i\f$ along \f$x\f$
+/// An integer point \f$(i, j, k)\f$, with \f$i\f$ along \f$x\f$.
 typedef std::array<int, 3> Lattice_point;
 
 /// \ingroup PkgBsplineShell3Cells
-/// the lattice points from `first` to `last`, both included; empty if a coordinate of `first` is larger
+/// The lattice points from `first` to `last`, both included; none if a coordinate of `first` is larger.
 struct Lattice_box
 {
   Lattice_point first, last;
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// a lattice point as a 64-bit key with 21 bits for each axis. Keys sort like \f$(k, j, i)\f$.
+/// A lattice point as a 64-bit key with 21 bits for each axis. Keys are sorted by \f$(k, j, i)\f$.
 class Lattice_key
 {
 public:
-  static constexpr int bits = 21; ///< of a coordinate; keys have three times as many
+  static constexpr int bits = 21; ///< bits of a coordinate; keys have three times as many
 private:
   static constexpr std::int64_t offset = std::int64_t(1) << (bits - 1);
   static constexpr std::uint64_t mask = (std::uint64_t(1) << bits) - 1;
@@ -61,12 +61,12 @@ public:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief a sparse set of integer points, numbered 0, 1, ... by \f$(k, j, i)\f$.
+ * \brief A sparse set of integer points, numbered 0, 1, ... in the order of \f$(k, j, i)\f$.
  *
  * The points of a row along \f$x\f$ have consecutive numbers, so that neighbors on the lattice are neighbors in memory.
  *
- * \cgalHeading{Cost} memory is linear in the number of points. A look-up searches the runs of consecutive rows in a
- *   slice and the runs of consecutive points in a row, mostly one to four.
+ * \cgalHeading{Cost} Memory is linear in the number of points. A look-up searches the runs of consecutive rows in a
+ *   slice, and the runs of consecutive points in a row: usually one to four runs.
  */
 class Lattice_set_3
 {
@@ -119,7 +119,7 @@ public:
   }
   Index index(const Lattice_point& p) const { return index(p[0], p[1], p[2]); }
 
-  /// the numbers `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`
+  /// Returns the numbers `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`.
   std::pair<Index, Index> index_range(int i_begin, int i_end, int j, int k) const
   {
     std::pair<Index, Index> range(npos, npos);
@@ -135,8 +135,8 @@ public:
     return range;
   }
 
-  /// the lattice points, of a lattice with that origin and spacing, in a box grown by `margin` spacings; none beyond
-  /// the set
+  /// Returns the lattice points in a box that is grown by `margin` spacings, clipped to the extent of the set. The
+  /// lattice has the given origin and spacing.
   Lattice_box clip(const Bbox_3& box, const std::array<double, 3>& origin, double spacing, int margin) const
   {
     Lattice_box range;
@@ -173,16 +173,16 @@ private:
 
   std::vector<Lattice_point> m_points;
   std::vector<Run> m_runs;     // along x
-  std::vector<Index> m_rows;   // where the runs of each row begin, and the end
-  std::vector<Run> m_row_runs; // of rows, along y
-  std::vector<Index> m_slices; // where the row runs of each k begin, and the end
+  std::vector<Index> m_rows;   // first run of each row, and the end
+  std::vector<Run> m_row_runs; // runs of rows, along y
+  std::vector<Index> m_slices; // first run of rows of each k, and the end
   int m_k_min = 0;
   Lattice_point m_least = {}, m_most = { { -1, -1, -1 } };
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// the sum of a set and the cube `[first, last]`\f$^3\f$
-/// \param keys sorted and unique, as what is returned
+/// Returns the sum of a set and the cube `[first, last]`\f$^3\f$.
+/// \param keys sorted and unique, like the returned keys
 inline std::vector<std::uint64_t> dilate(std::vector<std::uint64_t> keys, int first, int last)
 {
   for(int axis = 0; axis < 3; ++axis) {
@@ -192,7 +192,7 @@ inline std::vector<std::uint64_t> dilate(std::vector<std::uint64_t> keys, int fi
     for(int d = first; d <= last; ++d) {
       const std::size_t middle = wide.size();
       for(std::uint64_t key : keys) wide.push_back(key + step * std::uint64_t(std::int64_t(d)));
-      // both parts are sorted
+      // Both parts are sorted.
       std::inplace_merge(wide.begin(), wide.begin() + middle, wide.end());
       wide.erase(std::unique(wide.begin(), wide.end()), wide.end());
     }

@@ -30,33 +30,33 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief where a claim fails or is undecided.
+ * \brief A place where a claim fails or is undecided.
  */
 struct Witness
 {
-  /// barycentric coordinates of the point in the triangle (on a segment, of its two ends): dyadic numbers, exact
+  /// exact, dyadic barycentric coordinates of the point, by the vertices of the triangle or the ends of the segment
   std::array<double, 3> barycentric = {};
   /// the point, rounded
   std::array<double, 3> point = {};
-  /// encloses the value there: of the field, or of the derivative along the normal per user unit
+  /// encloses the value at the point: of the field, or of the derivative along the normal per user unit
   Level_range value;
-  /// the point lies outside the field's domain
+  /// whether the point lies outside the field's domain
   bool outside = false;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief rigorous questions about a field: its sign at a point, its range and its slope on segments and triangles.
+ * \brief Rigorous predicates of a field: its sign at a point, its range and its slope on segments and triangles.
  *
- * What is decided holds for the spline with its `double` coefficients, at every point of the simplex with the given,
- * exact vertices. A triangle is subdivided in dyadic barycentric coordinates; a part is bounded on every leaf cell that
- * its box meets, by the cell's polynomial on the whole part. On each point of the part the field is one of these
- * polynomials, so that nothing needs to be cut at the cells' faces, and nothing can be lost; and as they
- * join with two derivatives, continuing them a little beyond their cells costs next to nothing.
+ * A decision holds for the spline with its `double` coefficients, at every point of the simplex with the given, exact
+ * vertices. A triangle is subdivided in dyadic barycentric coordinates. For every leaf cell that the box of a part
+ * meets, the polynomial of the cell is bounded on the whole part. At each point of the part, the field is one of these
+ * polynomials. So parts need not be cut at the cells' faces, and no point is lost. As the polynomials join with two
+ * derivatives, continuing them slightly beyond their cells costs very little.
  *
- * Const member functions may be called from several threads at once; there is no global state, and no dependence on the
- * rounding mode.
+ * Const member functions may be called from several threads at once. The class has no global state, and results do not
+ * depend on the rounding mode.
  *
  * \tparam Field_ a model of `BsplineField_3`
  */
@@ -79,7 +79,8 @@ public:
 
   const Field& field() const { return *m_field; }
 
-  /// compares the field at `p` with `level`: exact. Nothing outside the domain, nor where the field has no value.
+  /// Compares the field at `p` with `level`, exactly. Returns nothing outside the domain, or where the field has no
+  /// value.
   std::optional<Comparison_result> compare(const Point_3& p, double level) const
   {
     const Cell_index c = m_field->locate(p);
@@ -99,8 +100,8 @@ public:
     return CGAL::compare(internal::contract(b.data(), weights[0], weights[1], weights[2]), ET(level));
   }
 
-  /// whether `levels.min < f < levels.max` on a segment (two points) or a triangle (three); refuted where `f` is beyond
-  /// a level
+  /// Decides whether `levels.min < f < levels.max` on a segment (two points) or a triangle (three). The claim is
+  /// refuted if `f` is beyond a level at some point.
   template <std::size_t size>
   Verdict values_within(const std::array<Point_3, size>& simplex, const Level_range& levels, Witness* witness = nullptr,
                         Predicate_statistics* statistics = nullptr) const
@@ -108,7 +109,7 @@ public:
     return decide(simplex, Values_within{ levels }, witness, statistics, nullptr);
   }
 
-  /// whether `inner < f < outer` on a segment or a triangle, for two thresholds, models of `ShellThreshold`
+  /// Decides whether `inner < f < outer` on a segment or a triangle, for two thresholds, models of `ShellThreshold`.
   template <std::size_t size, typename Threshold>
   Verdict values_within(const std::array<Point_3, size>& simplex, const Threshold& inner, const Threshold& outer,
                         Witness* witness = nullptr, Predicate_statistics* statistics = nullptr) const
@@ -126,7 +127,7 @@ public:
     }
   }
 
-  /// the same, and whether all points lie in cells that are flagged
+  /// Decides whether `inner < f < outer`, and whether all points lie in flagged cells.
   template <std::size_t size, typename Threshold>
   Verdict values_within(const std::array<Point_3, size>& simplex, const Threshold& inner, const Threshold& outer,
                         const std::vector<char>& flagged_cells) const
@@ -136,11 +137,10 @@ public:
                                       : verdict;
   }
 
-  /// whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot \nabla f >
-  /// 0\f$.
-  /// \param[in,out] slope gets a lower bound of the derivative, per user unit along the unit normal; 0 if the answer is
-  ///   not yes. The bound is the coarse one of whole cells where that is not below the value that `slope` has at the
-  ///   call.
+  /// Decides whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot
+  /// \nabla f > 0\f$.
+  /// \param[in,out] slope receives a lower bound of the derivative, per user unit along the unit normal; 0 if the claim
+  ///   is not proved. If the coarse bound of whole cells is at least the initial value of `slope`, this bound is used.
   /// \pre the triangle is not degenerate
   Verdict crosses_upwards(const std::array<Point_3, 3>& triangle, Witness* witness = nullptr,
                           Predicate_statistics* statistics = nullptr, double* slope = nullptr) const
@@ -152,22 +152,22 @@ public:
     const double length = std::sqrt(squared) * (1 + 16 * internal::rounding);
     Least_value least = { *slope * length, std::numeric_limits<double>::infinity() };
     const Verdict verdict = decide(triangle, Increases{ n.direction, n.radius }, witness, statistics, &least);
-    // A slope that is too large for a number is at least the largest one. If the quotient is nearly subnormal, it may
-    // be rounded up by more than the factor takes back: then no slope is known.
+    // A slope that is too large for a number is at least the largest number. If the quotient is nearly subnormal,
+    // rounding may increase it by more than the factor takes back: then no slope is known.
     constexpr double largest = (std::numeric_limits<double>::max)();
     const bool is_known = verdict == Verdict::PROVED && least.value >= internal::underflow;
     *slope = is_known ? (std::min)(least.value, largest) / length * (1 - 4 * internal::rounding) : 0;
     return verdict;
   }
 
-  /// whether the field strictly increases along the segment, from its first point to its second
+  /// Decides whether the field strictly increases along the segment, from its first point to its second.
   Verdict increases(const std::array<Point_3, 2>& segment, Witness* witness = nullptr,
                     Predicate_statistics* statistics = nullptr) const
   {
     return decide(segment, along(segment), witness, statistics, nullptr);
   }
 
-  /// whether the field minus a threshold strictly increases along the segment
+  /// Decides whether the field minus a threshold strictly increases along the segment.
   template <typename Threshold>
   Verdict increases_above(const std::array<Point_3, 2>& segment, const Threshold& threshold, Witness* witness = nullptr,
                           Predicate_statistics* statistics = nullptr) const
@@ -176,8 +176,8 @@ public:
     else return decide(segment, Increases_above<Threshold>{ along(segment), threshold }, witness, statistics, nullptr);
   }
 
-  /// whether the field is certainly on the positive or negative side of a threshold at a point, strictly. Exact for
-  /// constant thresholds; not outside the domain.
+  /// Returns `true` if the field is certainly, and strictly, on the positive or negative side of a threshold at a
+  /// point. This is exact for constant thresholds. Returns `false` outside the domain.
   template <typename Threshold>
   bool is_beyond(const Point_3& p, const Threshold& threshold, Sign side) const
   {
@@ -185,7 +185,7 @@ public:
       const std::optional<Comparison_result> result = compare(p, threshold.level());
       return result && *result == (side == POSITIVE ? LARGER : SMALLER);
     } else {
-      if(m_field->locate(p) == Field::npos) return false; // by less than rounding, too
+      if(m_field->locate(p) == Field::npos) return false; // also if it is outside by less than rounding
       Witness w;
       return decide(std::array<Point_3, 2>{ p, p }, Is_beyond<Threshold>{ threshold, side == POSITIVE ? -1 : 1 }, &w,
                     nullptr, nullptr)
@@ -195,7 +195,7 @@ public:
   }
 
 private:
-  // A question gives the tricubic to bound on a cell, what range of it proves the claim, and what range refutes it.
+  // A question provides the tricubic to bound on a cell, and the ranges of it that prove or refute the claim.
   struct Values_within
   {
     Level_range levels;
@@ -222,8 +222,8 @@ private:
   struct Is_in_cells
   {
     const std::vector<char>& flagged;
-    // constant: positive on flagged cells, and something that proves and refutes nothing on others, as these may be
-    // touched only
+    // The constant is positive on flagged cells. On other cells it has an infinite radius, which proves and refutes
+    // nothing, as the simplex may only touch them.
     Enclosed_tricubic function(const typename Field::Cell&, Cell_index c) const
     {
       Enclosed_tricubic constant;
@@ -262,7 +262,7 @@ private:
     double unit(const typename Field::Cell& cell) const { return cell.width(); }
   };
 
-  // the direction of a segment, scaled by a power of two: each component is at most one, and errs by one rounding
+  // Returns the direction of a segment, scaled by a power of two: components are at most one, and err by one rounding.
   static Increases along(const std::array<Point_3, 2>& segment)
   {
     Increases question = { {}, internal::rounding };
@@ -272,14 +272,13 @@ private:
     return question;
   }
 
-  // a lower bound of the quantity in question, per user unit; any bound that is proved will do if it is at least
-  // `wanted`
+  // A lower bound of the quantity in question, per user unit. A proved bound suffices if it is at least `wanted`.
   struct Least_value
   {
     double wanted, value;
   };
 
-  // a part of a segment (size two) or a triangle (size three): its corners in units of 2^-depth
+  // A part of a segment (size two) or a triangle (size three). Its corners are in units of 2^-depth.
   template <std::size_t size>
   struct Part
   {
@@ -288,7 +287,7 @@ private:
     int refinements; // subdivisions below the size of a cell
   };
 
-  // A function on a cell, worked out when it is first asked for; questions about neighboring parts ask again.
+  // A function on a cell, computed on first use and cached for questions about neighboring parts.
   struct Cell_function
   {
     Cell_index cell;
@@ -300,10 +299,11 @@ private:
   static constexpr int max_bisections = 40;  // 2^20 cells along an edge; 62 bits hold all depths
   static constexpr int max_refinements = 14; // below the size of a cell
   static constexpr double large_extent = 64; // cells
-  // subdivisions of a part of the size of a cell, and of all of them together, beyond a few for each: bounded time
+  // Limits that bound the time. They apply to the subdivisions of a part of the size of a cell, and of all parts
+  // together; the latter limit grows by a few for each part of that size.
   static constexpr std::size_t most_parts_of_a_cell = 2000, most_parts = 20000, parts_for_each = 8;
 
-  // bounds the roundings of the local coordinates of a point
+  // Bounds the roundings of the local coordinates of a point.
   template <typename Point>
   static double local_error(const Point& p, const typename Field::Cell& cell)
   {
@@ -326,7 +326,7 @@ private:
       extent = (std::max)(extent, highest - lowest);
       reach = (std::max)({ reach, std::abs(lowest), std::abs(highest) });
     }
-    // products with exact weights that sum to one, and two sums
+    // A position has products with exact weights that sum to one, and two sums.
     const double position_error = 4 * internal::rounding * reach;
 
     const Plane<size> plane(simplex, extent, reach);
@@ -341,7 +341,7 @@ private:
       stack[0].corner[v].fill(0);
       stack[0].corner[v][v] = 1;
     }
-    // What is large may be larger than the domain by any factor, but then its corners are outside.
+    // A simplex much larger than the domain has a corner outside it.
     if(!(extent <= large_extent * m_largest_width))
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, stack[0].corner[v], 0, position_error, question, functions, witness))
@@ -355,7 +355,7 @@ private:
       std::array<double, 3> least, most;
       for(std::size_t v = 0; v < size; ++v)
         for(int a = 0; a < 3; ++a) corner[v][a] = coordinate(simplex, part.corner[v], part.depth, a);
-      // first, parts of the size of a cell: bisected, as facets may be long and thin
+      // First bisect down to parts of the size of a cell, as facets may be long and thin.
       const std::array<std::size_t, 2> edge = longest_edge(corner);
       const double length = edge_length(corner[edge[0]], corner[edge[1]]);
       if(part.depth < max_bisections && length > m_largest_width) {
@@ -388,7 +388,7 @@ private:
           least_on_part = (std::min)(least_on_part, f.range.min / unit);
           continue;
         }
-        // of the size of this cell: far beyond it, its polynomial says nothing
+        // A part must have the size of the cell: far beyond the cell, its polynomial gives no useful bound.
         spans_cells = part.depth < max_bisections && length > cell.width();
         if(spans_cells) break;
         const Level_range range = bound(simplex, part, f.function, cell);
@@ -404,7 +404,7 @@ private:
         if(bound_below) bound_below->value = (std::min)(bound_below->value, least_on_part);
         continue;
       }
-      // a corner where it certainly fails?
+      // Does the claim certainly fail at a corner?
       for(std::size_t v = 0; v < size; ++v)
         if(fails_at(simplex, part.corner[v], part.depth, position_error, question, functions, witness))
           return Verdict::REFUTED;
@@ -424,7 +424,7 @@ private:
     return verdict;
   }
 
-  // Tells cells that a triangle does not meet from those that its box meets, by its plane.
+  // Excludes cells that the plane of a triangle does not meet, although the box of the triangle does.
   template <std::size_t size>
   struct Plane
   {
@@ -448,9 +448,9 @@ private:
           point[a] = simplex[0][a];
           sum += std::abs(normal[a]);
         }
-        // What rounding of the normal (see facet_normal()) makes of points of the triangle, and the roundings of
-        // meets(), where cells are at most two extents and a cell away and coordinates are differences of such within
-        // the reach.
+        // Covers the effect of the rounded normal (see facet_normal()) on points of the triangle, and the roundings of
+        // meets(). There, cells are at most two extents and a cell away, and coordinates are differences of coordinates
+        // within the reach.
         error = 32 * internal::rounding * (extent + sum * (reach + extent));
       }
     }
@@ -482,8 +482,8 @@ private:
     return functions.back();
   }
 
-  // one coordinate of the point with the given barycentric coordinates, in the order of the vertices: the same for
-  // every part that has the point as a corner
+  // Returns one coordinate of the point with the given barycentric coordinates. Terms are added in the order of the
+  // vertices, so the result is the same for every part that has the point as a corner.
   template <std::size_t size>
   static double coordinate(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator,
                            int depth, int a)
@@ -513,13 +513,14 @@ private:
         t[v][a] = sum;
       }
     }
-    // two roundings of each local coordinate, then a product and at most three sums
+    // A local coordinate has two roundings, followed by a product and at most three sums.
     const double shift = 8 * internal::rounding * largest;
     if constexpr(size == 3) return enclose_on_triangle(f, t, shift);
     else return enclose_on_segment(f, t, shift);
   }
 
-  // Whether the claim fails at a point of the simplex, by the polynomials of all cells that the point may lie in.
+  // Returns true if the claim certainly fails at a point of the simplex, by the polynomials of all cells in which the
+  // point may lie. Outside the domain, it fails.
   template <std::size_t size, typename Question>
   bool fails_at(const std::array<Point_3, size>& simplex, const std::array<std::int64_t, size>& numerator, int depth,
                 double position_error, const Question& question, std::vector<Cell_function>& functions,
@@ -576,7 +577,7 @@ private:
     return longest;
   }
 
-  // halves an edge; all numerators double
+  // Bisects an edge; all numerators are doubled.
   template <std::size_t size>
   static void bisect(const Part<size>& part, const std::array<std::size_t, 2>& edge, std::vector<Part<size> >& stack)
   {
@@ -615,7 +616,7 @@ private:
   }
 
   const Field* m_field;
-  double m_largest_width = 0; // of a cell
+  double m_largest_width = 0; // largest width of a cell
 };
 
 } // namespace Bspline_shells

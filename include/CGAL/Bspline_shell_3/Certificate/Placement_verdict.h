@@ -13,11 +13,11 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// whether a facet, or a place for the vertex of a collapsed edge, is accepted
+/// The verdict on a facet, or on a placement of the vertex of a collapsed edge.
 enum class Placement_verdict
 {
   ACCEPTED,
-  BASE_FILTER,  ///< another filter rejects it
+  BASE_FILTER,  ///< rejected by another filter
   LEAVES_SHELL, ///< a facet is not proved to lie in the shell
   FACES_AWAY,   ///< a facet is not proved to face along the gradient
   WINDS_TWICE   ///< all facets at the vertex face along the gradient, but their fan does not wind around it once
@@ -39,11 +39,11 @@ inline const char* name(Placement_verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief how many placements were judged, by verdict.
+ * \brief The number of judged placements, by verdict.
  */
 struct Placement_statistics
 {
-  std::array<std::size_t, 5> by_verdict = {}; ///< in the order of `Placement_verdict`
+  std::array<std::size_t, 5> by_verdict = {}; ///< counts in the order of `Placement_verdict`
 
   std::size_t number(Placement_verdict verdict) const { return by_verdict[std::size_t(verdict)]; }
   std::size_t rejected() const

@@ -34,23 +34,25 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief whether triangles are in a shell and face along the gradient, by what is known at their corners and of the
- * second derivatives on the cells that they meet: rigorous, and fast for most triangles. `Field_predicates_3` has the
- * last word on what is left open.
+ * \brief Proves that triangles are in a shell and face along the gradient.
  *
- * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle, and let the second derivatives of a function \f$g\f$ on
- * the cells that the triangle meets differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's
+ * Proofs use samples at the corners, and bounds of the second derivatives on the cells that a triangle meets. They are
+ * rigorous, and fast for most triangles. `Field_predicates_3` decides the triangles that are left open.
+ *
+ * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle. On the cells that the triangle meets, let the second
+ * derivatives of a function \f$g\f$ differ from a symmetric matrix \f$C\f$ by at most \f$R\f$, entry by entry. Taylor's
  * formula at \f$x\f$ for each corner, weighted by \f$\lambda_i\f$, has no terms of first order. With \f$2 |d_a d_b| \le
  * d_a^2 + d_b^2\f$ it gives
- * \f[ g(x) \ge \sum_i \lambda_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j), \f]
- * where \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal: what does not
- * curve upwards in the triangle's plane costs next to nothing. `is_positive_on_triangle()` tells whether that is
- * positive. In the slope along the normal \f$n\f$,
- * \f$C\f$ drops out in the same way:
+ * \f[ g(x) \ge \sum_i \lambda_i g(v_i) - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q(v_i - v_j). \f]
+ * Here \f$q\f$ is the quadratic form of \f$C\f$ with the row sums of \f$R\f$ added to the diagonal. Only upward
+ * curvature in the triangle's plane weakens the bound noticeably. `is_positive_on_triangle()` decides whether the bound
+ * is positive.
+ *
+ * For the slope along the normal \f$n\f$, \f$C\f$ drops out in the same way:
  * \f[ n \cdot \nabla g(x) \ge \min_i n \cdot \nabla g(v_i) - \frac{1}{2} \sum_{a, b} |n_a| R_{ab} w_b \f]
- * with the widths \f$w\f$ of the triangle's box, as numbers differ from their mean by at most half the length of the
- * interval that they lie in, in the mean. The field has two continuous derivatives, so that this holds across cells.
- * Triangles are bisected until it is enough.
+ * with the widths \f$w\f$ of the triangle's box. Here, the mean distance of numbers from their mean is at most half the
+ * length of the interval that contains them. The field has two continuous derivatives, so both bounds hold across
+ * cells. Triangles are bisected until the bounds suffice.
  *
  * Const member functions may be called from several threads at once.
  *
@@ -66,28 +68,29 @@ public:
 
   static constexpr Cell_index no_cell = Field::npos;
 
-  /// what is known at a point
+  /// the field and the margins at a point
   struct Sample
   {
     std::array<double, 3> point;
-    Cell_index cell; ///< one that contains the point; `no_cell` outside the domain
+    Cell_index cell; ///< a cell that contains the point; `no_cell` outside the domain
     /// lower bounds of the field minus the inner threshold, and of the outer one minus the field
     double above, below;
     std::array<double, 3> gradient; ///< per user unit, rounded
   };
 
-  /// what was found on a triangle
+  /// the result for a triangle
   struct Facet_bounds
   {
     bool is_contained = false, is_transversal = false; ///< proved
-    /// at a point that is off the triangle by rounding at most: not a proof;
+    /// whether a claim fails at a point that is off the triangle by rounding at most: not a proof. The search stops
+    /// there.
     bool leaves_shell = false, faces_away = false;
-    ///< the search stops there
-    /// if it is transversal, a lower bound of the field's derivative along the unit normal, per user unit
+    /// lower bound of the field's derivative along the unit normal, per user unit, if the triangle is transversal;
+    /// otherwise 0
     double slope = 0;
   };
 
-  /// Nothing is computed yet: a cell is bounded when a point or a triangle meets it first.
+  /// Constructs the bounds without computing any: a cell is bounded when a point or a triangle first meets it.
   /// \pre `field` outlives this object, and does not change
   Second_order_bounds_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer), m_states(new std::atomic<State>[field.number_of_cells()]()),
@@ -95,12 +98,12 @@ public:
   {}
   Second_order_bounds_3(const Field&&, const Threshold&, const Threshold&) = delete; // it would dangle
 
-  /// of a cell, in user units
+  /// Returns the width of a cell, in user units.
   double width(Cell_index c) const { return place(c).width; }
 
   Sample sample(const Point_3& p) const { return sample({ p[0], p[1], p[2] }, m_field->locate(p), true, true); }
 
-  /// halfway between two points, rounded
+  /// Returns the sample halfway between two points, rounded.
   Sample sample_middle(const Sample& p, const Sample& q) const
   {
     const Coordinates x = middle(p, q);
@@ -109,17 +112,18 @@ public:
     return sample(x, locate(x), true, true);
   }
 
-  /// the derivative of the field along a direction, rounded
+  /// Returns the derivative of the field along a direction, rounded.
   static double slope(const Sample& s, const std::array<double, 3>& direction)
   {
     return s.gradient[0] * direction[0] + s.gradient[1] * direction[1] + s.gradient[2] * direction[2];
   }
 
+  /// Examines a triangle.
   /// \param corners samples of the triangle's corners
-  /// \param normal encloses its normal
-  /// \param most_bisections after which nothing more is proved
-  /// \param wanted_slope up to which the bound of the slope is to be at least nine tenths of what the slope is at some
-  ///   point; per user unit
+  /// \param normal an enclosure of its normal
+  /// \param most_bisections number of bisections after which nothing more is proved
+  /// \param wanted_slope per user unit; a proved bound of the slope is at least this, or at least 9/10 of the slope at
+  ///   some point
   Facet_bounds examine(const std::array<Sample, 3>& corners, const Facet_normal& normal, std::size_t most_bisections,
                        double wanted_slope = 0) const
   {
@@ -131,26 +135,26 @@ private:
   typedef Symmetric_matrix_3 Symmetric_matrix;
   typedef Symmetric_matrix_range_3 Matrix_range;
 
-  // What samples ask of a cell: one line of the processor's cache. Margins: the field minus the inner threshold, the
-  // outer one minus the field.
+  // The data of a cell that samples use, in one cache line. The margins are the field minus the inner threshold, and
+  // the outer threshold minus the field.
   struct alignas(64) Cell_place
   {
     Coordinates corner;
     double width;
-    const double* coefficients; // in the field
+    const double* coefficients; // owned by the field
     double value_error;         // bounds the roundings of a margin at a point
-    // Thresholds hardly vary on most cells, and need not be evaluated there: bounds that are as good, inwards. NaN
-    // elsewhere.
+    // Thresholds vary little on most cells, and need not be evaluated there. These constants bound them towards the
+    // inside of the shell, and are as good. On other cells, they are NaN.
     double inner, outer;
   };
 
-  // what is known of all of a cell, per user unit
+  // Bounds on all of a cell, per user unit.
   struct Cell_bounds
   {
     Matrix_range above, below, field;              // second derivatives, of the margins and the field
-    Coordinates least_gradient, greatest_gradient; // of the field, components
+    Coordinates least_gradient, greatest_gradient; // field's gradient, by component
     double steepness, curvature; // sums of absolute first and second derivatives, of the margins and the field
-    double gradient_error;       // bounds the roundings of a gradient's component at a point
+    double gradient_error;       // bounds the roundings of the gradient's components at a point
   };
 
   static Coordinates middle(const Sample& p, const Sample& q)
@@ -167,13 +171,13 @@ private:
     return true;
   }
 
-  // in a cell that contains the point
+  // Returns the sample at a point, in a cell that contains the point.
   Sample sample(const Coordinates& x, Cell_index c, bool wants_margins, bool wants_gradient) const
   {
     Sample s = { x, c, -1, -1, {} };
     if(c == Field::npos) return s;
     const Cell_place& place = this->place(c);
-    constexpr double no_radius = 0; // values do not ask for it
+    constexpr double no_radius = 0; // not needed for values
     const typename Field::Cell cell(place.corner, place.width, place.coefficients, no_radius);
     double value = 0;
     if(wants_gradient) {
@@ -197,7 +201,7 @@ private:
     Coordinates least, most;
   };
 
-  // encloses the components of the gradient on a cell
+  // Encloses the components of the gradient on a cell.
   static Slopes slopes(const Enclosed_tricubic& f, double width)
   {
     Slopes slopes;
@@ -224,7 +228,7 @@ private:
     return sum;
   }
 
-  // Many cells of a field are never met, and need no bounds.
+  // Cells are bounded on demand, as many cells of a field are never met.
   enum class State : char
   {
     UNKNOWN,
@@ -245,7 +249,8 @@ private:
   {
     if(m_states[c].load(std::memory_order_acquire) != State::KNOWN) bound_once(c);
   }
-  // Another thread that bounds the cell is waited for, and followed if an exception of the field's ends it.
+  // Bounds a cell once. If another thread is bounding the cell, this thread waits. If the field throws an exception
+  // there, this thread takes over.
   void bound_once(Cell_index c) const
   {
     std::atomic<State>& state = m_states[c];
@@ -255,7 +260,7 @@ private:
       if(found == State::KNOWN) return;
       std::this_thread::yield();
     }
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // bounds do not depend on who asks first
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // bounds must not depend on the thread that computes them
     try {
       bound(c);
     } catch(...) {
@@ -285,8 +290,8 @@ private:
     bounds.greatest_gradient = gradient.most;
     bounds.curvature = (std::max)({ bounds.field.size(), bounds.above.size(), bounds.below.size() });
     bounds.steepness = (std::max)({ size(gradient), size(slopes(above, width)), size(slopes(below, width)) });
-    // Of values that cells compute at points in them: Form_error covers more roundings than there are. A threshold is
-    // the difference of the field and a margin.
+    // This bounds errors of values at points in the cell, as Form_error covers more roundings than there are. A
+    // threshold is the difference of the field and a margin.
     const internal::Form_error error(8 * internal::rounding);
     place.value_error = 2 * error(f) + error(above) + error(below);
     const Level_range inner = m_inner.range(c), outer = m_outer.range(c);
@@ -297,16 +302,16 @@ private:
       place.outer = outer.min;
       place.value_error += variation;
     }
-    // the absolute weights of a derivative sum to at most six; local coordinates err by four roundings
+    // The absolute weights of a derivative sum to at most six; local coordinates err by four roundings.
     bounds.gradient_error = 6 * error(f) / width + 8 * internal::rounding * bounds.curvature * width
                             + internal::underflow;
-    // Comparisons pass over what is no number; what is infinite they keep.
+    // Comparisons skip NaN, but keep infinity.
     if(!(bounds.steepness + bounds.curvature + place.value_error + bounds.gradient_error
          < std::numeric_limits<double>::infinity()))
       bounds.steepness = bounds.curvature = std::numeric_limits<double>::infinity();
   }
 
-  // the state of the examination of one triangle
+  // The state of the examination of one triangle.
   class Examination
   {
   public:
@@ -317,7 +322,7 @@ private:
       double reach = 0;
       for(const Sample& s : corners)
         for(double x : s.point) reach = (std::max)(reach, std::abs(x));
-      // a rounding of a coordinate for each bisection
+      // Each bisection rounds a coordinate once.
       m_shift = 4 * (max_depth + 1) * internal::rounding * reach;
       for(int a = 0; a < 3; ++a) m_absolute_normal[a] = std::abs(normal.direction[a]) + normal.radius;
       m_result.slope = std::numeric_limits<double>::infinity();
@@ -337,34 +342,34 @@ private:
   private:
     struct Part
     {
-      std::array<const Sample*, 3> corner; // of who examines the triangle, and of the bisections that led here
-      int depth, refinements;              // bisections; those of them below the size of a cell
-      bool is_contained, is_transversal;   // known of all of it
+      std::array<const Sample*, 3> corner; // owned by the caller, and by the bisections that led here
+      int depth, refinements;              // number of bisections; number of them below the size of a cell
+      bool is_contained, is_transversal;   // proved on all of the part, or no longer needed
     };
     struct Cell_met
     {
       Cell_index cell;
       bool is_transversal; // by the gradients on the cell
     };
-    // the cells met, by number, and what is known about all of them
+    // A range of the cells met, by number, and bounds on all of them.
     struct Region
     {
       std::size_t begin, end;
       Symmetric_matrix above, below;      // q of the margins
       Symmetric_matrix radius;            // R of the field
-      double width, steepness, curvature; // the least width, otherwise the largest
+      double width, steepness, curvature; // least width; largest steepness and curvature
       bool is_transversal;
     };
     struct Edges
     {
-      std::array<Symmetric_matrix, 3> products; // of components; of those off the diagonal, twice
-      double longest;                           // length
-      int top;                                  // the corner opposite to it
+      std::array<Symmetric_matrix, 3> products; // products of components; doubled off the diagonal
+      double longest;                           // length of the longest edge
+      int top;                                  // corner opposite to the longest edge
     };
 
     static double square(double x) { return x * x; }
 
-    // whether a point keeps one of the claims from being proved; then there is no use in going on
+    // Returns true if a claim cannot be proved because of a point. Then the examination ends.
     bool fails(const Sample& s, const Part& part)
     {
       bool fails = s.cell == Field::npos;
@@ -383,7 +388,7 @@ private:
       return fails;
     }
 
-    // bounds the roundings of the slope at a point
+    // Bounds the roundings of the slope at a point.
     double slope_error(const Sample& s) const
     {
       const double size = std::abs(s.gradient[0]) + std::abs(s.gradient[1]) + std::abs(s.gradient[2]);
@@ -407,7 +412,7 @@ private:
       return edges;
     }
 
-    // contains the exact part, too
+    // Returns a box that contains the exact part, too.
     Bbox_3 bbox(const Part& part) const
     {
       Coordinates least, most;
@@ -432,7 +437,7 @@ private:
       return true;
     }
 
-    // false if the facet's plane misses the cell
+    // Returns false if the facet's plane misses the cell.
     bool plane_meets(const Cell_place& cell, const Part& part) const
     {
       double distance = 0, extent = 0, reach = 0;
@@ -461,7 +466,7 @@ private:
       if(is_transversal) m_result.slope = (std::min)(m_result.slope, least);
     }
 
-    // Parts that are larger than a few cells are bisected before the cells that they meet are looked up.
+    // Finds the cells that a part meets, and examines the part. Parts larger than a few cells are bisected first.
     void find_cells(const Part& part)
     {
       double width = 0;
@@ -485,7 +490,7 @@ private:
       bisect(part, e, [&](const Part& half) { find_cells(half); });
     }
 
-    // the halves of a part, unless there were too many; calls next() for each, as long as something can still be proved
+    // Bisects a part, unless a limit is reached. Calls next() for each half, as long as something can still be proved.
     template <typename Next>
     void bisect(const Part& part, const Edges& e, const Next& next)
     {
@@ -503,13 +508,13 @@ private:
       for(int end : { 1, 2 }) {
         half.corner = part.corner;
         half.corner[(e.top + end) % 3] = &between;
-        half.is_contained = part.is_contained || !m_result.is_contained; // what is lost need not be proved
+        half.is_contained = part.is_contained || !m_result.is_contained; // a failed claim need not be proved
         half.is_transversal = part.is_transversal || !m_result.is_transversal;
         if(!(half.is_contained && half.is_transversal)) next(half);
       }
     }
 
-    // one of the cells met, or else the field's
+    // Returns one of the cells met, if it contains the point, or else a cell of the field.
     Cell_index locate(const Coordinates& x) const
     {
       for(std::size_t n = m_cells.size(); n-- > 0;)
@@ -517,7 +522,7 @@ private:
       return m_all.locate(x);
     }
 
-    // the cells met from a number on
+    // Returns the region of the cells met from a number on.
     Region region_from(std::size_t begin) const
     {
       const Cell_bounds& first = m_all.bounds(m_cells[begin].cell);
@@ -547,7 +552,7 @@ private:
       return region;
     }
 
-    // a part that meets no cells but those of a region
+    // Examines a part that meets only cells of a region.
     void examine(Part part, const Edges& e, const Region& around)
     {
       const Bbox_3 box = bbox(part);
@@ -575,8 +580,8 @@ private:
 
     bool is_contained(const Part& part, const Edges& e, const Region& region) const
     {
-      // Corners are off by the shift, edges by twice that; it is more than the roundings of products, too, unless these
-      // underflow.
+      // Corners are off by the shift, and edges by twice the shift. This also exceeds the roundings of products, unless
+      // these underflow.
       const double error = (region.steepness + 2 * region.curvature * (e.longest + m_shift)) * m_shift
                            + region.curvature * internal::underflow;
       std::array<double, 3> above, below;
@@ -617,11 +622,11 @@ private:
     const Second_order_bounds_3& m_all;
     const Facet_normal& m_normal;
     Coordinates m_absolute_normal;
-    double m_shift;  // by which corners of parts may be off, by rounding
-    double m_enough; // of slope on a part, as a bound
+    double m_shift;  // by which rounding may displace corners of parts
+    double m_enough; // bound of the slope on a part that suffices
     std::size_t m_bisections_left;
     Facet_bounds m_result;
-    // of the region that is looked at, after those of the regions that it is in
+    // The cells of the current region, after the cells of the regions that contain it.
     boost::container::small_vector<Cell_met, 256> m_cells;
   };
 
@@ -631,7 +636,7 @@ private:
 
   const Field* m_field;
   Threshold m_inner, m_outer;
-  // Of cells that are not known yet, places and bounds have no values, and mostly no memory.
+  // Places and bounds of cells that are not known yet are uninitialized, and usually occupy no physical memory.
   std::unique_ptr<std::atomic<State>[]> m_states;
   std::unique_ptr<Cell_place[]> m_places;
   std::unique_ptr<Cell_bounds[]> m_cells;

@@ -53,18 +53,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief decides, rigorously, whether the integral curves of a field relate a mesh one-to-one to all others in the same
- * shell for which it says so.
+ * \brief Decides, rigorously, whether the integral curves of a field map a mesh one-to-one onto all other certified
+ * meshes in the same shell.
  *
  * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one
- * point, the mesh does not intersect itself, and it is isotopic in the shell to every level set between the largest
- * value of the inner threshold and the least value of the outer one. Two such meshes in the same components of the
- * shell are mapped onto each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole
- * facets and boxes, counts are exact.
+ * point. The mesh does not intersect itself. It is isotopic in the shell to every level set between the largest value
+ * of the inner threshold and the least value of the outer one. Two such meshes in the same components of the shell are
+ * mapped onto each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and
+ * boxes, and counts are exact.
  *
- * The components of a certified shell are those of the mesh that it was built for, and a certificate of such a shell
- * asks that a mesh has exactly one component in each of them, and no other. So all meshes with a certificate of the
- * same certified shell are mapped onto each other. For certificates between other thresholds, see `matches()`.
+ * The components of a certified shell are those of the mesh for which it was built. A certificate of such a shell
+ * requires that a mesh has exactly one component in each of them, and no other component. So all meshes with a
+ * certificate of the same certified shell are mapped onto each other. For certificates between other thresholds, see
+ * `matches()`.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -78,14 +79,14 @@ public:
   typedef Second_order_bounds_3<Field, Threshold> Bounds;
   typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
 
-  /// what was found on a facet
+  /// the result for a facet
   struct Facet_verdict
   {
     Verdict containment = Verdict::UNDECIDED;
     Verdict transversality = Verdict::UNDECIDED;
-    /// lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved
+    /// lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved. The bound is
+    /// close only if the slope is near the least slope of all facets.
     double slope = 0;
-    ///< A close one only where the slope is near the least of all facets.
   };
 
   /// \pre `field` outlives this object; it may change between verifications
@@ -94,11 +95,11 @@ public:
   {}
   Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete; // it would dangle
 
-  /// examines meshes in a shell. What does not depend on the mesh is reused: the cover, if the shell has one, and
-  /// bounds on cells, if it has some or they are given. If the shell is not certified, but a file had candidates of
-  /// paths through its components (`Bspline_shell_3::path_candidates()`), a mesh must have exactly one component in
-  /// each component through which such a path is proved to lead, and no other. If there is no shell, `status()` is its
-  /// status once a mesh was to be verified.
+  /// Constructs a certificate for meshes in a shell. Data that does not depend on the mesh is reused: the cover, if the
+  /// shell has one, and bounds on cells, if the shell has some or they are given. A shell that is not certified may
+  /// have candidates of paths through its components, from a file (`Bspline_shell_3::path_candidates()`). A mesh must
+  /// then have exactly one component in each component through which such a path is proved to lead, and no other
+  /// component. If there is no shell, `verify()` sets `status()` to the status of the shell.
   /// \pre the shell outlives this object and stays as it is; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell,
                                std::shared_ptr<const Bounds> bounds = nullptr)
@@ -114,16 +115,16 @@ public:
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&,
                                std::shared_ptr<const Bounds> = nullptr) = delete;
 
-  /// examines a mesh: the one that the shell was built for, or any other.
+  /// Examines a mesh: the one for which the shell was built, or any other.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PolygonMesh a model of `FaceListGraph`
-  /// \param mesh a closed mesh, or one with the border of the closing of the shell, which is certified with it: its
-  ///   triangles count as facets after those of the mesh. A mesh with tips that the shell truncates is truncated; the
-  ///   triangles of discs count as the facets that follow. Polygons are triangulated as for the construction of a
-  ///   shell.
+  /// \param mesh a closed mesh, or one with the border of the shell's closing. The closing is certified with it: its
+  ///   triangles count as facets after those of the mesh. If the shell truncates tips of the mesh, so does the
+  ///   certificate, and the triangles of discs count as the facets that follow. Polygons are triangulated as for the
+  ///   construction of a shell.
   /// \param np `vertex_point_map` as in all of \cgal
-  /// \return whether all claims are proved
+  /// \return `true` if all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   bool verify(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -141,14 +142,14 @@ public:
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
-  /// examines a mesh that is known as the package works on it; facets and vertices are those of the user's mesh.
+  /// Examines a mesh in the package's representation; facets and vertices are those of the user's mesh.
   /// \param input the mesh; not null
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   bool verify(std::shared_ptr<const Input_mesh_3> input);
 
-  /// Certifies the shell, as `Bspline_shells::certify()` describes it, with the mesh that was verified last. Returns
-  /// `false`, and leaves the shell as it is, if the mesh is not certified.
-  /// \pre `shell` is the one that this object was constructed with
+  /// Certifies the shell with the mesh that was verified last, as described for `Bspline_shells::certify()`. Returns
+  /// `false`, and leaves the shell unchanged, if the mesh is not certified.
+  /// \pre `shell` is the one with which this object was constructed
   bool certify(Bspline_shell_3<Field, Threshold>& shell)
   {
     CGAL_precondition(m_is_of_shell && &shell.field() == m_field);
@@ -160,9 +161,9 @@ public:
     return true;
   }
 
-  /// whether the integral curves map the mesh one-to-one onto that of another certificate: both are certified, and
-  /// their components lie in the same components of the shell. Undecided if one of them is not certified, if their
-  /// field objects or thresholds differ, or if every path is degenerate.
+  /// Returns whether the integral curves map the mesh one-to-one onto the mesh of another certificate: both are
+  /// certified, and their components lie in the same components of the shell. The verdict is undecided if one of them
+  /// is not certified, if their field objects or thresholds differ, or if every path through a component is degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
     const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;
@@ -172,7 +173,7 @@ public:
     return match_components(paths, *m_input).verdict();
   }
 
-  /// whether all claims were proved when the mesh was last verified
+  /// Returns `true` if all claims were proved when the mesh was last verified.
   bool is_certified() const
   {
     return m_status == Shell_status::SUCCESS && m_arithmetic == Arithmetic_status::SOUND
@@ -181,46 +182,46 @@ public:
   }
   explicit operator bool() const { return is_certified(); }
 
-  /// `SUCCESS` if the mesh could be examined, otherwise why not
+  /// Returns `SUCCESS` if the mesh could be examined, otherwise the reason.
   Shell_status status() const { return m_status; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
   Arithmetic_status arithmetic() const { return m_arithmetic; }
 
-  /// all that was found, without what it refers to
+  /// Returns all results, without the data that they refer to.
   const Certificate_report& report() const { return m_report; }
   Verdict verdict(Claim claim) const { return m_report.verdict(claim); }
-  /// places where a claim is not proved; `Certificate_report::number_of_witnesses` tells how many there are
+  /// Returns places where a claim is not proved; their full number is `Certificate_report::number_of_witnesses`.
   const std::vector<Certificate_witness>& witnesses() const { return m_report.witnesses; }
-  /// by facet, in the order of `faces(mesh)`; then those of the closing, and of discs
+  /// Returns the verdicts on facets, in the order of `faces(mesh)`, then on those of the closing, and of discs.
   const std::vector<Facet_verdict>& facets() const { return m_facets; }
-  /// the cover of the shell by boxes, if containment is proved
+  /// Returns the cover of the shell by boxes, if containment is proved.
   const std::optional<Cover>& cover() const { return m_cover; }
-  /// the triangles with `double` coordinates that were examined
+  /// Returns the examined triangles, which have `double` coordinates.
   const Triangle_mesh& examined_mesh() const { return m_input->mesh(); }
-  /// for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if containment is
-  /// proved
+  /// Returns, for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if
+  /// containment is proved.
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_seeds; }
-  /// number of components of the cover
+  /// Returns the number of components of the cover.
   std::size_t number_of_covers() const { return m_report.covers; }
-  /// the paths that prove the degree
+  /// Returns the paths that prove the degree.
   const std::vector<Crossing_path>& paths() const { return m_report.paths; }
-  /// for each component of the mesh, the component of the shell that certainly contains it, or
-  /// `Certificate_witness::none`
+  /// Returns, for each component of the mesh, the component of the shell that certainly contains it, or
+  /// `Certificate_witness::none`.
   const std::vector<std::size_t>& components() const { return m_report.components; }
   const Certificate_statistics& statistics() const { return m_report.statistics; }
-  /// what was found out about the cells that facets meet; null before that
+  /// Returns the bounds on the cells that facets meet; null if there are none yet.
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
   /// \name Quantities
   /// @{
-  /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
+  /// Returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
   double least_gradient() const { return m_report.least_gradient; }
-  /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
-  /// in the shell is at most this. Infinite if the gradient claim is not proved.
+  /// Bounds, in user units, the distance of a point from its image on any other certified mesh: an integral curve in
+  /// the shell is not longer. The bound is infinite if the gradient claim is not proved.
   double displacement_bound() const { return m_report.displacement_bound; }
-  /// the same for each facet, in the order of `faces(mesh)`: no integral curve that meets the facet is longer in the
-  /// shell. By the gradient and the thresholds nearby, and so far less in most places than where the gradient is least.
-  /// Takes several times as long as the proof.
+  /// Bounds, for each facet in the order of `faces(mesh)`, the length in the shell of the integral curves that meet the
+  /// facet. The bounds depend on the gradient and the thresholds nearby, and in most places are much smaller than
+  /// `displacement_bound()`. This takes several times as long as the proof.
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<double> displacement_bounds() const
   {
@@ -229,12 +230,12 @@ public:
     return Bspline_shells::displacement_bounds<ConcurrencyTag>(*m_cover, m_inner, m_outer, *m_input,
                                                                displacement_bound());
   }
-  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
-  /// transversality is not proved
+  /// Returns a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
+  /// transversality is not proved.
   double least_angle() const { return m_report.least_angle; }
-  /// smallest cone margin of a vertex (`vertex_cone_margin()`)
+  /// Returns the smallest cone margin of a vertex (`vertex_cone_margin()`).
   double least_cone_margin() const { return m_report.least_cone_margin; }
-  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact
+  /// Returns the vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact.
   const std::vector<std::size_t>& singular_vertices() const { return m_report.singular_vertices; }
   /// @}
 
@@ -252,7 +253,7 @@ private:
     m_shell_paths = m_is_shell_certified ? shell.component_paths() : shell.path_candidates();
   }
 
-  // what was said of the last mesh; throws nothing
+  // Clears the results for the last mesh; does not throw.
   void unsay()
   {
     m_status = Shell_status::NOT_BUILT;
@@ -260,7 +261,8 @@ private:
     m_facets.clear();
   }
 
-  // all but what does not depend on the mesh, which is kept for a shell: a field may have got other coefficients
+  // Clears all data that depends on the mesh. Other data is kept; bounds on cells, however, only for a shell, as the
+  // coefficients of a field may have changed.
   void forget()
   {
     Shell_certificate_3 empty(*m_field, m_inner, m_outer);
@@ -284,7 +286,7 @@ private:
     return a == Verdict::UNDECIDED || b == Verdict::UNDECIDED ? Verdict::UNDECIDED : Verdict::PROVED;
   }
 
-  // what was found so far
+  // Returns the verdict so far.
   Verdict found(Claim claim) const { return m_draft.verdict(claim); }
   void begin(Claim claim) { m_draft.verdicts[std::size_t(claim)] = Verdict::PROVED; }
 
@@ -297,7 +299,7 @@ private:
     return w;
   }
 
-  // lowers the claim's verdict to the witness's
+  // Lowers the claim's verdict to the verdict of the witness.
   void conclude(const Certificate_witness& w)
   {
     Verdict& verdict = m_draft.verdicts[std::size_t(w.claim)];
@@ -326,7 +328,7 @@ private:
       for(std::size_t n = begin; n < end; ++n) {
         if(mesh.is_isolated(vertices[n])) continue;
         const std::optional<double> margin = bounded_vertex_cone_margin(mesh, vertices[n], result.least_margin);
-        if(margin) result.least_margin = *margin; // whether there is one is exact, unlike its value
+        if(margin) result.least_margin = *margin; // existence is decided exactly, unlike the value
         else result.singular.push_back(input.vertex_of_origin(vertices[n]));
       }
     });
@@ -339,8 +341,8 @@ private:
     if(!m_draft.singular_vertices.empty()) m_draft.least_cone_margin = 0;
   }
 
-  // A slope that some facet has, rounded: not much above the least one where facets are alike. No claim rests on it; it
-  // only tells up to where slopes need be known well.
+  // Returns a slope that some facet has, rounded. If facets are alike, it is not much above the least slope. No claim
+  // depends on it; it only limits the range in which slopes must be bounded closely.
   double least_slope_at_some_corners(const Input_mesh_3& input, const std::vector<Face_index>& triangles) const
   {
     constexpr std::size_t some = 512;
@@ -354,7 +356,7 @@ private:
     return least;
   }
 
-  // P1 and P2
+  // Examines P1 and P2.
   template <typename ConcurrencyTag>
   std::vector<Facet_verdict> examine_facets(const Input_mesh_3& input)
   {
@@ -388,12 +390,12 @@ private:
           w.value = place.value;
           result.witnesses.push_back(w);
         };
-        const auto h = mesh.halfedge(triangles[n]); // to the second corner
+        const auto h = mesh.halfedge(triangles[n]); // points to the second corner
         const auto found = m_bounds->examine(
           { samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
             samples(mesh.target(mesh.next(h)), triangle[2]) },
           facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
-          (std::min)(slope_somewhere, result.least_slope)); // what is above need not be known well
+          (std::min)(slope_somewhere, result.least_slope)); // slopes above this need no close bound
         Witness w;
         verdicts[n].containment = Verdict::PROVED;
         if(!found.is_contained) {
@@ -418,7 +420,7 @@ private:
       m_draft.statistics.transversality += result.transversality;
       m_least_slope = (std::min)(m_least_slope, result.least_slope);
     }
-    // A facet, and the mesh, has the worst verdict of its triangles; what was left out is undecided.
+    // A facet, and the mesh, has the worst verdict of its triangles. A facet without triangles is undecided.
     std::vector<Facet_verdict> facets(input.number_of_facets_of_origin());
     std::vector<char> is_known(facets.size(), 0);
     begin(Claim::CONTAINMENT);
@@ -460,8 +462,8 @@ private:
 
   typedef typename Cover::Shared Shared;
 
-  // if the cover is known, and has all components of the mesh: those that share a component of the cover with an
-  // earlier one
+  // Adopts the proved cover, if there is one and it contains all components of the mesh. Returns the components of the
+  // mesh that share a component of the cover with an earlier one.
   std::optional<std::vector<Shared> > adopt_proved_cover(const Triangle_mesh& mesh)
   {
     if(!m_proved.cover) return std::nullopt;
@@ -474,7 +476,7 @@ private:
   template <typename ConcurrencyTag>
   std::vector<Shared> find_cover(const Input_mesh_3& input)
   {
-    // the cells at the mesh are needed in any case
+    // The cells at the mesh are needed in any case.
     std::vector<std::uint32_t> cells;
     for(Face_index f : input.mesh().faces())
       cells.push_back(m_field->locate(to_field(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
@@ -498,8 +500,8 @@ private:
         m_seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
   }
 
-  // P3, given P1: the mesh's components stay in the components of their seeds. Returns those that share a component of
-  // the cover.
+  // Examines P3, given P1: the mesh's components stay in the components of their seeds. Returns the components of the
+  // mesh that share a component of the cover.
   template <typename ConcurrencyTag>
   std::vector<Shared> examine_cover(const Input_mesh_3& input)
   {
@@ -566,10 +568,10 @@ private:
     return shared;
   }
 
-  // P4, given P1. Components of the mesh in different components of the cover are in different components of the shell.
-  // So are those that share one, if P2, P3 and P5 hold: each component of the shell is a product of a surface and the
-  // curves, all of which meet a component of the mesh in it equally often, and at least once. As the path through one
-  // meets the whole mesh once, there is no other.
+  // Examines P4, given P1. Components of the mesh in different components of the cover are in different components of
+  // the shell. So are components of the mesh that share one, if P2, P3 and P5 hold. Then each component of the shell is
+  // a product of a surface and the curves. All curves meet a component of the mesh in it equally often, and at least
+  // once. As the path through such a component meets the whole mesh once, there is no other.
   void examine_sheets(const Input_mesh_3& input, const std::vector<Shared>& shared)
   {
     begin(Claim::ONE_SHEET);
@@ -589,8 +591,8 @@ private:
     }
   }
 
-  // Whether there certainly is a critical point in an undecided box, and in the shell: between the thresholds, and
-  // joined to a vertex of the mesh by a segment between them.
+  // Returns true if there certainly is a critical point in an undecided box, and in the shell: between the thresholds,
+  // and joined to a vertex of the mesh by a segment between them.
   bool is_critical(const Triangle_mesh& mesh, const Cover_box& box, std::array<double, 3>& point) const
   {
     const Enclosed_tricubic f = m_cover->function(box);
@@ -599,7 +601,7 @@ private:
     const Bbox_3 b = m_cover->bbox(box);
     const double width = b.xmax() - b.xmin();
     for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
-    // all of the box in the shell, so that the point is where it may be
+    // The whole box must be in the shell, as the critical point may be anywhere in it.
     if(!m_cover->is_between_thresholds(box)) return false;
     const Triangle_mesh::Point p(point[0], point[1], point[2]);
     Triangle_mesh::Point nearest = p;
@@ -615,7 +617,7 @@ private:
            == Verdict::PROVED;
   }
 
-  // a point on a segment in the shell from one component of the mesh to another, if one is found
+  // Returns a point on a segment in the shell from one component of the mesh to another, if one is found.
   std::optional<std::array<double, 3> > joined(const Input_mesh_3& input, std::size_t first, std::size_t second) const
   {
     const Triangle_mesh& mesh = input.mesh();
@@ -646,9 +648,9 @@ private:
     return std::nullopt;
   }
 
-  // The facets of a component that paths are tried through: large ones, whose middles are far from edges, in turns with
-  // others from everywhere. The largest facets of a symmetric mesh may be copies of each other, and all lie at creases,
-  // where gradients turn too fast for a straight path.
+  // Returns the facets of a component through which paths are tried. Large facets, whose middles are far from edges,
+  // alternate with facets from everywhere. The largest facets of a symmetric mesh may be copies of each other, and all
+  // lie at creases, where gradients turn too fast for a straight path.
   static std::vector<Face_index> path_facets(std::vector<std::pair<double, Face_index> >& facets)
   {
     constexpr std::size_t half = max_paths / 2;
@@ -664,7 +666,7 @@ private:
     return candidates;
   }
 
-  // P5
+  // Examines P5.
   template <typename ConcurrencyTag>
   void examine_paths(const Input_mesh_3& input, const Crossing_counter_3& counter)
   {
@@ -692,8 +694,7 @@ private:
       }
       if(verdict == Verdict::PROVED) {
         m_draft.paths.push_back(path);
-        // Through other points of the next facets, so that a mesh with vertices in the middles of facets does not meet
-        // them.
+        // Spare paths lead through other points of the next facets: a mesh may have vertices in the middles of facets.
         const std::size_t first = (n - 1) % candidates.size();
         const std::size_t end = (std::min)(first + max_spare_paths, candidates.size());
         for(std::size_t m = first; m < end; ++m)
@@ -702,7 +703,7 @@ private:
             m_draft.spare_paths.push_back(path);
         continue;
       }
-      // only without critical points is the count the same for all paths
+      // The count is the same for all paths only if there are no critical points.
       if(found(Claim::GRADIENT) != Verdict::PROVED) verdict = Verdict::UNDECIDED;
       Certificate_witness w = witness(Claim::DEGREE_ONE, verdict,
                                       verdict == Verdict::REFUTED ? Certificate_witness::CROSSINGS
@@ -718,7 +719,7 @@ private:
     }
   }
 
-  // keeps those of the shell's paths that are proved
+  // Keeps only the shell's paths that are proved.
   void prove_shell_paths()
   {
     if(m_are_paths_proved) return;
@@ -730,10 +731,10 @@ private:
     m_are_paths_proved = true;
   }
 
-  // Whether the components of the mesh are those of the certified shell, so that all meshes for which that is proved
+  // Examines whether the components of the mesh are those of the certified shell. All meshes for which this is proved
   // are mapped onto each other. Without paths through a shell, the mesh defines the components. A shell that is not
-  // certified may have critical points where the mesh is not, and a file may have any paths: that a mesh is not met by
-  // them refutes nothing.
+  // certified may have critical points away from the mesh, and a file may have any paths. So if such paths do not meet
+  // a mesh, nothing is refuted.
   void examine_components(const Input_mesh_3& input)
   {
     m_draft.components.assign(input.number_of_components(), Certificate_witness::none);
@@ -743,7 +744,7 @@ private:
     }
     const Component_match match = match_components(m_shell_paths, input);
     m_draft.components = match.component_of_shell;
-    // components that face along the gradient are counted with the same sign
+    // Components that face along the gradient are counted with the same sign.
     const bool is_transversal = found(Claim::TRANSVERSALITY) == Verdict::PROVED;
     bool is_known = is_transversal && m_is_shell_certified;
     for(std::size_t k = 0; k < match.crossings.size(); ++k) {
@@ -771,8 +772,8 @@ private:
       }
   }
 
-  // A segment through a facet, along the gradient there, at the point with the given barycentric coordinates. Proved or
-  // refuted by the count; undecided if the segment does not qualify.
+  // Tries a segment through a facet, along the gradient at the point with the given barycentric coordinates. The count
+  // proves or refutes the claim; if the segment does not qualify, the verdict is undecided.
   template <typename ConcurrencyTag>
   Verdict try_path(const Input_mesh_3& input, const Crossing_counter_3& counter, Face_index f,
                    const std::array<double, 3>& weights, Crossing_path& path, int& count) const
@@ -795,13 +796,13 @@ private:
     return count == 1 ? Verdict::PROVED : Verdict::REFUTED;
   }
 
-  static constexpr std::size_t max_paths = 64; // tried for a component
-  // barycentric coordinates of the points of facets that they pass; the first for all facets, then the next
+  static constexpr std::size_t max_paths = 64; // paths tried for a component
+  // Barycentric coordinates of the points at which paths pass facets; the first one for all facets, then the next.
   static constexpr std::array<std::array<double, 3>, 4> path_points = {
     { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } }
   };
-  static constexpr std::size_t max_spare_paths = 3; // for a component
-  static constexpr std::size_t max_examined = 64;   // undecided boxes in which a critical point is looked for
+  static constexpr std::size_t max_spare_paths = 3; // per component
+  static constexpr std::size_t max_examined = 64;   // undecided boxes that are searched for a critical point
 
   const Field* m_field;
   Threshold m_inner, m_outer;
@@ -814,7 +815,7 @@ private:
     std::shared_ptr<const std::vector<Cover_box> > cover;
     std::size_t components = 0;
     double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
-  } m_proved;                               // of the shell
+  } m_proved;                               // proved results of the shell
   std::vector<Crossing_path> m_shell_paths; // through the components of the shell
   Shell_status m_shell_status = Shell_status::SUCCESS;
   bool m_is_shell_certified = false, m_are_paths_proved = true;
@@ -823,7 +824,7 @@ private:
   Shell_status m_status = Shell_status::NOT_BUILT;
   Offending_simplices m_offenders;
   Arithmetic_status m_arithmetic = Arithmetic_status::SOUND;
-  Certificate_report m_draft, m_report; // what is found, and what is said once all is examined
+  Certificate_report m_draft, m_report; // results of the current examination, and the published ones
   std::vector<Facet_verdict> m_facets;
   std::optional<Cover> m_cover;
   std::vector<Vertex_index> m_seeds;
@@ -837,7 +838,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
   unsay();
   Real_timer timer;
   timer.start();
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   forget();
   m_arithmetic = arithmetic_self_test();
   if(m_arithmetic != Arithmetic_status::SOUND) return false;

@@ -32,13 +32,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief tells whether points, segments, triangles and meshes lie in a shell, with the call operators of
+ * \brief Tests whether points, segments, triangles and meshes lie in a shell, by the call operators of
  * `CGAL::Polyhedral_envelope`.
  *
- * The answer `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover by
- * which the shell was certified; of a shell without one (`Bspline_shell_3::proved_cover()`), in cells that the shell
- * may meet. The answer `false` means that this does not hold, or only by less than some 1e-13 of the coordinates. Const
- * member functions may be called from several threads at once.
+ * The result `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover by
+ * which the shell was certified. If the shell has no cover (`Bspline_shell_3::proved_cover()`), the points lie in cells
+ * that the shell may meet. The result `false` means that this does not hold, or only by less than some 1e-13 of the
+ * coordinates. Const member functions may be called from several threads at once.
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -61,10 +61,10 @@ public:
   explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete; // it would dangle
 
   /// \name Queries
-  /// of points of any kernel whose `FT` is `double`
+  /// Points may be of any kernel whose `FT` is `double`.
   /// @{
 
-  /// a point; exact for constant thresholds
+  /// Tests a point; exact for constant thresholds.
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& q) const
   {
@@ -78,14 +78,14 @@ public:
     } else return contains(std::array<Point_3, 2>{ p, p });
   }
 
-  /// a segment
+  /// Tests a segment.
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& source, const CGAL::Point_3<Kernel>& target) const
   {
     return contains(std::array<Point_3, 2>{ point(source), point(target) });
   }
 
-  /// a triangle
+  /// Tests a triangle.
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& t0, const CGAL::Point_3<Kernel>& t1,
                   const CGAL::Point_3<Kernel>& t2) const
@@ -93,7 +93,7 @@ public:
     return contains(std::array<Point_3, 3>{ point(t0), point(t1), point(t2) });
   }
 
-  /// all facets of a triangle mesh.
+  /// Tests all facets of a triangle mesh.
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \param mesh the mesh
   /// \param np `vertex_point_map` as in all of \cgal
@@ -117,7 +117,7 @@ public:
     return (*this)(mesh, CGAL::parameters::default_values());
   }
 
-  /// all triangles of a soup.
+  /// Tests all triangles of a soup.
   /// \tparam PointRange a random access range of points
   /// \tparam TriangleRange a range of random access ranges of three positions in `points`
   template <typename PointRange, typename TriangleRange, typename = typename TriangleRange::value_type,
@@ -130,10 +130,10 @@ public:
   }
   /// @}
 
-  /// which component of a certified shell each component of a mesh lies in, if it is closed, or can be closed as the
-  /// mesh of the shell was. A mesh may be contained and have fewer components than the shell, or several in one; then
-  /// no map onto the mesh that the shell was built for is one-to-one, and the verdict is not `PROVED`. Undecided for a
-  /// shell that is not certified, and for a mesh that is refused (`Input_mesh_3`).
+  /// Returns the component of a certified shell in which each component of a mesh lies. The mesh is closed, or can be
+  /// closed like the mesh of the shell. A contained mesh may have fewer components than the shell, or several in one.
+  /// Then no map onto the mesh of the shell is one-to-one, and the verdict is not `PROVED`. If the shell is not
+  /// certified, or the mesh is refused (`Input_mesh_3`), the verdict is undecided.
   /// \pre all facets are contained, and face along the gradient: `Shell_certificate_3` proves both, and makes the same
   ///   comparison
   /// \param mesh a model of `FaceListGraph`
@@ -155,7 +155,7 @@ public:
     return match_components(m_shell->component_paths(), input);
   }
 
-  /// whether nothing is contained: there is no shell
+  /// Returns `true` if nothing is contained: there is no shell, or the arithmetic is not sound.
   bool is_empty() const { return m_is_empty; }
 
 private:
@@ -167,8 +167,8 @@ private:
     return internal::converted<Point_3>(p);
   }
 
-  // Whether a point that lies between the thresholds is in the shell. So is everything connected to it between the
-  // thresholds: the boxes around the cover are excluded.
+  // Returns true if a point that lies between the thresholds is in the shell. Then everything connected to it between
+  // the thresholds is in the shell, too, as the boxes around the cover are excluded.
   bool is_in_cover(const Point_3& p) const { return m_cover->component(p) != Cover_box::no_component; }
   bool is_in_cell(const Point_3& p) const
   {
@@ -180,7 +180,7 @@ private:
   bool contains(const std::array<Point_3, size>& simplex) const
   {
     if(m_is_empty) return false;
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
     const Threshold &inner = m_shell->inner_threshold(), &outer = m_shell->outer_threshold();
     if(m_cover) return is_in_cover(simplex[0]) && m_predicates.values_within(simplex, inner, outer) == Verdict::PROVED;
     return is_in_cell(simplex[0])

@@ -35,16 +35,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief a cover, by closed boxes, of those components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
+ * \brief A cover, by closed boxes, of the components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
  * points.
  *
- * Leaf cells are subdivided until the kind of each box is known, or there is no use in it. From each point, the boxes
- * that touch each other without being excluded are flooded. The flood closes before it meets excluded boxes only, so
- * that the component of the point cannot leave its boxes: where none of them is undecided, the component has no
- * critical point, and where it is excluded wherever they touch the end of the domain, it lies in the interior.
+ * Leaf cells are subdivided until the kind of each box is known, or subdivision is of no use. From each point, all
+ * boxes are flooded that touch each other and are not excluded. Flooding stops at excluded boxes, so the component of
+ * the point cannot leave its boxes. If none of them is undecided, the component has no critical point. If the component
+ * is excluded wherever the boxes touch the end of the domain, it lies in the interior.
  *
  * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after `max_depth` halvings. Its
- *   domain consists of equal cells of a lattice, of which its cells are dyadic parts.
+ *   domain consists of equal cells of a lattice, and its cells are dyadic parts of them.
  * \tparam Threshold a model of `ShellThreshold`
  */
 template <typename Field_, typename Threshold = Constant_threshold>
@@ -56,14 +56,14 @@ public:
   typedef typename Field::Cell Cell;
   typedef std::size_t Box_index;      ///< a shell may have more boxes than 32 bits can count
   static constexpr int max_depth = 7; ///< halvings of a leaf cell
-  /// A cell with more boxes is not subdivided further. The smaller number holds once `many_undecided_boxes` are
-  /// undecided; then boxes are not subdivided either where critical points seem to be in the shell.
+  /// A cell with more boxes is not subdivided further. The smaller limit applies once `many_undecided_boxes` boxes are
+  /// undecided. From then on, boxes are not subdivided, either, if critical points in them seem to be in the shell.
   static constexpr std::size_t max_boxes_of_a_cell = 512, max_boxes_of_a_hopeless_cell = 64,
                                many_undecided_boxes = 1000;
 
   /// \param separating_depth halvings of a cell up to which boxes with critical points beyond a threshold are
-  ///   subdivided all the same: what is on both sides of a wall or a gap is one component of the cover, unless boxes
-  ///   between are excluded. Zero where components do not matter.
+  ///   subdivided, too. Both sides of a wall or a gap are one component of the cover, unless boxes between them are
+  ///   excluded. Zero if components do not matter.
   /// \pre `field` outlives this object
   Shell_cover_3(const Field& field, const Threshold& inner, const Threshold& outer, int separating_depth = 3)
     : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth),
@@ -73,9 +73,9 @@ public:
 
   const Field& field() const { return *m_field; }
 
-  /// takes over what another cover found out about cells
-  /// \param now a function of the other cover's cells: the cell of this cover that has the same place, if the field and
-  ///   the thresholds are the same there, and `npos` otherwise
+  /// Reuses the boxes of another cover for cells that are the same.
+  /// \param now a function that maps cells of the other cover. Its value is the cell of this cover at the same place,
+  ///   if the field and the thresholds are the same there, and `npos` otherwise.
   /// \pre the other cover's field has the same domain, and no cell of this cover has been subdivided
   template <typename Now>
   void reuse(const Shell_cover_3& other, const Now& now)
@@ -94,7 +94,7 @@ public:
     }
   }
 
-  /// takes over the boxes of another cover of the same shell, and its components
+  /// Adopts the boxes and the components of another cover of the same shell.
   /// \pre no cell of this cover has been subdivided
   void adopt(std::vector<Cover_box> boxes)
   {
@@ -112,10 +112,10 @@ public:
   /// two points of one component of the cover, the earlier one first
   typedef std::array<std::size_t, 2> Shared;
 
-  /// the same, with those components alone that hold given points; the number of each becomes that of the first of its
-  /// points
-  /// \return the points that share a component with an earlier one; or nothing if a point lies in no component, and
-  ///   this cover is of no use
+  /// Adopts the boxes of another cover, but only the components that contain given points. The number of each component
+  /// becomes the number of the first of its points.
+  /// \return the points that share a component with an earlier one. If a point lies in no component, nothing is
+  ///   returned, and this cover is of no use.
   /// \pre no box of the other cover's components is undecided, and none is at the end of the field's domain
   std::optional<std::vector<Shared> > adopt(std::vector<Cover_box> boxes, const std::vector<Point_3>& points)
   {
@@ -135,7 +135,7 @@ public:
     return shared;
   }
 
-  /// subdivides cells that are known to be needed, several at a time
+  /// Subdivides cells that are known to be needed, several at a time.
   template <typename ConcurrencyTag>
   void prepare(std::vector<std::uint32_t> cells)
   {
@@ -160,8 +160,8 @@ public:
       }
   }
 
-  /// floods from a point. Returns the number of the component of the cover that holds it: the given one, or that of an
-  /// earlier point if the boxes are the same.
+  /// Floods from a point. Returns the number of the component of the cover that contains it: the given one, or that of
+  /// an earlier point if the boxes are the same.
   template <typename ConcurrencyTag>
   std::uint32_t flood(const Point_3& p, std::uint32_t component)
   {
@@ -185,7 +185,7 @@ public:
       });
     // All boxes at a point touch each other: if one was flooded before, all were.
     if(known != Cover_box::no_component) return known;
-    // The front moves on as far as cells are subdivided; then all are that it touches.
+    // Advance the front within subdivided cells. Then subdivide all cells that it touches.
     while(!next.empty()) {
       wanted.clear();
       while(!next.empty()) {
@@ -211,7 +211,7 @@ public:
     return component;
   }
 
-  /// the component of the cover that holds a point, or none
+  /// Returns the component of the cover that contains a point, or `Cover_box::no_component`.
   std::uint32_t component(const Point_3& p) const
   {
     const Bbox_3 at(p[0], p[1], p[2], p[0], p[1], p[2]);
@@ -225,16 +225,16 @@ public:
     return component;
   }
 
-  /// all boxes: those of one leaf cell are consecutive
+  /// Returns all boxes; the boxes of one leaf cell are consecutive.
   const std::vector<Cover_box>& boxes() const { return m_boxes; }
-  /// boxes of the cover that may be in the shell where they touch the end of the field's domain
+  /// Returns the boxes of the cover that may be in the shell where they touch the end of the field's domain.
   const std::vector<Box_index>& at_end() const { return m_at_end; }
-  /// number of boxes of the cover that are undecided
+  /// Returns the number of undecided boxes of the cover.
   std::size_t number_of_undecided_boxes() const { return m_undecided; }
-  /// number of leaf cells that were looked at
+  /// Returns the number of leaf cells that were examined.
   std::size_t number_of_cells() const { return m_cells.size(); }
 
-  /// the closed box; its corners are exact
+  /// Returns the closed box; its corners are exact.
   Bbox_3 bbox(const Cover_box& box) const
   {
     const Cell cell = m_field->cell(box.cell);
@@ -244,10 +244,10 @@ public:
     return Bbox_3(least[0], least[1], least[2], least[0] + width, least[1] + width, least[2] + width);
   }
 
-  /// the field on a box, as an enclosed polynomial over the box
+  /// Returns the field on a box, as an enclosed polynomial over the box.
   Enclosed_tricubic function(const Cover_box& box) const { return functions_on(box)[0]; }
 
-  /// encloses the values of the field where a box may be in the shell at the end of the domain
+  /// Encloses the values of the field where a box may be in the shell at the end of the domain.
   Level_range range_at_end(const Cover_box& box) const
   {
     const Part part = { box, functions_on(box) };
@@ -257,18 +257,18 @@ public:
     return range;
   }
 
-  /// encloses the values that the field takes at critical points in a box
+  /// Encloses the values of the field at critical points in a box.
   Level_range critical_values(const Cover_box& box) const { return Bspline_shells::critical_values(function(box)); }
 
-  /// whether all of a box is certainly in the shell
+  /// Returns `true` if all of a box is certainly in the shell.
   bool is_between_thresholds(const Cover_box& box) const
   {
     return m_examination.are_between_thresholds(functions_on(box));
   }
 
-  /// a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the least
-  /// bounds are subdivided until these are near what the field has in their middles, or a number of subdivisions is
-  /// used up.
+  /// Returns a lower bound, per user unit, of the length of the gradient in the shell, on the cover. The boxes with the
+  /// least bounds are subdivided. This ends when their bounds are near the gradient in the middles of boxes, or at a
+  /// limit.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   double least_gradient() const
@@ -315,7 +315,7 @@ public:
           for(std::size_t n = 1; n < octants.size(); ++n) {
             examine_part(octants[n]);
             if(octants[n].box.kind == Box_kind::EXCLUDED) continue;
-            // what proves a part may say less than what proves the box
+            // The bound of a part may be weaker than the bound of its box.
             found.push_back({ { (std::max)(worst[w].bound, gradient_bound(octants[n])), octants[n].box },
                               gradient_in_the_middle(octants[n]) });
           }
@@ -329,8 +329,8 @@ public:
     return least.empty() ? std::numeric_limits<double>::infinity() : least.front().bound;
   }
 
-  /// for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell, on the boxes of the
-  /// cover in it; infinite where there are none. Coarser than `least_gradient()`.
+  /// Returns, for each leaf cell, a lower bound, per user unit, of the length of the gradient in the shell. It holds on
+  /// the boxes of the cover in the cell, and is infinite if there are none. Bounds are coarser than `least_gradient()`.
   /// \pre no box of the cover is undecided
   template <typename ConcurrencyTag>
   std::vector<double> least_gradients() const
@@ -360,7 +360,7 @@ private:
     Cover_box box;
     Functions functions;
   };
-  // to a face, an edge or a vertex of a cell or a box: of minus one, zero and one
+  // A direction to a face, an edge or a vertex of a cell or a box; components are -1, 0 or 1.
   typedef std::array<int, 3> Direction;
   struct Cell_boxes
   {
@@ -368,8 +368,9 @@ private:
     std::size_t begin, end;
   };
 
-  // what a box of the front leads to: boxes that touch it and do not belong to the cover yet; or cells that must be
-  // subdivided first, and itself once more
+  // A step of the flood from a box of the front, to a box that touches it and is not in the cover yet. If cells must be
+  // subdivided first, the steps are these cells, and the box itself once more. Boxes at the end of the domain are
+  // reported, too.
   struct Flood_step
   {
     enum Kind : std::uint8_t
@@ -380,7 +381,7 @@ private:
       BOX_AT_END
     };
     Kind kind;
-    std::size_t number; // box or cell
+    std::size_t number; // number of a box or cell
   };
 
   void find_steps(Box_index b, std::vector<Flood_step>& steps) const
@@ -414,7 +415,7 @@ private:
     return ((box.position[0] >> bit) & 1) | ((box.position[1] >> bit) & 1) << 1 | ((box.position[2] >> bit) & 1) << 2;
   }
 
-  // whether the box has no point in common with the boundary of its cell
+  // Returns true if the box has no point in common with the boundary of its cell.
   static bool is_inside_cell(const Cover_box& box)
   {
     const int last = (1 << box.depth) - 1;
@@ -431,12 +432,12 @@ private:
                   std::nextafter(b.ymax(), infinity), std::nextafter(b.zmax(), infinity));
   }
 
-  // Appends the boxes of a cell, in the order of a depth-first walk: those in an octant are consecutive. The queue is
+  // Appends the boxes of a cell in the order of a depth-first walk: boxes in an octant are consecutive. The queue is
   // scratch memory.
   void subdivide(std::uint32_t c, bool is_hopeless, std::vector<Part>& queue, std::vector<Cover_box>& boxes) const
   {
     const std::size_t most_boxes = is_hopeless ? max_boxes_of_a_hopeless_cell : max_boxes_of_a_cell;
-    // breadth first, so that where boxes run out, they are of equal size
+    // Breadth first: if the number of boxes reaches its limit, they are of equal size.
     queue.resize(1);
     queue[0].box.cell = c;
     queue[0].box.depth = 0;
@@ -454,7 +455,7 @@ private:
                             ? box.depth < max_depth
                                 && !(is_hopeless && m_examination.seems_critical(queue[n].functions))
                             : (is_critical(box.kind) && box.depth < m_separating_depth)
-                                // what is inside must be told from what is not
+                                // parts inside must be separated from parts outside
                                 || (box.is_at_end && box.depth < max_depth_at_end);
       if(splits && queue.size() < most_boxes) push_octants(n, queue);
       else boxes.push_back(box);
@@ -463,7 +464,7 @@ private:
               [](const Cover_box& a, const Cover_box& b) { return order(a) < order(b); });
   }
 
-  // interleaved bits of the least corner
+  // Returns the interleaved bits of the least corner.
   static std::uint32_t order(const Cover_box& box)
   {
     std::uint32_t key = 0;
@@ -471,7 +472,7 @@ private:
     return key << (3 * (max_depth - int(box.depth)));
   }
 
-  // the directions from a cell in which the domain ends
+  // Returns the directions from a cell in which the domain ends.
   std::vector<Direction> ends_of_domain(const Bbox_3& cell) const
   {
     std::vector<Direction> ends;
@@ -492,7 +493,7 @@ private:
     return ends;
   }
 
-  // of these, those in which a part of the cell may be in the shell where the domain ends
+  // Returns the directions, of those in `ends`, in which a part of the cell may be in the shell where the domain ends.
   std::vector<Direction> ends_in_shell(const Part& part, const std::vector<Direction>& ends) const
   {
     const int last = (1 << part.box.depth) - 1;
@@ -519,7 +520,7 @@ private:
     return kind == Box_kind::CRITICAL_BELOW || kind == Box_kind::CRITICAL_ABOVE;
   }
 
-  // finds the kind of a part of a box; if nothing is found, it is that of the box, as is what proves it
+  // Finds the kind of a part of a box. If it is undecided, the part keeps the kind and the proof of the box.
   void examine_part(Part& part) const
   {
     Cover_box box = part.box;
@@ -529,12 +530,12 @@ private:
 
   double width(const Cover_box& box) const { return std::ldexp(m_field->cell(box.cell).width(), -int(box.depth)); }
 
-  // of the gradient in the shell, on a box that is not undecided
+  // Returns a lower bound of the length of the gradient in the shell, on a box that is not undecided.
   double gradient_bound(const Part& part) const
   {
     const double bound = m_examination.gradient_bound(part.functions, part.box);
-    // two quotients, of which the second may overflow, and of which little is known if they are denormal; the length is
-    // an upper bound
+    // There are two quotients. The second one may overflow, and little is known about a quotient that is subnormal. The
+    // length of the direction is an upper bound.
     const double slope = bound / width(part.box);
     if(!((std::min)(bound, slope) >= internal::underflow)) return 0;
     return (std::min)(slope, std::numeric_limits<double>::max()) * (1 - 4 * internal::rounding);
@@ -545,7 +546,7 @@ private:
     return m_examination.gradient_in_the_middle(part.functions) / width(part.box);
   }
 
-  // the same, of parts where that is far from what the field has in the middle
+  // Returns a closer lower bound: if the bound on a box is far from the gradient in its middle, the box is subdivided.
   double close_gradient_bound(const Part& part, int subdivisions) const
   {
     constexpr int max_subdivisions = 3;
@@ -565,7 +566,7 @@ private:
     return (std::max)(bound, least);
   }
 
-  // appends the octants of a part
+  // Appends the octants of a part.
   static void push_octants(std::size_t n, std::vector<Part>& parts)
   {
     for(int o = 0; o < 8; ++o) {
@@ -582,7 +583,7 @@ private:
     }
   }
 
-  // calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box
+  // Calls visit(box) for the boxes of a subdivided cell that have a point in common with the closed box.
   template <typename Visitor>
   void for_each_touching(std::uint32_t c, const Bbox_3& target, const Visitor& visit) const
   {
@@ -595,7 +596,7 @@ private:
     descend(range.begin, range.end, 0, target, visit);
   }
 
-  // the boxes [begin, end) are those of one part of a cell, at the given depth
+  // Visits the boxes [begin, end) that touch the target. They are the boxes of one part of a cell, of the given depth.
   template <typename Visitor>
   void descend(std::size_t begin, std::size_t end, int depth, const Bbox_3& target, const Visitor& visit) const
   {
@@ -622,11 +623,11 @@ private:
   const Field* m_field;
   Examination m_examination;
   int m_separating_depth;
-  std::vector<std::size_t> m_first; // of each leaf cell: its place in m_cells, or unseen
+  std::vector<std::size_t> m_first; // place of each leaf cell in m_cells, or unseen
   std::vector<Cell_boxes> m_cells;
   std::vector<Cover_box> m_boxes;
   std::vector<Box_index> m_at_end;
-  std::size_t m_undecided = 0; // boxes of the cover
+  std::size_t m_undecided = 0; // number of undecided boxes of the cover
 };
 
 } // namespace Bspline_shells

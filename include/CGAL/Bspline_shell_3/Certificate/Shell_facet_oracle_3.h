@@ -43,26 +43,26 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// which of the facets that a `Shell_facet_oracle_3` accepts are proved
+/// The accepted facets that a `Shell_facet_oracle_3` proves.
 enum class Facet_proofs
 {
   ALL,
-  WHERE_DOUBTFUL ///< those that an estimate from a few points does not clear: faster, but what is accepted still has to
+  WHERE_DOUBTFUL ///< facets that an estimate from a few samples does not clear: faster, but accepted facets must still
                  ///< be proved
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief accepts the triangles that provably lie in a shell and face along the gradient, as containment and
- * transversality, the first two claims of the certificate, ask of facets.
+ * \brief Accepts the triangles that provably lie in a shell and face along the gradient. These properties are
+ * containment and transversality, the first two claims of the certificate.
  *
- * Answers come from `Second_order_bounds_3`. Rejections are no proofs: a triangle that is in the shell by less than
- * rounding may be rejected, and one that would take too many bisections.
+ * Verdicts are based on `Second_order_bounds_3`. Rejections are not proofs: a triangle may be rejected if it is in the
+ * shell by less than rounding, or if it would take too many bisections.
  *
- * On request (`Facet_proofs::WHERE_DOUBTFUL`), it proves only what is doubtful, and what it accepts is proved no more.
- * That is for edits that make many facets of which few are left: their results are certified, whatever was accepted
- * before.
+ * With `Facet_proofs::WHERE_DOUBTFUL`, only doubtful facets are proved, and accepted facets are not necessarily proved.
+ * This mode is for edits that make many facets of which few are left. The results of such edits are certified, whatever
+ * was accepted before.
  *
  * The oracle is immutable: const member functions may be called from several threads at once.
  *
@@ -82,12 +82,12 @@ public:
   typedef typename Bounds::Sample Sample;
   typedef typename Bounds::Facet_bounds Facet_bounds;
 
-  /// what is known of places that were rejected: an edge that was given up and is considered again has mostly the same
-  /// facets, and the places that are tried for an edge have the same link
+  /// A cache for rejected places. If an edge was given up and is considered again, it usually has the same facets. The
+  /// places that are tried for an edge have the same link.
   class Memory
   {
   public:
-    /// \param most_places at so many places, facets are remembered; with one more, all is forgotten
+    /// \param most_places number of places for which facets are stored; one more place clears all of them
     explicit Memory(std::size_t most_places = 1 << 20) : m_most_places(most_places) {}
 
   private:
@@ -110,7 +110,7 @@ public:
     }
     void add(const Place& place, const Facet& facet)
     {
-      constexpr std::size_t most_facets = 32; // at one place: each facet of a link is compared with all of them
+      constexpr std::size_t most_facets = 32; // limit at one place: each facet of a link is compared with all of them
       if(m_facets.size() == m_most_places && m_facets.count(place) == 0) m_facets.clear();
       Facets& facets = m_facets[place];
       if(facets.size() < most_facets) facets.push_back(facet);
@@ -124,55 +124,56 @@ public:
     }
 
     std::size_t m_most_places;
-    std::unordered_map<Place, Facets, Hash> m_facets; // at each place
-    std::vector<Point_3> m_link;                      // the last one
-    std::vector<std::optional<Sample> > m_samples;    // of its vertices, as far as they were needed
-    // the vertex whose edge rejected the last place: it most likely rejects the next one, too
+    std::unordered_map<Place, Facets, Hash> m_facets; // facets at each place
+    std::vector<Point_3> m_link;                      // last link
+    std::vector<std::optional<Sample> > m_samples;    // samples of its vertices, computed on demand
+    // The vertex whose edge rejected the last place: it most likely rejects the next place, too.
     std::optional<std::size_t> m_rejecting;
   };
 
-  /// If there is no shell, all facets are rejected.
+  /// Constructs an oracle. If there is no shell, it rejects all facets.
   /// \pre the shell outlives this object, and its field does not change
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
   explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete; // it would dangle
 
   const Shell& shell() const { return *m_shell; }
 
-  /// which of the facets that are accepted are proved
+  /// Returns which of the accepted facets are proved.
   Facet_proofs proofs() const { return m_proofs; }
 
-  /// what the oracle knows of the field, for others that ask about facets in the shell
+  /// Returns the bounds on cells, which other examinations of facets in the shell can share.
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
-  /// what the field is at a point
+  /// Returns the sample of the field at a point.
   Sample sample(const Point_3& p) const
   {
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     return m_bounds->sample(p);
   }
 
-  /// the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: whether all of them are accepted, and wind around the
+  /// Judges the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: all of them must be accepted, and wind around the
   /// gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
-  /// \param memory of earlier questions
+  /// \param memory a cache of earlier verdicts
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
 
-  /// the same for a single facet, with more effort: `Field_predicates_3` decides what bounds leave open
+  /// Judges a single facet, with more effort: `Field_predicates_3` decides if the bounds do not.
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     return (*this)(p, q, r, { sample(p), sample(q), sample(r) });
   }
-  /// the same, if the field is known at the corners, by `sample()`
+  /// Judges a single facet, given the samples of its corners by `sample()`.
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                const std::array<Sample, 3>& corners) const;
 
-  /// how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face it
+  /// Returns how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face along
+  /// it.
   std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
   {
     return winding_number(p, sample(p), link);
   }
-  /// the same, if the field is known at `p`; by an axis that is long enough for its direction not to be spoilt by
-  /// rounding
+  /// Returns the winding number, given the sample at `p`. The axis is so long that rounding does not spoil its
+  /// direction.
   std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
 private:
@@ -202,8 +203,8 @@ private:
     return Estimator(*m_bounds, normal)(corners, middles);
   }
 
-  // a facet whose corners are in the shell
-  // \param normal of the facet, rounded
+  // Judges a facet whose corners are in the shell.
+  // \param normal the normal of the facet, rounded
   Placement_verdict judge(const Samples& corners, const Samples& middles, const Coordinates& normal, const Point_3& p,
                           const Point_3& q, const Point_3& r) const
   {
@@ -225,7 +226,7 @@ private:
   Facet_proofs m_proofs;
   Field_predicates_3<Field> m_predicates;
   std::shared_ptr<const Bounds> m_bounds;
-  double m_largest_width = 0; // of a cell
+  double m_largest_width = 0; // largest width of a cell
 };
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
@@ -244,7 +245,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
                                                                                      const std::vector<Point_3>& link,
                                                                                      Memory& memory) const
 {
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   internal::Run::poll();
   const std::size_t size = link.size();
   boost::container::small_vector<char, 16> is_known(size, 0);
@@ -258,8 +259,8 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
       }
   boost::container::small_vector<Coordinates, 16> normals(size, boost::container::default_init);
   for(std::size_t n = 0; n < size; ++n) normals[n] = rounded_normal(p, link[n], link[(n + 1) % size]);
-  // For most facets, both ends of an edge at `p` are in the shell, and the middle decides. What a point of an edge says
-  // of its facets:
+  // The rejection of a facet by a point of an edge. For most facets, both ends of an edge at `p` are in the shell, and
+  // the middle decides.
   struct Rejected
   {
     std::size_t facet;
@@ -273,7 +274,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
   };
   memory.set_link(link);
   boost::container::small_vector<Sample, 16> middles(size, boost::container::default_init);
-  Sample at_p = { place, Bounds::no_cell, -1, -1, {} }; // needed later
+  Sample at_p = { place, Bounds::no_cell, -1, -1, {} }; // sampled only if it is needed
   const auto rejected_by_edge = [&](std::size_t n) {
     if(!memory.m_samples[n]) memory.m_samples[n] = m_bounds->sample(link[n]);
     std::optional<Rejected> rejected = rejected_at(n, *memory.m_samples[n]);
@@ -301,7 +302,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
   }
   const std::size_t turns = winding_number(p, at_p, link);
   if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
-  // The first facet that is rejected, in the order of the link, decides; what comes after it may be left out.
+  // The first rejected facet, in the order of the link, decides; facets after it may be left out.
   boost::container::small_vector<Placement_verdict, 16> verdicts(size, Placement_verdict::ACCEPTED);
   std::atomic<std::size_t> first_rejected(size);
   const auto examine = [&](std::size_t n, std::size_t) {
@@ -313,7 +314,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
     for(std::size_t other = first_rejected; n < other;)
       if(first_rejected.compare_exchange_weak(other, n)) break;
   };
-  // facets in few cells take less time than other threads need to begin
+  // Facets in few cells take less time than other threads need to begin.
   constexpr double few = 3;
   const double extent = few * m_shell->field().cell(at_p.cell).width();
   const bool is_small = std::all_of(link.begin(), link.end(), [&](const Point_3& q) {
@@ -361,7 +362,7 @@ std::size_t Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::winding_numb
   Coordinates on_axis;
   for(int a = 0; a < 3; ++a) {
     on_axis[a] = p[a] + s * gradient[a];
-    if(!std::isfinite(on_axis[a])) return 0; // predicates take numbers only
+    if(!std::isfinite(on_axis[a])) return 0; // predicates require finite coordinates
   }
   return link_winding_number(p, Point_3(on_axis[0], on_axis[1], on_axis[2]), link);
 }

@@ -22,23 +22,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief a box, in the box of a function, that certainly contains a point where the gradient vanishes.
+ * \brief A box, inside the box of a function, that certainly contains a critical point of the function.
  */
 struct Critical_point
 {
-  std::array<double, 3> center; ///< in local coordinates
-  double radius;                ///< of the box, local
+  std::array<double, 3> center; ///< local coordinates
+  double radius;                ///< half the width of the box, local
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief looks for a critical point of a function on its box, and proves that it is there, if it is and is not
- * degenerate.
+ * \brief Returns a small box that certainly contains a critical point of a function on its box. Returns nothing if none
+ * is found, or if it is degenerate.
  *
- * Newton's method finds a candidate; Krawczyk's test, with second derivatives enclosed on the whole box, proves that a
- * small box around it contains exactly one zero of the gradient. Nothing is lost if there is none: it is only looked
- * for where a proof of the contrary has failed.
+ * Newton's method finds a candidate. Krawczyk's test, with second derivatives enclosed on the whole box, proves that a
+ * small box around it contains exactly one zero of the gradient. A failed search does no harm: it is only tried if the
+ * opposite could not be proved.
  */
 inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubic& f)
 {
@@ -67,18 +67,18 @@ inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubi
   if(!Y.allFinite()) return std::nullopt;
   Eigen::Vector3d x(0.5, 0.5, 0.5);
   for(int step = 0; step < 20; ++step) x -= Y * gradient(x);
-  // the box of the test must lie in that on which the second derivatives are enclosed
+  // The box of the test must lie in the box on which the second derivatives are enclosed.
   double radius = largest_radius;
   for(int a = 0; a < 3; ++a) radius = (std::min)({ radius, x[a], 1 - x[a] });
   if(!(radius > 0)) return std::nullopt;
-  // K = x - Y g(x) + (I - Y H) [-radius, radius]^3 must lie in the interior of the box. Magnitudes, rounded up.
+  // K = x - Y g(x) + (I - Y H) [-radius, radius]^3 must lie in the interior of the box. Magnitudes are rounded up.
   constexpr double up = 1 + 64 * internal::rounding;
   for(int a = 0; a < 3; ++a) {
     double shift = 0, spread = 0;
     for(int b = 0; b < 3; ++b) {
       const Level_range g = enclose_at_point(slope[b], { x[0], x[1], x[2] }, 0);
       shift += std::abs(Y(a, b)) * (std::max)(std::abs(g.min), std::abs(g.max));
-      // row a of I - Y H: its middle, and what H may differ from the middle
+      // row a of I - Y H: its middle, and the deviation of H from the middle
       double center = a == b ? 1 : 0, size = std::abs(center);
       for(int c = 0; c < 3; ++c) {
         const double product = Y(a, c) * middle(c, b);

@@ -33,9 +33,9 @@ inline double longest_curve(const Level_range& levels, double least_gradient)
   return (levels.max - levels.min) / least_gradient * (1 + 4 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
-// Cubes of equal size that cover some cells; each knows how far curves through it can go. Along a curve the field
-// increases by at least the gradient's least length per unit of length. What holds within a distance of a tile is
-// enough if it says that curves through the tile end within that distance.
+// Cubes of equal size that cover some cells. Each stores a bound of the length of curves through it. Along a curve, the
+// field increases by at least the gradient's least length per unit of length. The gradient and the thresholds within a
+// distance of a tile suffice if they imply that curves through the tile end within that distance.
 class Displacement_tiles
 {
 public:
@@ -46,7 +46,7 @@ public:
         m_width = ((box.max)(a) - (box.min)(a)) / most_tiles_of_axis;
   }
 
-  // a part of the shell, with a lower bound of the gradient and what encloses the thresholds
+  // Inserts a part of the shell, with a lower bound of the gradient and a range that encloses the thresholds.
   void insert(const Bbox_3& box, double gradient, const Level_range& levels)
   {
     visit(box, [&](const Index& i) {
@@ -56,7 +56,7 @@ public:
     });
   }
 
-  // no curve is longer than `of_all`
+  // Bounds the length of curves through each tile; no curve is longer than `of_all`.
   void bound(double of_all)
   {
     constexpr int farthest = 4;
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  // of the length of curves that meet a box; `of_all` if the box has too many tiles
+  // Bounds the length of curves that meet a box; returns `of_all` if the box has too many tiles.
   double largest_bound(const Bbox_3& box, double of_all) const
   {
     double longest = 0;
@@ -91,11 +91,11 @@ private:
     Level_range levels;
     double bound = 0;
   };
-  static constexpr double margin = 1e-6;     // of a width: more than rounding can do to places of tiles
-  static constexpr double most_tiles = 4096; // of a box
+  static constexpr double margin = 1e-6;     // relative to a width; exceeds the rounding of places of tiles
+  static constexpr double most_tiles = 4096; // number of tiles of a box
   static constexpr double most_tiles_of_axis = double(1 << 20);
 
-  // calls visit(index) for the tiles that may meet a box; false if they are too many
+  // Calls visit(index) for the tiles that may meet a box. Returns false if they are too many.
   template <typename Visit>
   bool visit(const Bbox_3& box, const Visit& visit) const
   {
@@ -116,7 +116,7 @@ private:
     return true;
   }
 
-  // what holds on all tiles within a distance
+  // Returns bounds that hold on all tiles within a distance.
   Tile neighborhood(const Index& center, int distance) const
   {
     Tile near;
@@ -141,14 +141,14 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief bounds, for each facet of a mesh, the length in the shell of the integral curves that meet it.
+ * \brief Bounds, for each facet of a mesh, the length in the shell of the integral curves that meet it.
  *
  * \tparam Cover a `Shell_cover_3`
- * \param cover of the shell, without undecided boxes
+ * \param cover the cover of the shell, without undecided boxes
  * \param inner, outer the thresholds
- * \param mesh in the shell
- * \param of_all a bound for all curves, user units
- * \return user units, in the order of the user's facets
+ * \param mesh a mesh in the shell
+ * \param of_all a bound for all curves, in user units
+ * \return the bounds in user units, in the order of the user's facets
  */
 template <typename ConcurrencyTag, typename Cover, typename Threshold>
 std::vector<double> displacement_bounds(const Cover& cover, const Threshold& inner, const Threshold& outer,
@@ -156,7 +156,7 @@ std::vector<double> displacement_bounds(const Cover& cover, const Threshold& inn
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto& field = cover.field();
-  // infinite outside of the shell
+  // Bounds are infinite outside the shell.
   const std::vector<double> gradients = cover.template least_gradients<ConcurrencyTag>();
   double width = 0;
   Bbox_3 box;

@@ -27,21 +27,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief which component of a shell each component of a mesh lies in.
+ * \brief The component of a shell in which each component of a mesh lies.
  */
 struct Component_match
 {
   static constexpr std::size_t none = Certificate_witness::none;
 
-  /// for each component of the mesh, that of the shell which contains it; `none` if there is none, or if it is not
-  /// known
+  /// the component of the shell that contains each component of the mesh; `none` if there is none, or if it is unknown
   std::vector<std::size_t> component_of_shell;
-  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with
-  /// signs; empty if every path is degenerate
+  /// how often the paths of each component of the shell cross the mesh from the back to the front, counted with signs;
+  /// empty if every path of the component is degenerate
   std::vector<std::optional<int> > crossings;
 
-  /// whether the components of the mesh and those of the shell match one-to-one; undecided if nothing is known of the
-  /// shell
+  /// Returns whether the components of the mesh and of the shell match one-to-one. The verdict is undecided if nothing
+  /// is known about the shell, or about the crossings of one of its components.
   Verdict verdict() const
   {
     bool is_known = !crossings.empty();
@@ -59,30 +58,29 @@ struct Component_match
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief matches the components of a closed mesh and those of a shell, by the crossings of the mesh with the paths
- * through the shell.
+ * \brief Matches the components of a closed mesh and of a shell, by crossings of the mesh with paths through the shell.
  *
- * On a path the field increases from below the inner threshold to above the outer one, and so does its difference to
- * both: the part of the path between the thresholds is connected, and lies in one component of the shell. A mesh
- * between the thresholds meets the path there only, if at all. Each of its components in that component of the shell,
- * if it faces along the gradient, is crossed at least once, counted with signs. So if the count is one, there is
- * exactly one, and it is the one that is crossed.
+ * Along a path, the field increases from below the inner threshold to above the outer one, and so does its difference
+ * to both. So the part of the path between the thresholds is connected, and lies in one component of the shell. If a
+ * mesh between the thresholds meets the path, then only there. Consider the components of the mesh in that component of
+ * the shell. If such a component faces along the gradient, it is crossed at least once, counted with signs. So if the
+ * count is one, there is exactly one such component, and it is the one that is crossed.
  *
- * Crossings are decided exactly. Where a path meets an edge or a vertex of the mesh, another path through the same
- * component is taken, if there is one. If the counts of paths through one component differ, the mesh is not between the
+ * Crossings are decided exactly. If a path meets an edge or a vertex of the mesh, another path through the same
+ * component is used, if there is one. If the counts of paths through one component differ, the mesh is not between the
  * thresholds; a count of one is then preferred.
  *
  * \pre the field has no critical point in the components of the shell, and crosses the thresholds there: the third
  *   claim of the certificate
  *
  * \param paths paths through the components of the shell, in any order
- * \param number_of_components of the mesh
- * \param number_of_triangles of the mesh
+ * \param number_of_components number of components of the mesh
+ * \param number_of_triangles number of triangles of the mesh
  * \param triangle a function that returns the three vertices, points of
  *   `Exact_predicates_inexact_constructions_kernel`, of the `n`-th triangle
- * \param component a function that returns the number of the component of the mesh which has the `n`-th triangle
+ * \param component a function that returns the number of the component of the mesh to which the `n`-th triangle belongs
  *
- * \cgalHeading{Cost} that of `CGAL::box_intersection_d()` for paths and triangles
+ * \cgalHeading{Cost} The cost of `CGAL::box_intersection_d()` for paths and triangles.
  */
 template <typename TriangleFunction, typename ComponentFunction>
 Component_match match_components(const std::vector<Crossing_path>& paths, std::size_t number_of_components,
@@ -90,7 +88,7 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
                                  const ComponentFunction& component)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   struct Box : Box_intersection_d::Box_d<double, 3>
   {
     Box(const Bbox_3& b, std::size_t n) : Box_intersection_d::Box_d<double, 3>(b), number(n) {}
@@ -140,7 +138,8 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
 }
 
 /// \ingroup PkgBsplineShell3Certificate
-/// the same for a mesh as the package works on it, whose components are numbered in the order of their first facets
+/// Matches the components of a mesh in the package's representation, which are numbered in the order of their first
+/// facets.
 /// \tparam Mesh `Input_mesh_3`
 template <typename Mesh>
 Component_match match_components(const std::vector<Crossing_path>& paths, const Mesh& mesh)

@@ -21,8 +21,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief whether a mesh certainly lies between two thresholds, in the field's domain: the first claim of the
- * certificate alone.
+ * \brief Returns `true` if a mesh certainly lies between two thresholds, in the field's domain. This is the first claim
+ * of the certificate alone.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`

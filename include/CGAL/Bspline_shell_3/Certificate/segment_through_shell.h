@@ -21,7 +21,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// whether the field and its difference to both thresholds increase along a segment
+// Returns true if the field and its differences to both thresholds certainly increase along a segment.
 template <typename Field, typename Threshold>
 bool certainly_increase(const Field_predicates_3<Field>& predicates, const Threshold& inner, const Threshold& outer,
                         const std::array<typename Field::Point_3, 2>& segment)
@@ -59,7 +59,7 @@ bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Thre
  *
  * Nothing is returned if the point is outside the domain, or if no such segment is found.
  *
- * \param predicates of the field
+ * \param predicates the predicates of the field
  * \param inner the inner threshold
  * \param outer the outer threshold
  * \param middle a point in the shell

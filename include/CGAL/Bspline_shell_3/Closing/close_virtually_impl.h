@@ -26,7 +26,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// the facets at border vertices that nothing can be added to so that all facets there face one way, and wind once
+// Returns the facets at border vertices whose fans cannot be completed to face one direction and wind once.
 inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mesh& mesh)
 {
   std::vector<Closing_mesh::Face_index> facets;
@@ -42,14 +42,14 @@ inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mes
       link.push_back(mesh.point(mesh.target(mesh.next(h))));
       fan.wings.emplace_back(link[link.size() - 2], link.back());
     }
-    // a vertex whose facets face no common direction is singular, whatever is added
+    // If the facets at a vertex face no common direction, it is singular with any closing.
     if(!is_fan_closable(mesh.point(v), link) && cone_direction(fan))
       facets.insert(facets.end(), around.begin(), around.end());
   }
   return facets;
 }
 
-// The closing by caps and back sheets that begin where caps do not have what they must.
+// Closes a mesh by caps and, where caps do not meet the requirements, by back sheets.
 template <typename ConcurrencyTag>
 class Virtual_closer
 {
@@ -58,7 +58,7 @@ class Virtual_closer
 public:
   Virtual_closer(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_offset(offset), m_caps(mesh) {}
 
-  // There may be many, and some are enough to go on with: which ones must not depend on threads.
+  // Returns some of the intersecting pairs, which suffices to proceed. They must not depend on the number of threads.
   static Facet_pairs intersections(const Closing_mesh& mesh)
   {
     constexpr unsigned int most_pairs = 10000;
@@ -68,18 +68,18 @@ public:
     return pairs;
   }
 
-  // Caps that intersect nothing. Finding them is what all requirements have in common.
+  // Replaces caps until none intersects a facet. Attempts with different requirements start from these caps.
   void cap_holes()
   {
     while(m_caps.replace(intersections(m_caps.capped_mesh()))) {}
   }
 
-  // whether there is a closing; if not, `intersections` are the last ones
+  // Returns whether a closing was found; otherwise, `m_intersections` are those of the last attempt.
   bool close(const Hole_caps::Requirements& requirements)
   {
     while(m_caps.replace(requirements)) cap_holes();
     Back_sheet back(m_caps.capped_mesh(), m_offset);
-    // Each halving is of some vertices only: a mesh whose parts are ever closer together asks for one after the other.
+    // Each round halves distances at some vertices only. A mesh with successively narrower parts needs many rounds.
     constexpr int most_rounds = 40;
     for(int round = 0; round < most_rounds; ++round) {
       Assembled_closing assembled = assemble_closing(m_mesh, m_caps, back);
@@ -106,8 +106,8 @@ public:
     return bool(m_closing);
   }
 
-  // Whether a back sheet that intersects nothing is changed all the same: where it is folded, or facets leave no cone.
-  // What does not go away is the mesh's.
+  // Changes a back sheet without intersections where it is folded, or where the cone of facets at a vertex is too
+  // narrow; returns whether it was changed. Remaining defects come from the mesh.
   bool improves(Back_sheet& back, const Shell_closing_3& closing, const std::vector<std::size_t>& points,
                 const Closing_mesh& whole, const std::vector<Closing_mesh::Vertex_index>& added) const
   {
@@ -129,9 +129,9 @@ public:
 
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
   const Closing_report& report() const { return m_report; }
-  // where the closed mesh is narrowest, as far as the closing makes it so
+  // Returns the least gap of the closed mesh that is due to the closing.
   double least_gap() const { return m_least_gap; }
-  // facets of the mesh where the last attempt fails
+  // Returns the facets of the mesh where the last attempt failed.
   std::vector<Face_index> offending_facets() const
   {
     std::vector<Face_index> facets;
@@ -169,7 +169,7 @@ Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, do
   }
   closed.offending_facets = internal::facets_at_spirals(mesh);
   if(!closed.offending_facets.empty()) return closed;
-  // First with caps that leave room. If not all holes get one, it may still be better to have caps that do not.
+  // First with caps that leave room. If some holes remain without one, caps that leave less room may be better.
   const internal::Hole_caps::Requirements good = { 0.1, 2 * offset }, fair = { 0.02, 0 };
   Closer strict(mesh, offset);
   strict.cap_holes();

@@ -32,17 +32,17 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief a piecewise tricubic \f$C^2\f$ function on cells of different sizes: truncated hierarchical B-splines.
+ * \brief A piecewise tricubic \f$C^2\f$ function on cells of different sizes, by truncated hierarchical B-splines.
  *
- * At every lattice point of level \f$l\f$ whose function acts on a leaf of level \f$l\f$ there is a coefficient. It is
- * *free* if the function acts on no coarser leaf; these are the unknowns of the field, and their functions are linearly
- * independent. Otherwise it *depends* on the coefficients of the level above, by the two-scale relation, so that the
- * function goes on as the coarser splines have it; the grading of `Cell_hierarchy_3` makes these free. On a leaf, the
- * field is the cubic of the 64 coefficients of its level. (In the language of the literature: the basis is truncated,
- * the mesh admissible of class two.)
+ * There is a coefficient at every lattice point of level \f$l\f$ whose function acts on a leaf of level \f$l\f$. It is
+ * *free* if the function acts on no coarser leaf. Free coefficients are the unknowns of the field, and their functions
+ * are linearly independent. Otherwise the coefficient *depends* on those of the level above, by the two-scale relation:
+ * there, the field continues the coarser splines. The grading of `Cell_hierarchy_3` ensures that the coefficients above
+ * are free. On a leaf, the field is the tricubic with the 64 coefficients of its level. In the terms of the literature,
+ * the basis is truncated, and the mesh is admissible of class two.
  *
- * The field is its free coefficients, which are `double`s. Copies share the cells. Const member functions may be called
- * from several threads at once.
+ * The field is defined by its free coefficients, which are `double`s. Copies share the cells. Const member functions
+ * may be called from several threads at once.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -61,7 +61,7 @@ public:
 
   Hierarchical_bspline_field_3() = default;
 
-  /// the zero function on the cells
+  /// Constructs the zero function on the cells.
   explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells)
     : m_basis(std::make_shared<const Basis>(std::move(cells)))
   {
@@ -71,8 +71,8 @@ public:
     m_error_radius.assign(number_of_cells(), internal::conversion_radius(0, may_have_dependent));
   }
 
-  /// another function on the same cells, which both then share as copies do: of the free coefficients `x`, in user
-  /// units
+  /// Returns another function on the same cells, with the free coefficients `x` in user units. Like copies, both fields
+  /// share the cells.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
@@ -91,15 +91,15 @@ public:
   {
     return Cell(cells().corner(c), cells().width(c), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
-  /// a leaf that contains `p`, or `npos` outside the domain
+  /// Returns a leaf that contains `p`, or `npos` outside the domain.
   Cell_index locate(const Point_3& p) const { return cells().locate(p); }
-  /// calls `visit(n)` for all leaves that share a part of a face of `c`; returns whether there are any
+  /// Calls `visit(n)` for all leaves that share a part of the given face of `c`; returns whether there are any.
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
     return cells().visit_neighbors(c, axis, positive, visit);
   }
-  /// calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box
+  /// Calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box.
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -109,24 +109,24 @@ public:
   /// @}
 
   /// \name B-spline Coefficients
-  /// Free coefficients are the unknowns of a fit; they are numbered finest level first. Those at lattice points, free
-  /// and dependent ones, are numbered the same way.
+  /// Free coefficients are the unknowns of a fit. They are numbered finest level first. The lattice points, whose
+  /// coefficients are free or dependent, are numbered in the same way.
   /// @{
   std::size_t number_of_coefficients() const { return m_basis->point_of_coefficient.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
 
   int number_of_levels() const { return cells().number_of_levels(); }
   std::size_t number_of_points() const { return m_basis->coefficient_of_point.size(); }
-  /// lattice points of a level that have a coefficient
+  /// Returns the lattice points of a level that have a coefficient.
   const Lattice_set_3& points(int level) const { return m_basis->levels[std::size_t(level)].points; }
-  /// number of the first of them
+  /// Returns the number of the first lattice point of a level.
   Cell_index first_point(int level) const { return m_basis->levels[std::size_t(level)].first_point; }
-  /// the free coefficient at a point, `npos` if it is dependent
+  /// Returns the free coefficient at a point, or `npos` if its coefficient is dependent.
   Cell_index coefficient_of_point(Cell_index n) const { return m_basis->coefficient_of_point[n]; }
   Cell_index point_of_coefficient(Cell_index n) const { return m_basis->point_of_coefficient[n]; }
 
-  /// calls `visit(n, weight)` for the free coefficients that the dependent one at a lattice point of a level is the
-  /// weighted sum of
+  /// Calls `visit(n, weight)` for the free coefficients whose weighted sum is the dependent coefficient at a lattice
+  /// point of a level.
   template <typename Visitor>
   void visit_parents(int level, const Lattice_3::Point& p, const Visitor& visit) const
   {
@@ -135,7 +135,7 @@ public:
     });
   }
 
-  /// the coefficients at all points
+  /// Returns the coefficients at all points, from the free coefficients `x`.
   template <typename ConcurrencyTag = Sequential_tag>
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const
   {
@@ -154,7 +154,7 @@ public:
     return all;
   }
 
-  /// the transposed of `extend()`
+  /// Applies the transpose of `extend()`.
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients()));
@@ -169,7 +169,8 @@ public:
     return x;
   }
 
-  /// the points of the first of the four consecutive coefficients in each of the sixteen rows that act on the leaf
+  /// Returns, for each of the sixteen rows of coefficients that act on the leaf, the point of the first of its four
+  /// consecutive coefficients.
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const int l = cells().level(c);
@@ -181,8 +182,8 @@ public:
     return rows;
   }
 
-  /// calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64 that
-  /// act on a leaf
+  /// Calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64
+  /// coefficients that act on a leaf.
   template <typename Visitor>
   void visit_coefficients(Cell_index c, const Visitor& visit) const
   {
@@ -197,8 +198,8 @@ public:
     }
   }
 
-  /// the open box on which the function of a free coefficient does not vanish, and what sticks out of the domain;
-  /// rounded inwards
+  /// Returns the open box on which the function of a free coefficient does not vanish, rounded inwards. The box may
+  /// extend beyond the domain.
   Bbox_3 support(Cell_index coefficient) const
   {
     const Cell_index point = m_basis->point_of_coefficient[coefficient];
@@ -207,7 +208,7 @@ public:
     return support(l, points(l).point(point - first_point(l)));
   }
 
-  /// calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box
+  /// Calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box.
   template <typename Visitor>
   void visit_coefficients_near(const Bbox_3& box, const Visitor& visit) const
   {
@@ -225,7 +226,7 @@ public:
     }
   }
 
-  /// the 64 Bernstein coefficients of a leaf, from the free coefficients: exact with a number type that is
+  /// Returns the 64 Bernstein coefficients of a leaf, from the free coefficients; exact if the number type is.
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const
   {
@@ -246,14 +247,14 @@ public:
     return b;
   }
 
-  /// replaces all free coefficients, in user units.
+  /// Replaces all free coefficients, in user units.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
     CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
-    // with the largest free one that each depends on
+    // The size of each coefficient, or of the largest free one that it depends on, if this is larger.
     const Eigen::VectorXd all = extend<ConcurrencyTag>(m_coefficients);
     Eigen::VectorXd largest = all.cwiseAbs();
     for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
@@ -262,7 +263,7 @@ public:
           largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
         });
     });
-    double* bernstein = new double[64 * number_of_cells()]; // as it is: several threads write to it, first and once
+    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, as several threads write all of it
     m_bernstein.reset(bernstein);
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
@@ -272,7 +273,7 @@ public:
   /// @}
 
 private:
-  // calls f(level, number in the level, number) for all points
+  // Calls f(level, number in the level, number) for all points.
   template <typename ConcurrencyTag, typename Function>
   void for_each_point(const Function& f) const
   {
@@ -293,7 +294,7 @@ private:
                   origin[1] + (p[1] + half) * width, origin[2] + (p[2] + half) * width);
   }
 
-  // cells and functions; the same for all fields on them
+  // The cells and functions, which are the same for all fields on the cells.
   struct Basis
   {
     struct Level
@@ -314,7 +315,7 @@ private:
           const Lattice_3::Point& p = cells.lattice_point(c);
           leaves.push_back(Lattice_key::encode(p[0], p[1], p[2]));
         }
-        // cells of this size that are parts of coarser leaves, and the functions that act on them
+        // Functions are dependent if they act on cells of this size that are parts of coarser leaves.
         std::vector<std::uint64_t> coarser;
         if(l > 0)
           for(std::uint64_t key : dilate(leaves, -3, 3)) {
@@ -352,7 +353,7 @@ private:
       largest = (std::max)(largest, largest_at[point]);
       is_free = is_free && m_basis->coefficient_of_point[point] != npos;
     }
-    // thresholds are constant in most cells
+    // Constant coefficients need no conversion: thresholds are constant in most cells.
     if(!std::all_of(b + 1, b + 64, [b](double x) { return x == b[0]; })) internal::to_bernstein(b);
     for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]); // sums may overflow
     m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free)
@@ -360,8 +361,8 @@ private:
   }
 
   std::shared_ptr<const Basis> m_basis = std::make_shared<const Basis>();
-  Eigen::VectorXd m_coefficients;              // free ones
-  std::shared_ptr<const double[]> m_bernstein; // 64 of each leaf; copies share them
+  Eigen::VectorXd m_coefficients;              // free coefficients
+  std::shared_ptr<const double[]> m_bernstein; // 64 for each leaf, shared by copies
   std::vector<double> m_error_radius;
 };
 

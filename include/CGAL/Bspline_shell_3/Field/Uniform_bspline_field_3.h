@@ -28,11 +28,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief a piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
- * of the paper), where \f$g\f$ runs over all lattice points whose function does not vanish on all cells.
+ * \brief A piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
+ * of the paper). The sum is over all lattice points \f$g\f$ whose function does not vanish on all cells.
  *
- * The field is its coefficients \f$\lambda_g\f$, which are `double`s; Bernstein coefficients of the cells are kept
- * beside them. Const member functions may be called from several threads at once.
+ * The field is defined by its coefficients \f$\lambda_g\f$, which are `double`s. Bernstein coefficients of the cells
+ * are stored with them. Const member functions may be called from several threads at once.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -50,7 +50,7 @@ public:
 
   Uniform_bspline_field_3() = default;
 
-  /// the zero function on the cells
+  /// Constructs the zero function on the cells.
   explicit Uniform_bspline_field_3(Cell_complex_3 cells) : m_cells(std::move(cells))
   {
     std::vector<std::uint64_t> keys;
@@ -71,9 +71,9 @@ public:
   {
     return Cell(m_cells.corner(c), m_cells.width(), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
-  /// a cell that contains `p`, or `npos` outside the domain
+  /// Returns a cell that contains `p`, or `npos` outside the domain.
   Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
-  /// calls `visit(n)` for the cell across a face of `c`; returns whether there is one
+  /// Calls `visit(n)` for the cell across a face of `c`; returns whether there is one.
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
@@ -81,7 +81,7 @@ public:
     if(n != npos) visit(n);
     return n != npos;
   }
-  /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
+  /// Calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box.
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -91,16 +91,16 @@ public:
   /// @}
 
   /// \name B-spline Coefficients
-  /// the unknowns of a fit
+  /// Coefficients are the unknowns of a fit.
   /// @{
   std::size_t number_of_coefficients() const { return m_functions.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
-  /// the lattice points at which the functions are centered, in the order of the coefficients
+  /// Returns the lattice points at which the functions are centered, in the order of the coefficients.
   const Lattice_set_3& functions() const { return m_functions; }
 
   /// \name As a Hierarchy
-  /// of one level, as a fit sees it: every lattice point has a coefficient of its own (see
-  /// `Hierarchical_bspline_field_3`)
+  /// A fit uses the field as a hierarchy of one level, in which every lattice point has its own coefficient (see
+  /// `Hierarchical_bspline_field_3`).
   /// @{
   int number_of_levels() const { return 1; }
   std::size_t number_of_points() const { return m_functions.size(); }
@@ -112,7 +112,8 @@ public:
   Eigen::VectorXd collect(Eigen::VectorXd all) const { return all; }
   /// @}
 
-  /// the numbers of the first of the four consecutive coefficients in each of the sixteen rows that act on the cell
+  /// Returns, for each of the sixteen rows of coefficients that act on the cell, the number of the first of its four
+  /// consecutive coefficients.
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const Lattice_3::Point& p = m_cells.lattice_point(c);
@@ -122,7 +123,7 @@ public:
     return rows;
   }
 
-  /// the 64 B-spline coefficients that act on a cell
+  /// Returns the 64 B-spline coefficients that act on a cell.
   std::array<double, 64> local_coefficients(Cell_index c) const
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
@@ -132,7 +133,7 @@ public:
     return local;
   }
 
-  /// the 64 Bernstein coefficients of a cell, from the B-spline coefficients: exact with a number type that is
+  /// Returns the 64 Bernstein coefficients of a cell, from the B-spline coefficients; exact if the number type is.
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const
   {
@@ -143,7 +144,7 @@ public:
     return b;
   }
 
-  /// replaces all coefficients, in user units.
+  /// Replaces all coefficients, in user units.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)

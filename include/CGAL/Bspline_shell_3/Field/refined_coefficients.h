@@ -16,8 +16,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// the coefficient at a point of a level of the uniform spline that a field is on any of its leaves of that level or a
-// coarser one on which the function of the point acts
+// Returns the coefficient of a uniform spline of a level at a lattice point. This spline is the field on every leaf, of
+// that level or coarser, on which the function of the point acts.
 template <typename Field>
 double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level, const Lattice_point& p)
 {
@@ -36,15 +36,15 @@ double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level,
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief the free coefficients, on finer cells, of the same function. On leaves that both fields have, and whose
- * coefficients depend on the same free ones in both, the function is the same `double`s.
+ * \brief Returns the free coefficients of the same function on finer cells.
  *
- * Linear in the size of the fields.
+ * If both fields have a leaf, and its coefficients depend on the same free ones in both, the function is represented by
+ * the same `double`s there. The cost is linear in the size of the fields.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
- * \param coarse gives cells and functions; its coefficients are not looked at
- * \param x free coefficients on them
- * \param fine on cells that those of `coarse` were split into
+ * \param coarse a field with the cells and functions; its coefficients are not used
+ * \param x free coefficients on the cells of `coarse`
+ * \param fine a field on cells into which the cells of `coarse` were split
  */
 template <typename Field>
 Eigen::VectorXd refined_coefficients(const Field& coarse, const Eigen::VectorXd& x, const Field& fine)

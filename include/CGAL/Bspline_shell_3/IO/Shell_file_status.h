@@ -12,21 +12,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief how the reading or writing of a file of a shell went.
+ * \brief Status of reading or writing a shell file.
  */
 enum class Shell_file_status
 {
   SUCCESS,
-  CANNOT_OPEN,           ///< there is no such file, or it must not be read
-  CANNOT_WRITE,          ///< the file cannot be made, or not completed
-  NOT_A_SHELL,           ///< the file is something else, or what is to be written is no shell
-  VERSION_NOT_SUPPORTED, ///< the file is of another version
-  OTHER_KIND,            ///< the file holds a shell with another kind of field or of thresholds
-  DAMAGED                ///< the file was cut off or altered, or contradicts itself
+  CANNOT_OPEN,           ///< The file does not exist or is not readable.
+  CANNOT_WRITE,          ///< The file cannot be created or completed.
+  NOT_A_SHELL,           ///< The file is not a shell file, or there is no valid shell to write.
+  VERSION_NOT_SUPPORTED, ///< The file has another format version.
+  OTHER_KIND,            ///< The file holds a shell with another type of field or thresholds.
+  DAMAGED                ///< The file is truncated, altered or inconsistent.
 };
 
 /// \ingroup PkgBsplineShell3IO
-/// what is wrong and what can be done about it, in one sentence
+/// Returns the error and its remedy in one sentence.
 inline const char* message(Shell_file_status status)
 {
   switch(status) {
@@ -49,7 +49,7 @@ inline const char* message(Shell_file_status status)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief how numbers are written: as they are, which is short and fast, or as text that people can read.
+ * \brief Number format of a file: compact and fast binary, or readable text.
  */
 enum class Shell_format
 {

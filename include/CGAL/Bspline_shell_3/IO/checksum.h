@@ -21,12 +21,12 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// the unsigned integer of the size of T, which has 1, 4 or 8 bytes
+// Unsigned integer of the size of T, which has 1, 4 or 8 bytes.
 template <typename T>
 using Bits_of =
   std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint8_t> >;
 
-// a number as bytes, the least significant first, whatever the machine's order
+// Returns the bytes of a number, the least significant first, on every machine.
 template <typename T>
 std::array<char, sizeof(T)> to_little_endian(T x)
 {
@@ -56,24 +56,24 @@ T from_little_endian(const char* bytes)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief the CRC-64/XZ of a sequence of bytes, which the files of this package end with.
+ * \brief CRC-64/XZ of a sequence of bytes, the checksum at the end of this package's files.
  */
 class Checksum
 {
 public:
   void add(const char* bytes, std::size_t size) { m_crc.process_bytes(bytes, size); }
   void add(const std::string& text) { add(text.data(), text.size()); }
-  /// the little-endian bytes of a number
+  /// Adds the little-endian bytes of a number.
   template <typename T, typename = std::enable_if_t<std::is_arithmetic<T>::value> >
   void add(T x)
   {
     add(internal::to_little_endian(x).data(), sizeof(T));
   }
 
-  /// of all bytes that were added so far
+  /// Returns the checksum of all bytes added.
   std::uint64_t value() const { return m_crc.checksum(); }
 
-  /// a value as the files have it: 16 lower-case hexadecimal digits
+  /// Returns a checksum as written to files: 16 lower-case hexadecimal digits.
   static std::string text(std::uint64_t value)
   {
     std::string digits(16, '0');
@@ -88,7 +88,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief passes what is written to it on to another buffer, and keeps the checksum of it.
+ * \brief Stream buffer that forwards to another buffer and keeps the checksum of the characters written.
  *
  * \code
  * CGAL::Bspline_shells::Checksum_streambuf buffer(out.rdbuf());
@@ -100,10 +100,10 @@ private:
 class Checksum_streambuf : public std::streambuf
 {
 public:
-  /// \param target is written to; if it is null, only the checksum is kept
+  /// \param target the buffer to forward to; if it is null, only the checksum is kept
   explicit Checksum_streambuf(std::streambuf* target = nullptr) : m_target(target) {}
 
-  /// of all characters that were written so far
+  /// Returns the checksum of all characters written.
   std::uint64_t checksum() const { return m_checksum.value(); }
 
 protected:

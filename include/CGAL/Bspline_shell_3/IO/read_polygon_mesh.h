@@ -25,23 +25,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief reads the polygons of a file, whatever they form.
+ * \brief Reads the polygons of a file as a polygon soup.
  *
- * The format follows from the file's extension: OFF, OBJ, PLY, STL, and GOCAD (ts). An STL file is binary if and only
- * if it has 84 bytes and 50 for each of its facets. Its points at equal positions become one.
+ * The file's extension selects the format: OFF, OBJ, PLY, STL or GOCAD (ts). An STL file is binary if and only if it
+ * has 84 bytes plus 50 bytes per facet. Points of an STL file at equal positions are merged.
  *
- * \param file its name
- * \param[out] soup what was read, if the status is `SUCCESS`; otherwise it is left as it is
+ * \param file path of the file
+ * \param[out] soup the polygon soup if the status is `SUCCESS`; otherwise unchanged
  * \param[out] offenders positions of points with coordinates that are infinite or not a number; positions of facets
- *   with points that do not exist; and the line, of a text
+ *   that refer to missing points; for text files, the number of the offending line
  * \return `SUCCESS`; `MISSING_FILE`, `UNREADABLE_FILE`, `UNSUPPORTED_FILE`, `EMPTY_FILE`, `MALFORMED_FILE` or
- *         `TRIANGLE_STRIPS` if the file cannot be read; `EMPTY_MESH` if it has no polygon; `NOT_FINITE`
+ *   `TRIANGLE_STRIPS` if the file cannot be read; `EMPTY_MESH` if it has no polygons; `NOT_FINITE`
  */
 Shell_status read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
 
 namespace internal {
 
-// reads a soup that is a mesh
+// Reads a polygon soup, merges points at equal positions, and orients it as a mesh.
 Shell_status read_oriented_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
 
 template <typename PolygonMesh>
@@ -62,16 +62,16 @@ void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief reads a surface mesh and says what is wrong with it, if it is none.
+ * \brief Reads a surface mesh, or reports why the file does not hold one.
  *
- * The formats are those of `read_polygon_soup()`. Vertices at equal positions are identified (STL files have no shared
- * vertices), and facets are turned round where they do not agree with their neighbors; nothing else is repaired.
+ * The formats are those of `read_polygon_soup()`. Vertices at equal positions are merged, and facets are reversed where
+ * their neighbors have the other orientation. Nothing else is repaired.
  *
  * \tparam PolygonMesh a model of `MutableFaceGraph` whose points have a constructor from three `double` coordinates
- * \param file its name
- * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is left as it is
- * \param[out] offenders positions of facets and vertices in the file, ascending; of vertices at equal positions, the
- *   first
+ * \param file path of the file
+ * \param[out] mesh the mesh if the status is `SUCCESS`; otherwise unchanged
+ * \param[out] offenders positions of facets and vertices in the file, ascending; for vertices at equal positions, the
+ *   first one
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
@@ -85,7 +85,7 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offen
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief the same, for callers who do not ask where the file is wrong.
+ * \brief Reads a surface mesh without reporting positions of errors.
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
@@ -97,8 +97,8 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief reads a surface mesh as `read_polygon_mesh()` does, and triangulates its facets (`triangulate_polygon()`):
- * maps and edits are of triangle meshes.
+ * \brief Reads a surface mesh like `read_polygon_mesh()`, and triangulates its facets with `triangulate_polygon()`.
+ * Maps and edits require triangle meshes.
  */
 template <typename TriangleMesh>
 Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Offending_simplices& offenders)
@@ -114,7 +114,7 @@ Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Off
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief the same, for callers who do not ask where the file is wrong.
+ * \brief Reads a triangle mesh without reporting positions of errors.
  */
 template <typename TriangleMesh>
 Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh)

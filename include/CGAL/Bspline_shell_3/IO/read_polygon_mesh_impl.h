@@ -44,7 +44,7 @@ inline Shell_status read_file(const std::string& file, std::string& text)
   return in.bad() ? Shell_status::UNREADABLE_FILE : text.empty() ? Shell_status::EMPTY_FILE : Shell_status::SUCCESS;
 }
 
-// the extension of a file's name, with the dot, in lower case
+// Returns the extension of a file name in lower case, with the dot.
 inline std::string extension_of(const std::string& file)
 {
   std::string extension = std::filesystem::path(file).extension().string();
@@ -90,7 +90,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status read_polygon_soup(const std::string& fi
     if(status != Shell_status::SUCCESS) return status;
   } catch(const std::bad_alloc&) {
     throw;
-  } catch(const std::exception&) { // some of CGAL's readers throw on broken files
+  } catch(const std::exception&) { // CGAL's readers may throw on damaged files
     return Shell_status::MALFORMED_FILE;
   }
   for(std::size_t f = 0; f < found.polygons.size(); ++f)

@@ -33,7 +33,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// What a file says. All of it may be wrong.
+// Content of a shell file before validation; any of it may be wrong.
 struct Shell_file_content
 {
   struct Position
@@ -48,7 +48,7 @@ struct Shell_file_content
   std::size_t triangles = 0, components = 0;
   std::array<double, 3> origin = {};
   double spacing = 0;
-  std::vector<Position> functions;           // text only: in a binary file, they follow from the cells
+  std::vector<Position> functions;           // text files only: a binary file lists cells, which imply them
   std::vector<std::vector<double> > splines; // coefficients of the field, of the inner and the outer threshold
   std::vector<Position> leaves;
   std::vector<char> marks;
@@ -60,7 +60,7 @@ struct Shell_file_content
   std::vector<Shell_closing_3::Triangle> closing_triangles;
   std::vector<Shell_closing_3::Kind> closing_kinds;
 
-  // false if there is no such triangle
+  // Returns false if there is no such triangle.
   bool add_closing_triangle(const std::array<std::uint64_t, 3>& corners, int kind)
   {
     Shell_closing_3::Triangle t;
@@ -76,7 +76,7 @@ struct Shell_file_content
   bool has_closing() const { return !closing_points.empty() || border_points > 0 || !closing_triangles.empty(); }
 };
 
-// Vectors grow with what is read, never to what a count promises.
+// Vectors grow as data are read; counts in the file never reserve memory.
 inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& content)
 {
   for(char c : binary_shell_magic)
@@ -237,12 +237,12 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   return intact ? Shell_file_status::SUCCESS : damaged;
 }
 
-// the zero function on the leaves, unless they contradict themselves
+// Returns the zero function on the leaves, or nothing if the leaves are inconsistent.
 template <typename Field>
 std::optional<Field> make_field(const Shell_file_content& content)
 {
   if(content.leaves.empty() || content.leaves.size() >= Field::npos) return std::nullopt;
-  std::vector<std::vector<std::uint64_t> > keys; // of each level
+  std::vector<std::vector<std::uint64_t> > keys; // by level
   for(const Shell_file_content::Position& leaf : content.leaves) {
     const std::size_t level = std::size_t(leaf.level);
     if(leaf.level < 0 || leaf.level > largest_file_level || level + 1 < keys.size()) return std::nullopt;
@@ -253,7 +253,7 @@ std::optional<Field> make_field(const Shell_file_content& content)
     if(!keys[level].empty() && keys[level].back() >= key) return std::nullopt;
     keys[level].push_back(key);
   }
-  // whether it is exact for these cells, they tell
+  // Whether the lattice is exact for these cells is tested below.
   const Lattice_3 lattice = Lattice_3::from_origin(content.origin, content.spacing, {}, {});
   if(!lattice.is_exact()) return std::nullopt;
   if constexpr(std::is_constructible<Field, Cell_hierarchy_3>::value) {
@@ -267,7 +267,7 @@ std::optional<Field> make_field(const Shell_file_content& content)
   }
 }
 
-// the shell that the content describes, unless it contradicts itself
+// Makes the shell that the content describes; returns false if the content is inconsistent.
 template <typename Shell>
 bool make_shell(Shell_file_content& content, Shell& shell)
 {
@@ -326,24 +326,24 @@ bool make_shell(Shell_file_content& content, Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief reads a shell that `write_shell()` wrote, binary or text. See \ref BsplineShell3FileFormats.
+ * \brief Reads a shell written by `write_shell()`, in binary or text format. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, thresholds, facet ranges, closing and truncation are those that were written, bit by bit. Nothing
- * that was cut off or altered is taken for a shell: every file has a checksum, and its parts must agree. A damaged file
- * costs no more time and memory than an intact one of its length.
+ * The field, cells, thresholds, facet ranges, closing and truncation are reproduced bit by bit. A truncated or altered
+ * file is never accepted: every file has a checksum, and its parts must be consistent. A damaged file costs no more
+ * time and memory than an intact file of its length.
  *
- * The shell is not certified: `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
- * built for or another mesh in it. The file's paths through the components of the shell are candidates, which every
- * certificate proves first (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of triangles
- * and components, and the facet ranges are read as they are; no proof uses them.
+ * The shell is not certified. `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
+ * built for or for another mesh in it. Paths in the file through the components of the shell are candidates, which
+ * every certificate proves first (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of
+ * triangles and components, and the facet ranges are not checked; no proof uses them.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
- * \param in a stream, opened with `std::ios::binary`, which must end where the shell ends. It is read past its locale
- *   and flags; the status tells how it went.
- * \param[out] shell the shell, if the status is `SUCCESS`; otherwise it is left as it is. Of its report, unit, gamma,
- *   thickness and the numbers of triangles, components, cells and unknowns are known.
+ * \param in a stream opened with `std::ios::binary`, which must end where the shell ends. Its locale and format flags
+ *   are ignored, and its state does not change.
+ * \param[out] shell the shell if the status is `SUCCESS`; otherwise unchanged. Its report has the unit, gamma, the
+ *   thickness, and the numbers of triangles, components, cells and unknowns.
  */
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>& shell)
@@ -361,7 +361,7 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// The same from a file, whatever its extension.
+/// Reads a shell from a file with any extension.
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Field, Threshold>& shell)
 {

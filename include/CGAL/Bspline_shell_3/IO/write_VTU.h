@@ -28,16 +28,16 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// The control points i + 4j + 16k of a cell in the order of VTK's hexahedra of degree three since file version 2.2:
-// corners, edges, faces, interior.
+// Control points i + 4j + 16k of a cell in the order of VTK's cubic hexahedra since file version 2.2: corners, edges,
+// faces, interior.
 constexpr int VTK_control_points[64] = { 0,  3,  15, 12, 48, 51, 63, 60, 1,  2,  7,  11, 13, 14, 4,  8,
                                          49, 50, 55, 59, 61, 62, 52, 56, 16, 32, 19, 35, 31, 47, 28, 44,
                                          20, 24, 36, 40, 23, 27, 39, 43, 17, 18, 33, 34, 29, 30, 45, 46,
                                          5,  6,  9,  10, 53, 54, 57, 58, 21, 22, 25, 26, 37, 38, 41, 42 };
 
-// Numbers the control points of some cells of a field. What neighbors of one size have in common gets one number: the
-// Bernstein coefficients there are the same double in each of the cells, as they come from the same coefficients in the
-// same way.
+// Numbers the control points of some cells of a field. Neighbors of equal size share the numbers of their common
+// control points. Their Bernstein coefficients there are equal as `double`s, because the same operations compute them
+// from the same coefficients.
 template <typename Field>
 class Control_points
 {
@@ -58,7 +58,7 @@ public:
 
   std::size_t size() const { return m_first.back(); }
 
-  // calls visit(cell, n) for the points in the order of their numbers, each in the cell that comes first
+  // Calls visit(cell, n) for each point in the order of the numbers, with the first cell that has it.
   template <typename Visitor>
   void visit_points(const Visitor& visit) const
   {
@@ -67,7 +67,7 @@ public:
         if(m_owned[c][std::size_t(n)]) visit(m_cells[c], n);
   }
 
-  // calls visit(number) for the points of the cells, in VTK's order
+  // Calls visit(number) for the points of all cells, in VTK's order.
   template <typename Visitor>
   void visit_cells(const Visitor& visit) const
   {
@@ -75,7 +75,7 @@ public:
       const Neighbors neighbors = neighbors_of(c);
       for(int n : VTK_control_points) {
         const Place place = owner(neighbors, n);
-        // owned points before it; bitsets may be shifted by their whole length
+        // Counts the owned points before it. A bitset may be shifted by its whole length.
         visit(m_first[place.cell] + (m_owned[place.cell] << std::size_t(64 - place.point)).count());
       }
     }
@@ -92,7 +92,7 @@ public:
 
 private:
   static constexpr std::size_t none = std::size_t(-1);
-  typedef std::array<std::size_t, 27> Neighbors; // positions of the cell and those of its size around it, or none
+  typedef std::array<std::size_t, 27> Neighbors; // positions of the cell and of its 26 neighbors of equal size, or none
   struct Place
   {
     std::size_t cell;
@@ -111,7 +111,7 @@ private:
     return neighbors;
   }
 
-  // the first cell that has the point
+  // Returns the first cell that has the point, and the point's number there.
   Place owner(const Neighbors& neighbors, int point) const
   {
     Place first = { none, 0 };
@@ -120,7 +120,7 @@ private:
     return first;
   }
 
-  // where a point of a cell is in the cell and those around it
+  // Returns, for each point of a cell, its places in the cell and in the neighbors.
   static std::array<std::vector<Place>, 64> places()
   {
     std::array<std::vector<Place>, 64> places;
@@ -137,13 +137,13 @@ private:
   const Field& m_field;
   const std::vector<Index>& m_cells;
   const std::array<std::vector<Place>, 64> m_places = places();
-  std::vector<std::size_t> m_position;   // of a cell of the field among the cells
+  std::vector<std::size_t> m_position;   // by cell of the field: position in the cells
   std::vector<std::bitset<64> > m_owned; // points that no earlier cell has
-  std::vector<std::size_t> m_first;      // number of the first of them
+  std::vector<std::size_t> m_first;      // number of the first owned point
 };
 
-// An XML file of VTK: first the description of the arrays, with their numbers in text files, then their bytes in binary
-// ones.
+// Writes a VTK XML file: first the descriptions of arrays, with the numbers in text files; then, in binary files, the
+// data.
 class VTU_output
 {
 public:
@@ -156,7 +156,7 @@ public:
     m_out.decimal(x);
   }
 
-  // the description of an array of `size` numbers; `values(put)` calls put(x) for each
+  // Describes an array of `size` numbers; `values(put)` calls put(x) for each number.
   template <typename T, typename Values>
   void array(const char* name, int components, std::size_t size, const Values& values)
   {
@@ -197,7 +197,7 @@ private:
   std::uint64_t m_offset = 0;
 };
 
-// functions on the same cells, and their names
+// Functions on the same cells, with their names.
 template <typename Field>
 using VTU_splines = std::vector<std::pair<const char*, const Field*> >;
 
@@ -275,21 +275,21 @@ Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a field to a file for ParaView and VTK (extension .vtu): an unstructured grid of Bezier hexahedra of
- * degree three, whose point data `f` are the Bernstein coefficients. VTK's interpolation is \f$f\f$ itself, not a
- * linear approximation of it.
+ * \brief Writes a field to a file for ParaView and VTK (extension .vtu): an unstructured grid of cubic Bezier
+ * hexahedra. The point data `f` are the Bernstein coefficients, so VTK's interpolation is \f$f\f$ itself, not a linear
+ * approximation.
  *
- * Cells of one size share the control points that they have in common. Where small cells meet larger ones, the grid has
- * hanging nodes; as \f$f\f$ is the same function on both sides, it has no gaps there but those of VTK's approximation
- * of cells.
+ * Cells of equal size share their common control points. Where cells of different sizes meet, the grid has hanging
+ * nodes. As \f$f\f$ is the same function on both sides, it has no gaps there other than those of VTK's approximation of
+ * cells.
  *
- * To see it in ParaView, raise "Nonlinear Subdivision Level" of the representation, or apply the filter "Tessellate".
- * ParaView 5.10 (VTK 9.1) or newer is needed.
+ * To view the file in ParaView 5.10 (VTK 9.1) or later, increase the representation's "Nonlinear Subdivision Level" or
+ * apply the filter "Tessellate".
  *
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
- * \param out a stream, opened with `std::ios::binary`. Its locale does not matter
+ * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param field the field
- * \param format binary numbers follow the XML text as they are; text files are twice as long
+ * \param format `BINARY` appends raw binary data to the XML text; text files are twice as long
  * \cgalHeading{Cost} linear in the number of cells
  */
 template <typename Field>
@@ -301,8 +301,9 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, Shell_format 
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// The same for the cells that a shell may meet (`Bspline_shell_3::shell_cells()`). Constant thresholds are the file's
-/// field data `levels`; others are point data `inner` and `outer`, Bernstein coefficients as those of `f`.
+/// Writes the field of a shell for the cells that the shell may meet (`Bspline_shell_3::shell_cells()`). Constant
+/// thresholds are written as field data `levels`; others as point data `inner` and `outer`, which are Bernstein
+/// coefficients like `f`.
 /// \return `NOT_A_SHELL` if there is no shell; then nothing is written
 template <typename Field, typename Threshold>
 Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
@@ -324,7 +325,7 @@ Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Thre
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// The same for a field or a shell to a file, which is there and complete, or as it was before (`write_file()`).
+/// Writes a field or a shell to a file. On failure, an existing file remains unchanged (`write_file()`).
 template <typename Field_or_shell>
 Shell_file_status write_VTU(const std::string& file, const Field_or_shell& field,
                             Shell_format format = Shell_format::BINARY)

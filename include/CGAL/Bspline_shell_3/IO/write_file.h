@@ -17,12 +17,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief writes a file under another name and renames it when it is complete, so that an interrupted or failed write
- * leaves neither a part of the file nor harms the one that it was to replace.
+ * \brief Writes a file under a temporary name and renames it when it is complete. An interrupted or failed write leaves
+ * an existing file unchanged, and never an incomplete file under the final name.
  *
- * \param file its name
+ * \param file path of the file
  * \param write called with a `std::ostream&`; returns whether it succeeded
- * \return whether the file is there and complete
+ * \return whether the file exists and is complete
  */
 template <typename Writer>
 bool write_file(const std::string& file, const Writer& write)

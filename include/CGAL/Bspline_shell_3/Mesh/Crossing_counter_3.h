@@ -23,13 +23,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief counts, exactly, how often a segment passes through a mesh from the back of its facets to their front.
+ * \brief Finds, exactly, the facets of a closed mesh that a segment crosses, with the direction of each crossing.
  *
- * The mesh is closed; otherwise the count means nothing. Const member functions may be called from several threads at
- * once.
+ * For an open mesh the number of crossings has no meaning. Const member functions may be called concurrently.
  *
- * \cgalHeading{Cost} the first segments are compared with all facets, which is less work than a tree of them; when
- *   there are more, the tree is built.
+ * \cgalHeading{Cost} the first few segments are compared with all facets, which takes less time than building a tree; a
+ *   tree is built for further segments
  */
 class Crossing_counter_3
 {
@@ -42,11 +41,11 @@ public:
   explicit Crossing_counter_3(const Triangle_mesh& mesh);
   explicit Crossing_counter_3(const Triangle_mesh&&) = delete; // it would dangle
 
-  /// the facets that the segment crosses in their interiors, with the sign of each: 1 if it comes out at the front, -1
-  /// if it goes in; in the order of `faces(mesh)`. Nothing if it touches an edge, a vertex, or a facet that one of its
-  /// ends lies on: take another segment.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for a comparison with all
-  ///   facets; the result is the same
+  /// Returns the facets that the segment crosses in their interiors, in the order of `faces(mesh)`. The sign of each is
+  /// 1 if the segment leaves at the front, and -1 if it enters there. Returns nothing if the segment touches an edge or
+  /// a vertex, or ends on a facet: use another segment.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the comparison with
+  ///   all facets; the result is the same
   template <typename ConcurrencyTag = Sequential_tag>
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;
 

@@ -34,7 +34,7 @@ class Crossing_counter_3::Facets
 public:
   explicit Facets(const Triangle_mesh& mesh) : m_mesh(mesh) {}
 
-  // those that a segment meets, in their order
+  // Returns the facets that a segment meets, in their order.
   template <typename ConcurrencyTag>
   std::vector<Face_index> met(const Point_3& p, const Point_3& q) const
   {
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_scans = 32; // a tree takes about as long
+  static constexpr std::size_t most_scans = 32; // they take about as long as building a tree
   const Triangle_mesh& m_mesh;
   mutable std::atomic<std::size_t> m_queries{ 0 };
   mutable std::once_flag m_is_built;
@@ -87,7 +87,7 @@ template <typename ConcurrencyTag>
 std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings(
   const Point_3& p, const Point_3& q) const
 {
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   std::vector<std::pair<Face_index, int> > crossed;
   for(Face_index f : m_facets->met<ConcurrencyTag>(p, q)) {
     const std::array<Point_3, 3> t = m_facets->corners(f);

@@ -36,11 +36,11 @@ class Crossing_counter_3;
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief a user's mesh as the package works on it: triangles with `double` coordinates, each with its facet of origin,
- * checked for all that a shell needs.
+ * \brief Copy of a user's mesh, checked against the requirements of a shell: triangles with `double` coordinates, each
+ * with its facet of origin.
  *
- * Coordinates that are no `double`s are rounded; what is said of the mesh is said of the rounded one. Its elements are
- * numbered along the way through space, so that what passes over them stays in the processor's cache.
+ * Other coordinates are rounded to `double`s, and all statements refer to the rounded mesh. Elements are numbered in
+ * spatial order, so that passes over them use the processor's cache well.
  */
 class Input_mesh_3
 {
@@ -49,25 +49,25 @@ public:
   typedef Surface_mesh<Kernel::Point_3> Triangle_mesh;
   typedef Triangle_mesh::Face_index Face_index;
 
-  /// defects that the caller accepts
+  /// Defects that the caller accepts.
   struct Tolerated_defects
   {
     bool self_intersections = false;
     bool singular_vertices = false;
-    bool orientation = false; // components that bound no volume together; `faces_outwards()` means nothing then
+    bool orientation = false; // components may fail to bound a volume together; `faces_outwards()` has no meaning then
   };
 
-  /// what closes an open mesh, or why nothing does, and the facets to blame
+  /// Closing of an open mesh, or the reason why there is none and the facets that cause it.
   struct Closed
   {
     Shell_status status = Shell_status::NOT_CLOSABLE;
     std::vector<Face_index> offending_facets;
     std::shared_ptr<const Shell_closing_3> closing; // not null on success
   };
-  /// closes an open triangle mesh that has no degenerate facets and whose vertices have one fan each
+  /// Closes an open triangle mesh that has no degenerate facets and whose vertices have one fan each.
   typedef std::function<Closed(const Triangle_mesh&)> Closer;
 
-  /// a closer that has one answer; none, if that is null
+  /// Returns a closer that always returns `closing`; an empty function if it is null.
   static Closer closer(std::shared_ptr<const Shell_closing_3> closing)
   {
     if(!closing) return Closer();
@@ -79,11 +79,11 @@ public:
     };
   }
 
-  /// finds vertices that are to be truncated, of a mesh that is closed and, unless that is tolerated, has no
-  /// self-intersections; null if there are none. Components and orientation are not known yet.
+  /// Finds the vertices to be truncated; returns null if there are none. The mesh is closed and, unless they are
+  /// tolerated, has no self-intersections. Its components and orientation are not determined yet.
   typedef std::function<std::shared_ptr<const Shell_truncation_3>(const Input_mesh_3&)> Truncator;
 
-  /// a truncator that has one answer; none, if that is null
+  /// Returns a truncator that always returns `truncation`; an empty function if it is null.
   static Truncator truncator(std::shared_ptr<const Shell_truncation_3> truncation)
   {
     if(!truncation) return Truncator();
@@ -92,19 +92,19 @@ public:
 
   Input_mesh_3() = default;
 
-  /// copies, triangulates and checks the mesh.
+  /// Copies, triangulates and checks the mesh.
   /// \tparam FaceGraph a model of `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
   /// \param mesh the mesh
   /// \param vpm its points
-  /// \param tolerated what is not checked
-  /// \param closer asked if the mesh is open; without it, open meshes are refused
-  /// \param truncator asked for vertices that are to be truncated; without it, there are none
+  /// \param tolerated defects that are not checked
+  /// \param closer called if the mesh is open; without it, open meshes are rejected
+  /// \param truncator called to find the vertices to be truncated; without it, none are truncated
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
   Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated,
                      const Closer& closer = Closer(), const Truncator& truncator = Truncator())
   {
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
     m_status = Shell_status::NOT_BUILT;
     m_offenders = Offending_simplices();
     Shell_status status = copy<ConcurrencyTag>(mesh, vpm);
@@ -120,42 +120,42 @@ public:
     return m_status = status;
   }
 
-  /// what `build()` returned; without `SUCCESS` there is no mesh
+  /// Status of the last call of `build()`. Unless it is `SUCCESS`, the mesh is empty.
   Shell_status status() const { return m_status; }
   const Triangle_mesh& mesh() const { return m_mesh; }
-  /// what closes the user's mesh: its triangles come after those of the mesh, and count as its facets; null if the mesh
-  /// itself is closed
+  /// Closing of the user's mesh, or null if that mesh is closed. Its triangles follow those of the mesh, and count as
+  /// facets of origin.
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
-  /// what replaces tips of the user's mesh, and is part of this one; null if there is nothing
+  /// Truncation of the user's mesh, which has been applied to this mesh; null if no tip is replaced.
   const std::shared_ptr<const Shell_truncation_3>& truncation() const { return m_truncation; }
-  /// the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Triangles of the closing have
-  /// the numbers that follow, and then those of the discs that replace tips: `part_of_facet()`.
+  /// Returns the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Larger numbers denote
+  /// triangles of the closing, followed by triangles of discs: see `part_of_facet()`.
   std::size_t facet_of_origin(Face_index f) const { return m_origin[f]; }
-  /// the part of the surface that a facet of origin belongs to
+  /// Returns the part of the surface that a facet of origin belongs to.
   Surface_part part_of_facet(std::size_t facet) const
   {
     if(facet < m_user_facets) return Surface_part::MESH;
     const std::size_t closing = m_closing ? m_closing->triangles().size() : 0;
     return facet - m_user_facets < closing ? Surface_part::CLOSING : Surface_part::DISC;
   }
-  /// with those of the closing, and of discs
+  /// Number of facets of origin, including triangles of the closing and of discs.
   std::size_t number_of_facets_of_origin() const { return m_number_of_facets; }
-  /// smallest box around the facets
+  /// Smallest box around the facets.
   Bbox_3 bbox() const { return m_bbox; }
-  /// length of the longest side of the box: the paper's unit
+  /// Length of the longest side of the box: the paper's unit.
   double unit() const { return (std::max)({ m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span() }); }
   std::size_t number_of_components() const { return m_components; }
-  /// the connected component that has a triangle; components are numbered in the order of their first facets of the
-  /// user's mesh
+  /// Returns the connected component of a triangle. Components are numbered in the order of their first facets in the
+  /// user's mesh.
   std::size_t component(Face_index f) const { return m_component[f]; }
-  /// `false` if the facets face the bounded side; the field then grows inwards. Of a self-intersecting mesh: whether
-  /// its volume is positive.
+  /// `false` if the facets face the bounded side; the field then increases inwards. For a self-intersecting mesh:
+  /// whether its volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// the vertex of the user's mesh (position in `vertices(mesh)`) that a vertex is. Those of the closing have the
-  /// numbers that follow, and then those that replace truncated ones.
+  /// Returns the vertex of the user's mesh (position in `vertices(mesh)`) for a vertex of this mesh. Larger numbers
+  /// denote vertices of the closing, followed by vertices of discs.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v]; }
-  /// whether a vertex is one of the user's mesh
+  /// Returns whether a vertex belongs to the user's mesh.
   bool is_of_user(Triangle_mesh::Vertex_index v) const { return m_vertex_origin[v] < m_user_vertices; }
 
   std::array<Kernel::Point_3, 3> triangle(Face_index f) const
@@ -204,7 +204,7 @@ private:
   Shell_status m_status = Shell_status::NOT_BUILT;
   Triangle_mesh m_mesh;
   std::vector<std::size_t> m_origin, m_vertex_origin, m_component;
-  std::vector<char> m_is_embedded; // for each vertex, whether its fan certainly is; empty if that is not known
+  std::vector<char> m_is_embedded; // by vertex, whether its fan is proved embedded; empty if unknown
   Bbox_3 m_bbox;
   std::size_t m_number_of_facets = 0, m_number_of_vertices = 0, m_components = 0;
   std::size_t m_user_facets = 0, m_user_vertices = 0;

@@ -71,16 +71,16 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_fans()
 {
   std::vector<Triangle_mesh::Halfedge_index> pinched;
   Polygon_mesh_processing::non_manifold_vertices(m_mesh, std::back_inserter(pinched));
-  std::vector<std::size_t> vertices; // there is a halfedge for each fan
+  std::vector<std::size_t> vertices; // one halfedge per fan
   for(auto h : pinched) vertices.push_back(m_vertex_origin[m_mesh.target(h)]);
   return vertices.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NON_MANIFOLD, vertices);
 }
 
-// Pre: all facets are triangles, with an area, and each vertex has one fan.
+// \pre all facets are triangles with positive area, and each vertex has one fan
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::close(const Closer& closer)
 {
-  // A closing may have as many facets as the mesh, and two for each edge of the border.
+  // The numbers must suffice for a closing with as many facets as the mesh, and two per border edge.
   const std::size_t vertices = m_mesh.number_of_vertices(), edges = m_mesh.number_of_edges();
   if(!internal::Mesh_size{ 2 * vertices, 4 * edges }.has_numbers()) return Shell_status::TOO_MANY_FACETS;
   std::vector<std::size_t> at_border = facets_at_border();
@@ -104,8 +104,8 @@ Shell_status Input_mesh_3::close(const Closer& closer)
   return is_surface<ConcurrencyTag>() ? Shell_status::SUCCESS : refuse_facets(Shell_status::NOT_CLOSABLE, at_border);
 }
 
-// Returns whether the mesh is a closed surface of triangles with an area, and its coordinates are in range, as all
-// later steps require. Every change of the mesh ends with this check.
+// Returns whether the mesh satisfies the requirements of all later steps: it is a closed surface of triangles with
+// positive area, and its coordinates are in range. Every change of the mesh ends with this check.
 template <typename ConcurrencyTag>
 bool Input_mesh_3::is_surface()
 {
@@ -126,8 +126,9 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_range() const
   return unit() > 0 && unit() < smallest ? Shell_status::COORDINATES_OUT_OF_RANGE : Shell_status::SUCCESS;
 }
 
-// Pre: all facets are triangles. That a truncated mesh has no self-intersections, as certificates prove, says nothing
-// about the tips: they are tested.
+// Certificates prove that the truncated mesh has no self-intersections, which does not cover the tips cut off. If
+// self-intersections are tolerated, the mesh is therefore tested before it is truncated.
+// \pre all facets are triangles
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_defects& tolerated)
 {
@@ -140,7 +141,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
     const Shell_status status = check_intersections<ConcurrencyTag>();
     if(status != Shell_status::SUCCESS) return status;
   }
-  // the facets of origin of the facets that are cut, and the vertices that are cut off
+  // Facets of origin of the cut facets, and the vertices to be cut off.
   std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0), centers;
   for(std::size_t n = 0; n < in_mesh.size(); ++n)
     if(in_mesh[n] != Triangle_mesh::null_halfedge()) origin_of_cut[n] = m_origin[m_mesh.face(in_mesh[n])];
@@ -155,7 +156,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   const auto is_of_closing = [&](std::size_t facet) { return part_of_facet(facet) == Surface_part::CLOSING; };
   if(std::any_of(origin_of_cut.begin(), origin_of_cut.end(), is_of_closing))
     return refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
-  // which elements go where is kept in the mesh
+  // Origins are stored in property maps, which follow the elements through the truncation.
   auto origin = m_mesh.add_property_map<Face_index, std::size_t>("f:origin").first;
   auto vertex_origin = m_mesh.add_property_map<Triangle_mesh::Vertex_index, std::size_t>("v:origin").first;
   for(Face_index f : m_mesh.faces()) origin[f] = m_origin[f];
@@ -181,7 +182,7 @@ Shell_status Input_mesh_3::truncate(const Truncator& truncator, const Tolerated_
   m_mesh.remove_property_map(origin);
   m_mesh.remove_property_map(vertex_origin);
   m_truncation = std::move(truncation);
-  m_is_embedded.clear(); // of the mesh before
+  m_is_embedded.clear(); // describes the mesh before truncation
   return is_surface<ConcurrencyTag>() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers);
 }
 
@@ -212,10 +213,10 @@ Shell_status Input_mesh_3::check_areas()
   return Shell_status::SUCCESS;
 }
 
-// false for a polygon of two edges
+// Returns false for a polygon of two edges.
 CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
 {
-  std::vector<Triangle_mesh::Halfedge_index> halfedges; // to the vertices of the polygon
+  std::vector<Triangle_mesh::Halfedge_index> halfedges; // each leads to a vertex of the polygon
   std::vector<Kernel::Point_3> points;
   for(auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
     halfedges.push_back(h);
@@ -223,7 +224,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Input_mesh_3::triangulate(Face_index f)
   }
   if(points.size() < 3) return false;
   std::vector<std::array<std::size_t, 3> > triangles = triangulate_polygon(points);
-  triangles.pop_back(); // what is left of the polygon
+  triangles.pop_back(); // the remaining facet
   for(const auto& t : triangles) {
     const Triangle_mesh::Halfedge_index across = CGAL::Euler::split_face(halfedges[t[0]], halfedges[t[2]], m_mesh);
     halfedges[t[2]] = across;
@@ -239,7 +240,7 @@ Shell_status Input_mesh_3::check_intersections()
 {
   m_is_embedded = embedded_fans<ConcurrencyTag>(m_mesh);
   std::vector<std::size_t> facets, with_closing;
-  // overlapping meshes may have a quadratic number of pairs: enough of them is enough
+  // Overlapping meshes may have a quadratic number of pairs; `max_pairs` of them suffice.
   for(const auto& pair : internal::intersecting_facets<ConcurrencyTag>(m_mesh, m_is_embedded, max_pairs)) {
     const std::size_t f = m_origin[pair.first], g = m_origin[pair.second];
     auto& found = f < m_user_facets && g < m_user_facets ? facets : with_closing;
@@ -250,9 +251,10 @@ Shell_status Input_mesh_3::check_intersections()
   return with_closing.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::NOT_CLOSABLE, with_closing);
 }
 
-// All components must be oriented as the boundary of one volume, or all the other way round. A short segment through
-// one facet of each component ends next to it in front; from there, the facets crossed on the way out tell which
-// components the point is in. Pre: components do not intersect.
+// All components must be oriented as the boundary of one volume, or all in the opposite way. For each component, a
+// point is chosen close to one of its facets, in front of it. The facets crossed on a segment from there to the outside
+// determine the components that contain the point.
+// \pre components do not intersect
 template <typename ConcurrencyTag>
 Shell_status Input_mesh_3::check_orientation()
 {
@@ -269,7 +271,7 @@ Shell_status Input_mesh_3::check_orientation()
     is_outward[c] = std::find(around->begin(), around->end(), c) == around->end();
     nesting[c] = around->size() - (is_outward[c] ? 0 : 1);
   }
-  // the first facet of each component; the first facets of the components that are to blame
+  // First facet of each component; first facets of the components with the wrong orientation.
   std::vector<std::size_t> first(m_components, m_number_of_facets), facets;
   for(Face_index f : m_mesh.faces()) first[m_component[f]] = (std::min)(first[m_component[f]], m_origin[f]);
   for(std::size_t c = 0; c < m_components; ++c)
@@ -282,8 +284,8 @@ Shell_status Input_mesh_3::check_orientation()
   return facets.empty() ? Shell_status::SUCCESS : refuse_facets(Shell_status::INCONSISTENT_ORIENTATION, facets);
 }
 
-// The components that have a point within them: one in front of a facet, with nothing between. Nothing if rounding
-// leaves no such point near the middle of the facet.
+// Returns the components that contain a point in front of the facet, with no other facet between. Returns nothing if
+// rounding leaves no such point near the middle of the facet.
 template <typename ConcurrencyTag>
 std::optional<std::vector<std::size_t> > Input_mesh_3::components_around_front(Face_index f,
                                                                                const Crossing_counter_3& counter) const
@@ -300,7 +302,7 @@ std::optional<std::vector<std::size_t> > Input_mesh_3::components_around_front(F
     if(front == middle) return std::nullopt;
     const auto through = counter.crossings<ConcurrencyTag>(middle - step * normal, front);
     if(!through || through->size() != 1 || (*through)[0] != std::make_pair(f, 1)) continue;
-    // Ways out, until one touches no edge; none is special to any mesh.
+    // Tries directions until one touches no edge; the directions are generic.
     const double reach = 8 * unit();
     for(const Kernel::Vector_3& way :
         { Kernel::Vector_3(0.531, 0.677, 0.509), Kernel::Vector_3(-0.732, 0.417, 0.539),
@@ -321,7 +323,7 @@ std::optional<std::vector<std::size_t> > Input_mesh_3::components_around_front(F
 
 CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
 {
-  // one of each facet of the user's mesh, in whose order components are numbered
+  // One triangle per facet of origin, in the order in which components are numbered.
   std::vector<Face_index> triangle(m_number_of_facets);
   for(Face_index f : m_mesh.faces()) triangle[m_origin[f]] = f;
   constexpr std::size_t unknown = std::size_t(-1);
@@ -329,7 +331,7 @@ CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
   m_components = 0;
   std::vector<Face_index> stack;
   for(Face_index first : triangle) {
-    // facets may have been cut off as a whole
+    // Facets may have been cut off entirely.
     if(first == Triangle_mesh::null_face() || m_component[first] != unknown) continue;
     m_component[first] = m_components;
     stack.push_back(first);
@@ -347,7 +349,7 @@ CGAL_BSPLINE_SHELL_3_INLINE void Input_mesh_3::find_components()
   }
 }
 
-// Components that intersect have no nesting: the sign of the volume, where rounding leaves no doubt about it, decides.
+// Intersecting components have no nesting. The sign of the volume decides, if it exceeds the rounding error.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_volume()
 {
   const Kernel::Point_3 o((m_bbox.xmin() + m_bbox.xmax()) / 2, (m_bbox.ymin() + m_bbox.ymax()) / 2,
@@ -360,7 +362,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::check_volume()
     const auto size = [](const Kernel::Vector_3& x) { return std::abs(x.x()) + std::abs(x.y()) + std::abs(x.z()); };
     products += size(u) * size(v) * size(w);
   }
-  // three roundings of differences and three of products in each term, and one for each sum
+  // Three roundings of differences and three of products in each term, and one for each sum.
   const double error = std::numeric_limits<double>::epsilon() * (8. + double(m_mesh.number_of_faces())) * products;
   if(!(std::abs(volume) > error)) {
     std::vector<std::size_t> first = { 0 };
@@ -386,7 +388,7 @@ Shell_status Input_mesh_3::check_vertices()
   return singular.empty() ? Shell_status::SUCCESS : refuse_vertices(Shell_status::SINGULAR_VERTEX, singular);
 }
 
-// Only facets of the user's mesh are listed. If there are none, its closing is to blame, or its truncation.
+// Only facets of the user's mesh are listed. If there are none, the closing or the truncation causes the failure.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status Input_mesh_3::refuse_facets(Shell_status status,
                                                                      std::vector<std::size_t>& facets)
 {

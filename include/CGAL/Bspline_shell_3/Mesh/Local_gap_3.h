@@ -22,16 +22,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the local gap of a mesh: how thick its walls are, and how far it is from itself across narrow gaps.
+ * \brief Computes the local gap of a mesh: the thickness of its walls, and the width of narrow gaps between its parts.
  *
- * At a point of a facet, on one of its two sides, the gap is the diameter of the largest ball that touches the facet
- * there and has in its interior no point of a facet that faces the other way: one whose normal makes an angle of more
- * than 120 degrees with that of the facet. Behind the facet the gap is the thickness of the wall, and in front the
- * distance to the next part of the mesh. Facets that share a vertex with the facet are left out: the gap of a fold is
- * zero at its edge.
+ * The gap is defined at a point of a facet, on one of its two sides. It is the diameter of the largest ball that
+ * touches the facet there and whose interior has no point of an opposite facet. A facet is opposite if the angle
+ * between the normals exceeds 120 degrees. The gap behind the facet is the thickness of the wall; the gap in front is
+ * the distance to the next part of the mesh. Facets that share a vertex with the facet are ignored, because the gap of
+ * a fold is zero at its edge.
  *
- * Gaps are computed in `double`s; each is one that some ball has, up to rounding. Const member functions may be called
- * from several threads at once. A query takes logarithmic time where few facets are nearer than the gap.
+ * Gaps are computed in `double`s; up to rounding, each is the diameter of such a ball. Const member functions may be
+ * called concurrently. A query takes logarithmic time if few facets are nearer than the gap.
  */
 class Local_gap_3
 {
@@ -42,13 +42,13 @@ public:
   /// \pre `input` is built, and outlives this object
   explicit Local_gap_3(const Input_mesh_3& input);
 
-  /// the least gap on a facet, user units
+  /// Returns the least gap on a facet, in user units.
   /// \param facet a facet of the checked mesh
   /// \param side `NEGATIVE` behind the facet, `POSITIVE` in front of it
-  /// \param most what is returned if the gap is not less than that; the smaller, the faster
+  /// \param most upper bound on the result; small values are faster
   double operator()(Face_index facet, Sign side, double most = std::numeric_limits<double>::infinity()) const;
 
-  /// the least gap on a part of a facet
+  /// Returns the least gap on a part of a facet, in user units.
   /// \param facet a facet of the checked mesh
   /// \param corners of a convex polygon in the facet, or a point of it
   /// \param size number of corners: three or more, or one

@@ -75,15 +75,15 @@ private:
   }
   static Point coordinates(const Kernel::Point_3& p) { return { p.x(), p.y(), p.z() }; }
 
-  // what is looked for, how it is found in a tree, and the least gap so far
+  // Query of the tree, with its traversal traits and the least gap found.
   struct Query
   {
     const Facets& facets;
     std::size_t facet;
     const Point* corners;
     std::size_t size;
-    Point direction; // unit, towards the side
-    Bbox_3 box;      // of the corners
+    Point direction; // unit vector to the side of the facet
+    Bbox_3 box;      // bounding box of the corners
     double gap;
 
     Query(const Facets& facets, std::size_t facet, const Point* corners, std::size_t size, Sign side, double most)
@@ -96,7 +96,7 @@ private:
 
     bool go_further() const { return gap > 0; }
 
-    // a ball that touches the polygon lies in the polygon's box, moved by the radius and enlarged by it
+    // A ball that touches the polygon lies in the polygon's box, moved by the radius and enlarged by it.
     template <typename Node>
     bool do_intersect(const Query&, const Node& node) const
     {
@@ -120,16 +120,17 @@ private:
       narrow(facets.m_triangles[other]);
     }
 
-    // The diameter of the ball that touches the polygon at p and has q on its boundary is |q - p|^2 / h, with h the
-    // height of q above the polygon's plane. A ball of diameter D that touches the polygon meets the triangle in its
-    // interior if and only if the polygon, moved by D / 2, is nearer to it than D / 2; the two points next to each
-    // other then give a smaller diameter (Dinkelbach's method for fractions).
+    // Let h be the height of a point q above the polygon's plane. The ball that touches the polygon at p and has q on
+    // its boundary has diameter |q - p|^2 / h. Balls of diameter D that touch the polygon have their centers on the
+    // polygon moved by D / 2. One of them meets the triangle in its interior if and only if the moved polygon is closer
+    // to the triangle than D / 2. The closest points of both then give a smaller diameter (Dinkelbach's method for
+    // fractional programs).
     void narrow(const Kernel::Triangle_3& triangle)
     {
       constexpr int max_steps = 64;
       constexpr double progress = 1e-9;
       if(!std::isfinite(gap)) {
-        // any ball to begin with
+        // Starts with any ball.
         for(int i = 0; i < 3; ++i) {
           const Kernel::Vector_3 d = triangle[i] - kernel_point(corners[0]);
           const double height = height_of(d);
@@ -150,7 +151,8 @@ private:
       return d.x() * direction[0] + d.y() * direction[1] + d.z() * direction[2];
     }
 
-    // from the polygon's point to the triangle's, of those that are next to each other when the polygon is moved
+    // Returns the vector from the polygon to the triangle between their closest points, which are determined for the
+    // polygon moved by `shift`.
     Kernel::Vector_3 from_next(const Kernel::Triangle_3& triangle, double shift) const
     {
       const Kernel::Vector_3 moved(shift * direction[0], shift * direction[1], shift * direction[2]);
@@ -168,7 +170,7 @@ private:
       };
       for(std::size_t n = 0; n < size; ++n) consider(corner(n), closest(triangle, corner(n)));
       for(int i = 0; i < 3; ++i) consider_on_polygon(triangle[i]);
-      // where one passes through the other: an edge of one meets the other's plane there
+      // If the polygon and the triangle intersect, an edge of one meets the plane of the other at a common point.
       for(int i = 0; i < 3; ++i) {
         const double h = height_of(triangle[i] - corner(0)), k = height_of(triangle[i + 1] - corner(0));
         if(h * k < 0) consider_on_polygon(triangle[i] + h / (h - k) * (triangle[i + 1] - triangle[i]));
@@ -183,14 +185,14 @@ private:
       for(std::size_t n = 0; n < size; ++n)
         for(int i = 0; i < 3; ++i) {
           const auto [s, t] = closest_of_lines(corner(n), corner(n + 1), triangle[i], triangle[i + 1]);
-          // where one is at an end, vertices have been considered
+          // Vertices have been considered above.
           if(s > 0 && s < 1 && t > 0 && t < 1)
             consider(corner(n) + s * (corner(n + 1) - corner(n)), triangle[i] + t * (triangle[i + 1] - triangle[i]));
         }
       return result;
     }
 
-    // parameters; none in the segments if the lines are parallel
+    // Returns the parameters of the closest points; values outside [0, 1] if the lines are parallel.
     static std::array<double, 2> closest_of_lines(const Kernel::Point_3& p, const Kernel::Point_3& q,
                                                   const Kernel::Point_3& r, const Kernel::Point_3& s)
     {

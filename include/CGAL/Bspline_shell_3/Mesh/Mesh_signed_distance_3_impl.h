@@ -29,8 +29,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// `Simple_cartesian<double>`, with a faster closest point on a triangle: barycentric coordinates tell which edges see
-// the point.
+// `Simple_cartesian<double>` with a faster projection onto triangles: the signs of barycentric coordinates select the
+// edges to consider.
 struct Distance_kernel : Simple_cartesian<double>
 {
   struct Construct_projected_point_3
@@ -96,7 +96,7 @@ public:
 
   int sign(const Point_3& p) const
   {
-    std::call_once(m_side_is_built, [&] { // few are in doubt, and often none
+    std::call_once(m_side_is_built, [&] { // built on demand, as few signs need it
       m_side_tree = std::make_unique<Side_tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
       m_side_tree->build();
       m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
@@ -117,9 +117,9 @@ public:
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
-    // Rounding decides next to the mesh, and where the facets at the closest point are thin or seen edge-on. Whether
-    // the closest point is on an edge is known up to `rounding()`, below a tenth of `doubtful * nearest` of the
-    // coordinates: it turns `away` by less than `doubtful`.
+    // The normal is unreliable next to the mesh, and where the facets at the closest point are thin or seen edge-on;
+    // there, the exact sign is used. Closest points are assigned to edges up to `rounding()`, which is less than 1/10
+    // of `doubtful * nearest * m_largest_coordinate`. Such an error turns `away` by less than `doubtful`.
     constexpr FT doubtful = 1e-5, nearest = 1e-8;
     if(length < nearest * m_largest_coordinate) return sign(p) * length;
     const FT side = away * normal_at(hint.triangle, closest.first) / length;
@@ -134,11 +134,11 @@ private:
   struct Facet
   {
     Vector normal;
-    std::array<std::uint32_t, 3> neighbor, vertex; // across edge `i`; where that begins
+    std::array<std::uint32_t, 3> neighbor, vertex; // across edge `i`; source of edge `i`
     bool is_thin;
   };
 
-  // From facet to facet as long as the next one is closer: the tree then visits few boxes more than it must.
+  // Walks from facet to facet while the next one is closer. The tree then visits few unnecessary boxes.
   Distance_tree::Point_and_primitive_id descend(const Distance_kernel::Point_3& q, std::size_t facet) const
   {
     const auto closest_point = Distance_kernel().construct_projected_point_3_object();
@@ -164,10 +164,10 @@ private:
     return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
   }
 
-  // what rounding does to a closest point
+  // Bound on the rounding error of a closest point.
   FT rounding() const { return 32 * std::numeric_limits<FT>::epsilon() * m_largest_coordinate; }
 
-  // a unit vector, or zero for a facet too flat for doubles
+  // Returns a unit vector, or zero for a facet too flat for `double`s.
   static Vector unit(Vector v)
   {
     const FT largest = (std::max)({ std::abs(v.x()), std::abs(v.y()), std::abs(v.z()) });
@@ -176,12 +176,12 @@ private:
     return v / std::sqrt(v.squared_length());
   }
 
-  // facets are not removed from the mesh: their numbers are consecutive
+  // The mesh has no removed facets, so that their numbers are consecutive.
   void compute_normals(const Input_mesh_3::Triangle_mesh& mesh)
   {
     m_facets.reserve(m_triangles.size());
     m_vertex_normals.assign(mesh.num_vertices(), Vector(NULL_VECTOR));
-    constexpr FT thinnest = 1e-6; // relative to coordinates, as rounding is
+    constexpr FT thinnest = 1e-6; // relative to coordinates, as is rounding
     for(auto f : mesh.faces()) {
       const Distance_kernel::Triangle_3& t = m_triangles[std::size_t(f)];
       const FT scale = std::sqrt((std::max)((t[1] - t[0]).squared_length(), (t[2] - t[0]).squared_length()));
@@ -204,7 +204,8 @@ private:
     for(Vector& n : m_vertex_normals) n = unit(n);
   }
 
-  // At a point of a facet. Zero on a facet so thin that rounding hides where in it a point lies, and on its edges.
+  // Returns the normal at a point of a facet. On a facet so thin that rounding hides the position of a point in it, and
+  // on its edges, it is zero.
   Vector normal_at(std::size_t n, const Distance_kernel::Point_3& p) const
   {
     const Distance_kernel::Triangle_3& t = m_triangles[n];

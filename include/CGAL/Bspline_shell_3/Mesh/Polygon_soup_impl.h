@@ -42,7 +42,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status check_soup(const Polygon_soup& soup, Of
       if(v >= soup.points.size() && (offenders.facets.empty() || offenders.facets.back() != n))
         offenders.facets.push_back(n);
   if(!offenders.facets.empty()) return Shell_status::INVALID_PARAMETER;
-  constexpr double largest = 1e60; // as for meshes
+  constexpr double largest = 1e60; // the limit for meshes
   bool is_in_range = true;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     for(int a = 0; a < 3; ++a) {
@@ -105,8 +105,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<std::size_t> merge_points(Polygon_soup& 
   return first;
 }
 
-// notes which vertices are copied when a soup is oriented, those whose facets do not form one fan, and counts facets
-// that are turned round
+// Collects the vertices that are duplicated when a soup is oriented, because their facets do not form one fan, and
+// counts reversed facets.
 struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
 {
   Orientation_notes(std::vector<std::size_t>& copied, std::size_t& turned) : copied(copied), turned(turned) {}
@@ -117,8 +117,8 @@ struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
   std::size_t& turned;
 };
 
-// an edge of a polygon, which walks it from the lower vertex to the upper one if `is_forward`; corners are numbered
-// polygon by polygon
+// An edge of a polygon. If `is_forward`, the polygon traverses it from the lower vertex to the upper one. Corners are
+// numbered polygon by polygon.
 struct Edge_use
 {
   std::size_t lower, upper, polygon, lower_corner, upper_corner;
@@ -131,7 +131,8 @@ struct Edge_use
   }
 };
 
-// The edges of all polygons, sorted. Polygons of less than three corners, or with a vertex twice, are offenders.
+// Returns the edges of all polygons, sorted. Polygons with fewer than three corners or with a repeated vertex are
+// offenders.
 inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std::size_t>& offenders)
 {
   std::vector<std::size_t> sorted;
@@ -141,9 +142,9 @@ inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std
     if(sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) offenders.push_back(p);
   }
   if(!offenders.empty()) return {};
-  // by the lower vertex first: few edges have the same
+  // Sorts by the lower vertex first, which few edges share.
   const auto for_each_side = [&](const auto& f) {
-    std::size_t first = 0; // corner of the polygon
+    std::size_t first = 0; // first corner of the polygon
     for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
       const std::vector<std::size_t>& polygon = soup.polygons[p];
       for(std::size_t i = 0; i < polygon.size(); ++i) {
@@ -165,7 +166,7 @@ inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std
   return uses;
 }
 
-// calls f(first, last) for the uses of each edge
+// Calls f(first, last) for the uses of each edge.
 template <typename Function>
 inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
 {
@@ -177,8 +178,8 @@ inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
   }
 }
 
-// What keeps polygons from being a mesh. Two polygons at an edge must walk it in opposite directions, after some of
-// them are turned round; a parity that contradicts itself around the surface makes it one-sided.
+// Finds the defects that keep polygons from being a mesh. After some polygons are reversed, the two polygons at an edge
+// must traverse it in opposite directions. If the required reversals contradict each other, the surface is one-sided.
 inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::size_t number_of_polygons,
                                       std::vector<std::size_t>& offenders)
 {
@@ -222,11 +223,11 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
   return offenders.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
 }
 
-// Whether polygons are a mesh as they are: two at an edge walk it in opposite directions, and those around a vertex
-// form one fan.
+// Returns whether polygons already form a mesh: the two polygons at an edge traverse it in opposite directions, and the
+// polygons around a vertex form one fan.
 inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup)
 {
-  // union-find of corners that are at the same vertex and at a common edge
+  // union-find of corners at the same vertex that are at a common edge
   std::size_t corners = 0;
   for(const auto& polygon : soup.polygons) corners += polygon.size();
   std::vector<std::size_t> parent(corners);
@@ -266,7 +267,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offendi
   if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
   const Shell_status status = diagnose_polygons(uses, soup.polygons.size(), offenders.facets);
   if(status != Shell_status::SUCCESS) return status;
-  if(are_mesh(uses, soup)) return Shell_status::SUCCESS; // most are
+  if(are_mesh(uses, soup)) return Shell_status::SUCCESS; // the most frequent case
   PMP::orient_polygon_soup(soup.points, soup.polygons,
                            CGAL::parameters::visitor(Orientation_notes(offenders.vertices, turned)));
   sort_and_remove_repetitions(offenders.vertices);

@@ -31,34 +31,34 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief triangles that close an open mesh: caps of its holes, and back sheets.
+ * \brief Triangles that close an open mesh: caps of its holes, and back sheets.
  *
- * A shell of an open mesh is that of the closed one, and keeps its closing. Every mesh with the same border, bit for
- * bit, can be closed by the same triangles. If both closed meshes are certified in the shell, the integral curves map
- * the open ones one-to-one onto each other, and the border onto itself: a curve that meets a triangle of the closing
- * meets both meshes there.
+ * The shell of an open mesh is built for the closed mesh, and stores the closing. Every mesh with the same border, bit
+ * for bit, can be closed by the same triangles. If both closed meshes are certified in the shell, the integral curves
+ * map the open meshes one-to-one onto each other. They map the border to itself, because a curve that meets a triangle
+ * of the closing meets both meshes there.
  *
- * Points on the border are known by their coordinates: a mesh that is closed and embedded has no two vertices in the
- * same place.
+ * Border points are identified by their coordinates, because a closed and embedded mesh has no two vertices at the same
+ * position.
  */
 class Shell_closing_3
 {
 public:
   typedef std::array<double, 3> Point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle; ///< points, counterclockwise as seen from where the mesh faces
+  typedef std::array<Index, 3> Triangle; ///< Positions of points, counterclockwise as seen from the front of the mesh.
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
   enum class Kind : unsigned char
   {
-    CAP, ///< fills a hole
-    BACK ///< part of a sheet behind the mesh, and of the strips that connect it to the border
+    CAP, ///< Part of a cap that fills a hole.
+    BACK ///< Part of a sheet behind the mesh, or of the strips that connect it to the border.
   };
 
   Shell_closing_3() = default;
-  /// \param points the points on the border first
-  /// \param border how many these are
+  /// \param points border points first
+  /// \param border number of border points
   /// \param triangles the triangles
   /// \param kinds of the triangles
   Shell_closing_3(std::vector<Point> points, std::size_t border, std::vector<Triangle> triangles,
@@ -71,7 +71,7 @@ public:
   }
 
   const std::vector<Point>& points() const { return m_points; }
-  /// how many of the points are on the border; they come first
+  /// Number of border points, which are the first of all points.
   std::size_t number_of_border_points() const { return m_border; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<Kind>& kinds() const { return m_kinds; }
@@ -79,15 +79,15 @@ public:
   /// border point has one edge to the next border point, and all other edges have one triangle on either side. The
   /// triangles at each point form one fan.
   bool is_valid() const { return m_is_valid; }
-  /// the number of the border point with these coordinates, or `npos`
+  /// Returns the number of the border point with these coordinates, or `npos`.
   Index border_point(const Point& p) const
   {
     const auto found = m_border_point.find(p);
     return found == m_border_point.end() ? npos : found->second;
   }
 
-  /// what was attached to a mesh: the facets in the order of the triangles, and the vertices that are no border points,
-  /// in the order of the points
+  /// Elements added to a mesh: the facets in the order of the triangles, and the vertices that are not border points,
+  /// in the order of the points.
   template <typename FaceGraph>
   struct Attached
   {
@@ -95,25 +95,25 @@ public:
     std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
   };
 
-  /// closes a mesh: adds vertices and facets. Whether the result is closed is checked.
+  /// Closes a mesh by adding vertices and facets, and checks that the result is closed.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `HalfedgeListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three
   ///   `double`s
-  /// \return nothing, and the mesh as it was, if its border is not that of the closing, or if it has another of its
-  /// edges
+  /// \return nothing if the border of the mesh is not that of the closing, or if the mesh has another edge of the
+  ///   closing; the mesh is then unchanged
   /// \cgalHeading{Cost} linear in the size of the mesh
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<Attached<FaceGraph> > attach(FaceGraph& mesh, VertexPointMap vpm) const;
 
-  /// opens the mesh again. Vertices without facets go, too.
+  /// Opens the mesh again. Vertices that lose all facets are removed.
   template <typename FaceGraph>
   static void detach(FaceGraph& mesh, const Attached<FaceGraph>& attached)
   {
     for(auto f = attached.faces.rbegin(); f != attached.faces.rend(); ++f) Euler::remove_face(halfedge(*f, mesh), mesh);
   }
 
-  /// The border halfedges of a mesh by the numbers of the border points that they connect, or nothing if the border is
-  /// another one: a map from `key(source, target)`.
+  /// Returns the border halfedges of a mesh, by `key(source, target)` of the border points that they connect. Returns
+  /// nothing if the border is not that of the closing.
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
   match_border(const FaceGraph& mesh, VertexPointMap vpm) const;
@@ -137,15 +137,15 @@ inline bool Shell_closing_3::can_close() const
   if(m_kinds.size() != m_triangles.size()) return false;
   for(const Point& p : m_points)
     if(!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); })) return false;
-  std::vector<std::size_t> corners(m_points.size(), 0); // number of triangles at each point
-  std::unordered_map<std::uint64_t, Index> third;       // the other corner of an edge's triangle
+  std::vector<std::size_t> corners(m_points.size(), 0); // by point
+  std::unordered_map<std::uint64_t, Index> third;       // third corner of the triangle of a directed edge
   for(const Triangle& t : m_triangles)
     for(int i = 0; i < 3; ++i) {
       const Index p = t[i], q = t[(i + 1) % 3];
       if(p >= m_points.size() || p == q || !third.emplace(key(p, q), t[(i + 2) % 3]).second) return false;
       ++corners[p];
     }
-  std::vector<Index> next(m_points.size(), npos); // along the border, or, from an inner point, any edge
+  std::vector<Index> next(m_points.size(), npos); // along the border; for an inner point, any edge
   std::vector<int> outgoing(m_border, 0), incoming(m_border, 0);
   for(const auto& edge : third) {
     const Index p = Index(edge.first >> 32), q = Index(edge.first & npos);
@@ -161,7 +161,7 @@ inline bool Shell_closing_3::can_close() const
   const auto is_one = [](int n) { return n == 1; };
   if(!std::all_of(outgoing.begin(), outgoing.end(), is_one)) return false;
   if(!std::all_of(incoming.begin(), incoming.end(), is_one)) return false;
-  // All triangles at a point are met on the way around it, from one edge to the next.
+  // A walk around the point, from one edge to the next, must meet all of its triangles.
   for(Index p = 0; p < m_points.size(); ++p) {
     std::size_t met = 0;
     Index q = next[p];
@@ -182,7 +182,7 @@ Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
 {
   typedef std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Border;
   if(!is_valid()) return std::nullopt;
-  // each edge of the closing's border, once
+  // The directed edges of the closing's border.
   std::unordered_map<std::uint64_t, char> is_open;
   for(const Triangle& t : m_triangles)
     for(int i = 0; i < 3; ++i) {
@@ -226,11 +226,11 @@ std::optional<Shell_closing_3::Attached<FaceGraph> > Shell_closing_3::attach(Fac
   for(const Triangle& t : m_triangles) {
     const auto f = Euler::add_face(
       std::array<typename Graph_traits::vertex_descriptor, 3>{ vertex[t[0]], vertex[t[1]], vertex[t[2]] }, mesh);
-    if(f == Graph_traits::null_face()) break; // the mesh has an edge of the closing beside the border
+    if(f == Graph_traits::null_face()) break; // the mesh has an edge of the closing that is not on the border
     attached.faces.push_back(f);
   }
   if(attached.faces.size() == m_triangles.size() && CGAL::is_closed(mesh)) return attached;
-  // Vertices with facets are removed with these.
+  // Vertices with facets are removed together with them.
   std::vector<typename Graph_traits::vertex_descriptor> isolated;
   for(auto v : attached.vertices)
     if(halfedge(v, mesh) == Graph_traits::null_halfedge()) isolated.push_back(v);

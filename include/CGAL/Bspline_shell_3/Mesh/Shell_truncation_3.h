@@ -30,21 +30,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief what replaces the tips of a mesh at some of its vertices, and the map from one mesh to the other.
+ * \brief Replacement of the tips of a mesh at some of its vertices, and the map between the two meshes.
  *
- * At a vertex whose facets face no common direction, no field can be transversal. The *truncated* mesh has a disc there
- * instead: the facets at the vertex are cut near it, and triangles between the cuts replace what is cut off. The map
- * between the meshes is the identity beyond the facets that are cut, up to the rounding of coordinates. What is left of
- * a cut facet, its *core*, is a union of triangles that are facets of the truncated mesh: the map is affine on each.
- * The tip, a fan of triangles between the vertex and the cuts, and the disc are both mapped affinely, triangle by
- * triangle, into the plane, onto the same polygon; the map from tip to disc is the one after the inverse of the other.
+ * If the facets at a vertex face no common direction, no field can be transversal there. The *truncated* mesh has a
+ * disc in place of the vertex: the facets at the vertex are cut near it, and triangles between the cuts replace the
+ * part that is cut off.
  *
- * That this is a homeomorphism is proved by `is_valid()`, in exact arithmetic, and by nothing else: neither by the
- * coordinates of cuts, which are rounded, nor by how they were found.
+ * The map between the meshes is the identity outside the cut facets, up to the rounding of coordinates. The rest of a
+ * cut facet, its *core*, is a union of triangles, which are facets of the truncated mesh; the map is affine on each.
+ * The *tip* is a fan of triangles between the vertex and the cuts. The tip and the disc are both mapped to the same
+ * planar polygon, by affine maps of their triangles. The map from tip to disc is the first of these maps followed by
+ * the inverse of the second.
  *
- * Facets are known by the coordinates of their vertices, as no two vertices of an embedded mesh are in the same place.
- * So the truncation fits every mesh that has the facets to be cut. Facets that are cut and their parts form *patches*,
- * each of which is found, and replaced, as a whole.
+ * `is_valid()` proves in exact arithmetic that the map is a homeomorphism. The proof does not depend on the coordinates
+ * of cuts, which are rounded, or on how they were found.
+ *
+ * Facets are identified by the coordinates of their vertices, because an embedded mesh has no two vertices at the same
+ * position. So the truncation fits every mesh that has the facets to be cut. Cut facets and their parts form *patches*;
+ * each patch is found and replaced as a whole.
  */
 class Shell_truncation_3
 {
@@ -52,35 +55,35 @@ public:
   typedef std::array<double, 3> Point;
   typedef std::array<double, 2> Planar_point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle; ///< points, counterclockwise as seen from where the mesh faces
+  typedef std::array<Index, 3> Triangle; ///< Positions of points, counterclockwise as seen from the front of the mesh.
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
-  /// A point where a facet is cut: `center + s (first - center) + t (second - center)`, where the facet has these
-  /// corners in this order. On an edge, `t` is zero and `second` is `npos`.
+  /// A point where a facet is cut: `center + s (first - center) + t (second - center)`, where these are corners of the
+  /// facet in this order. On an edge, `t` is zero and `second` is `npos`.
   struct Cut
   {
     Index center, first, second;
     double s, t;
   };
 
-  /// what replaces the tip at a vertex
+  /// Replacement of the tip at a vertex.
   struct Disc
   {
-    Index center;                    ///< the vertex
-    std::vector<Index> rim;          ///< the cuts around it, counterclockwise
-    std::vector<Index> facets;       ///< the cut facet in which each edge of the rim lies, from each cut to the next
-    std::vector<Triangle> triangles; ///< between cuts and further points
+    Index center;                    ///< The vertex.
+    std::vector<Index> rim;          ///< The cuts around it, counterclockwise.
+    std::vector<Index> facets;       ///< By edge of the rim, from each cut to the next: the cut facet that contains it.
+    std::vector<Triangle> triangles; ///< Triangles between cuts and inner points.
   };
 
-  /// a part of a cut facet that stays
+  /// A part of a cut facet that remains.
   struct Core
   {
     Triangle triangle;
-    Index facet; ///< the cut facet
+    Index facet; ///< The cut facet.
   };
 
-  /// a point of a facet: of one that is cut, or of one of the truncated mesh
+  /// A point of a cut facet, or of a facet of the truncated mesh.
   struct Place
   {
     Index facet = npos;
@@ -88,19 +91,19 @@ public:
   };
 
   Shell_truncation_3() = default;
-  /// \param points of the facets that are cut, then those of `cuts`, then those in discs
-  /// \param cut_facets the facets that are cut
+  /// \param points vertices of the cut facets, followed by the points of `cuts` and the inner points of discs
+  /// \param cut_facets facets that are cut
   /// \param cuts of edges and facets
-  /// \param cores all that is left of the facets that are cut
-  /// \param discs what replaces the rest
-  /// \param planar where cuts and points in discs are in the plane; vertices are at the origin
+  /// \param cores remaining parts of the cut facets
+  /// \param discs replacements of the other parts
+  /// \param planar positions of cuts and inner points in the plane; the truncated vertices are at the origin
   Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets, std::vector<Cut> cuts,
                      std::vector<Core> cores, std::vector<Disc> discs, std::vector<Planar_point> planar);
 
   /// \name Data
   /// @{
   const std::vector<Point>& points() const { return m_points; }
-  /// how many of the points are vertices of the mesh; they come first
+  /// Number of points that are vertices of the mesh, which are the first of all points.
   std::size_t number_of_corners() const { return m_points.size() - m_planar.size(); }
   const std::vector<Triangle>& cut_facets() const { return m_cut_facets; }
   const std::vector<Cut>& cuts() const { return m_cuts; }
@@ -109,81 +112,80 @@ public:
   const std::vector<Planar_point>& planar() const { return m_planar; }
   /// @}
 
-  /// Facets of the truncated mesh that the other one does not have, by number: cores, then the triangles of discs.
+  /// Number of facets that only the truncated mesh has: cores, followed by the triangles of discs.
   std::size_t number_of_new_facets() const { return m_cores.size() + m_disc_triangles.size(); }
   Triangle new_facet(std::size_t n) const
   {
     return n < m_cores.size() ? m_cores[n].triangle : triangle_of(m_disc_triangles[n - m_cores.size()]);
   }
-  /// the disc that a new facet is in, or `npos` for a core
+  /// Returns the disc of a new facet, or `npos` for a core.
   Index disc_of_new_facet(std::size_t n) const
   {
     return n < m_cores.size() ? npos : m_disc_triangles[n - m_cores.size()].first;
   }
 
-  /// Whether this is the truncation of a mesh, and its map is a homeomorphism: the parts of each facet tile it, in
-  /// exact arithmetic on the numbers in `cuts()`; facets with a common edge cut it in the same points; and so the cores
-  /// and tips are one subdivision of the facets that are cut. The fan of the tip is mapped onto a polygon that is
-  /// star-shaped, and so is the disc, triangles being positively oriented in the plane, and having no border but the
-  /// rim. No two new facets have the same directed edge, so that `apply()` succeeds on every mesh that has a patch.
+  /// Returns whether this is the truncation of a mesh, and its map is a homeomorphism. The parts of each facet tile it,
+  /// in exact arithmetic on the numbers in `cuts()`. Facets with a common edge have the same cuts on it. Hence the
+  /// cores and tips are one subdivision of the cut facets. The fan of the tip is mapped onto a star-shaped polygon. So
+  /// is the disc: its triangles are positively oriented in the plane, and its only border is the rim. No two new facets
+  /// have the same directed edge, so that `apply()` succeeds on every mesh that has a patch.
   bool is_valid() const { return m_is_valid; }
 
   /// \name Map
-  /// Places on edges belong to several facets, and have the same image from all of them. Computed in `double`s.
+  /// Places on edges belong to several facets, and all of these yield the same image. Images are computed in `double`s.
   /// @{
-  /// where a place of a facet that is cut is on the truncated mesh.
+  /// Returns the image on the truncated mesh of a place on a cut facet.
   /// \pre `is_valid()`
   Place image(const Place& place) const;
-  /// where a place of a new facet was on the mesh that was truncated.
+  /// Returns the preimage on the original mesh of a place on a new facet.
   /// \pre `is_valid()`
   Place preimage(const Place& place) const;
-  /// The derivative of `image()` at a place: the barycentric coordinates of the image change by this matrix, its
-  /// columns being given, times the change of those of the place.
+  /// Returns the derivative of `image()` at a place: the matrix, given by its columns, that maps changes of the
+  /// barycentric coordinates of the place to changes of those of the image.
   /// \pre `is_valid()`
   std::array<std::array<double, 3>, 3> derivative(const Place& place) const;
   /// @}
 
-  /// the result of truncating a mesh
+  /// Result of truncating a mesh.
   template <typename FaceGraph>
   struct Truncated
   {
     typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
     typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
-    std::size_t patches = 0; ///< that were replaced
-    /// by the number of new facets; null where the mesh does not have the patch
+    std::size_t patches = 0; ///< Number of patches that were replaced.
+    /// By new facet; null if the mesh does not have its patch.
     std::vector<face_descriptor> facets;
-    /// by point; null where there is none, as for the vertices that were cut off
+    /// By point; null if there is no vertex, as for the vertices that were cut off.
     std::vector<vertex_descriptor> vertices;
   };
 
-  /// For each facet to be cut, the halfedge of a mesh from its first corner to its second, or null where the mesh does
-  /// not have all facets of the patch. All are null if the truncation is not valid.
+  /// Returns, for each facet to be cut, the halfedge of a mesh from its first corner to its second. It is null if the
+  /// mesh does not have all facets of the patch. All halfedges are null if the truncation is not valid.
   /// \tparam FaceGraph a model of `FaceListGraph`
   template <typename FaceGraph, typename VertexPointMap>
   std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> match(const FaceGraph& mesh,
                                                                                   VertexPointMap vpm) const;
 
-  /// truncates a mesh: replaces the patches that it has. What is left of a facet has its properties in one of its
-  /// parts; other new elements have default values. The new facets, and that the mesh has no more border than before,
-  /// are checked.
+  /// Truncates a mesh by replacing its patches. One remaining part of each cut facet keeps its properties; other new
+  /// elements have default values. The result is checked: it must have all new facets and no additional border.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three
   ///   `double`s
-  /// \return nothing if the check fails; the mesh must not be used then
+  /// \return nothing if the check fails; the mesh must then not be used
   /// \cgalHeading{Cost} linear in the size of the mesh
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<Truncated<FaceGraph> > apply(FaceGraph& mesh, VertexPointMap vpm) const;
 
 private:
-  typedef std::pair<Index, Index> Disc_triangle; // disc, number in it
+  typedef std::pair<Index, Index> Disc_triangle; // disc, position in it
   // A part of a cut facet: a core, or a triangle of a tip, between the vertex and an edge of the rim.
   struct Cell
   {
-    Index new_facet, disc, edge;                  // either the first, or the others
+    Index new_facet, disc, edge;                  // `new_facet` for a core, `disc` and `edge` for a tip
     std::array<std::array<double, 3>, 3> corners; // barycentric coordinates in the cut facet
   };
 
-  // The piece of the map that a place is in: the part of the facet, and, of a tip, the triangle of the disc.
+  // The piece of the map that contains a place: a part of the facet, and, for a tip, a triangle of the disc.
   struct Piece
   {
     const Cell* part;
@@ -221,16 +223,16 @@ private:
 namespace internal {
 
 // Cuts a polygonal facet into triangles between its corners, and calls `put(n, f)` with the facet of the n-th triangle.
-// The facet stays as one of them. Returns false if the triangles do not triangulate the polygon; part of it may be cut
-// then.
-// \pre `vertices` are those of the points, without repetitions
+// The original facet becomes one of them. Returns false if the triangles do not triangulate the polygon; the facet may
+// then be partially cut.
+// \pre `vertices` are the vertices of the points, without repetitions
 template <typename FaceGraph, typename Put>
 bool cut_into_triangles(typename boost::graph_traits<FaceGraph>::halfedge_descriptor in_polygon, FaceGraph& mesh,
                         const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>& vertices,
                         std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t> > triangles, const Put& put)
 {
   typedef typename boost::graph_traits<FaceGraph>::halfedge_descriptor halfedge_descriptor;
-  std::unordered_map<std::uint32_t, halfedge_descriptor> to; // each corner, in what is left of the polygon
+  std::unordered_map<std::uint32_t, halfedge_descriptor> to; // by target corner, in the rest of the polygon
   std::unordered_map<std::uint32_t, std::uint32_t> next_corner;
   std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::uint32_t> point;
   for(const auto& t : triangles)
@@ -316,8 +318,8 @@ std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Shell_
   return result;
 }
 
-// Returns whether all new facets of the patches are there, between their vertices, and have as many border edges as the
-// facets that were cut.
+// Returns whether all new facets of the patches exist, connect their vertices, and have as many border edges as the cut
+// facets.
 template <typename FaceGraph>
 bool Shell_truncation_3::is_replaced(const Truncated<FaceGraph>& truncated, const std::vector<char>& is_cut,
                                      std::size_t border, const FaceGraph& mesh) const
@@ -353,14 +355,14 @@ std::optional<Shell_truncation_3::Truncated<FaceGraph> > Shell_truncation_3::app
   Truncated<FaceGraph> result;
   result.facets.assign(number_of_new_facets(), Graph_traits::null_face());
   result.vertices.assign(m_points.size(), Graph_traits::null_vertex());
-  std::vector<halfedge_descriptor> in_core = match(mesh, vpm); // of each cut facet
+  std::vector<halfedge_descriptor> in_core = match(mesh, vpm); // by cut facet
   const auto is_there = [&](const Disc& d) { return in_core[d.facets.front()] != Graph_traits::null_halfedge(); };
   const auto place = [&](Index p, vertex_descriptor v) {
     put(vpm, v, Point_3(m_points[p][0], m_points[p][1], m_points[p][2]));
     result.vertices[p] = v;
   };
   std::vector<char> is_counted(m_cut_facets.size(), 0), is_cut_facet(m_cut_facets.size(), 0);
-  std::size_t border = 0; // edges of facets that are cut
+  std::size_t border = 0; // border edges of cut facets
   const std::vector<Index> patch_of = patches();
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f) {
     if(in_core[f] == Graph_traits::null_halfedge()) continue;
@@ -375,7 +377,7 @@ std::optional<Shell_truncation_3::Truncated<FaceGraph> > Shell_truncation_3::app
   }
   if(result.patches == 0) return result;
 
-  // the halfedge of a facet's polygon that leaves a vertex
+  // Returns the halfedge of a facet's polygon that leaves a vertex.
   const auto leaving = [&](Index facet, Index center) {
     halfedge_descriptor h = in_core[facet];
     while(source(h, mesh) != result.vertices[center]) h = next(h, mesh);
@@ -390,7 +392,7 @@ std::optional<Shell_truncation_3::Truncated<FaceGraph> > Shell_truncation_3::app
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
     if(!is_there(d)) continue;
-    // Each corner is cut off along an edge, which then gets the cuts within the facet.
+    // Each corner is cut off along a new edge, which is then split at the cuts inside the facet.
     const std::size_t size = d.rim.size();
     halfedge_descriptor to_center = Graph_traits::null_halfedge();
     for(std::size_t i = 0; i < size; ++i) {
@@ -419,7 +421,7 @@ std::optional<Shell_truncation_3::Truncated<FaceGraph> > Shell_truncation_3::app
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
     if(!is_there(d)) continue;
-    // the halfedge of the disc along the first edge of the rim: opposite to that of the core
+    // The halfedge of the disc along the first edge of the rim, opposite to that of the core.
     halfedge_descriptor h = halfedge(result.vertices[d.rim[0]], mesh);
     while(source(h, mesh) != result.vertices[d.rim[1]]) h = opposite(next(h, mesh), mesh);
     h = opposite(h, mesh);

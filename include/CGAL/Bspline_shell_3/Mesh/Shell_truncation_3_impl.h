@@ -25,14 +25,14 @@ namespace internal {
 
 typedef std::array<Exact_rational, 3> Exact_barycentric;
 
-// of three points of a facet
+// Returns the orientation of three points in a facet.
 inline Sign orientation_in_facet(const Exact_barycentric& p, const Exact_barycentric& q, const Exact_barycentric& r)
 {
   return CGAL::sign(Exact_rational((q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])));
 }
 
-// Barycentric coordinates, in a triangle of the plane, of a point. Where the triangle is so small that they are no
-// numbers, those of its first corner.
+// Returns the barycentric coordinates of a point in a planar triangle. If the triangle is too small to compute them,
+// returns the coordinates of its first corner.
 inline std::array<double, 3> barycentric_in_plane(const std::array<std::array<double, 2>, 3>& t,
                                                   const std::array<double, 2>& p)
 {
@@ -45,13 +45,13 @@ inline std::array<double, 3> barycentric_in_plane(const std::array<std::array<do
   return { 1 - u - v, u, v };
 }
 
-// where barycentric coordinates are, by two of them
+// Maps corners to the plane by two of their barycentric coordinates.
 inline std::array<std::array<double, 2>, 3> in_plane(const std::array<std::array<double, 3>, 3>& corners)
 {
   return { { { corners[0][1], corners[0][2] }, { corners[1][1], corners[1][2] }, { corners[2][1], corners[2][2] } } };
 }
 
-// of a point that is in the triangle but for rounding
+// Corrects the barycentric coordinates of a point that is outside a triangle by rounding only.
 inline std::array<double, 3> clamped(std::array<double, 3> barycentric)
 {
   double sum = 0;
@@ -75,7 +75,7 @@ Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Tr
   m_is_valid = are_edges_unique();
 }
 
-// Numbers are in range, and there are no two vertices in the same place.
+// Returns whether numbers are in range and no two vertices are at the same position.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
 {
   const std::size_t size = m_points.size(), corners = number_of_corners();
@@ -104,7 +104,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
     if(c.facet >= m_cut_facets.size() || !are_different(c.triangle)
        || !std::all_of(c.triangle.begin(), c.triangle.end(), [&](Index p) { return p < corners || is_cut(p); }))
       return false;
-  std::vector<Index> disc_of(m_planar.size(), npos); // of each cut and each point in a disc
+  std::vector<Index> disc_of(m_planar.size(), npos); // by cut and inner point
   std::vector<char> is_center(corners, 0);
   for(std::size_t n = 0; n < m_discs.size(); ++n) {
     const Disc& d = m_discs[n];
@@ -133,9 +133,9 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_indices_valid() const
   return true;
 }
 
-// Each cut facet is tiled by its parts, and facets agree on the points on their common edges. The argument is that of a
-// degree: triangles that are positively oriented, and whose edges cancel but for those that lead once around the facet,
-// cover it once.
+// Returns whether each cut facet is tiled by its parts, and facets agree on the points on their common edges. The
+// argument uses the degree of a map: the triangles cover the facet once if they are positively oriented, and all their
+// edges cancel except for a cycle that leads once around the facet.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() const
 {
   typedef std::pair<Index, Index> Edge;
@@ -163,7 +163,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
     for(std::size_t i = 0; i < d.rim.size(); ++i)
       parts[d.facets[i]].push_back({ d.center, d.rim[i], d.rim[(i + 1) % d.rim.size()] });
 
-  std::map<Edge, Index> sides; // the edges around facets
+  std::map<Edge, Index> sides; // edges along the sides of facets
   for(std::size_t f = 0; f < m_cut_facets.size(); ++f) {
     const Triangle& facet = m_cut_facets[f];
     std::map<Index, internal::Exact_barycentric> at;
@@ -179,7 +179,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
     for(const auto& e : edges)
       if(edges.count(Edge(e.first.second, e.first.first)) == 0 && !next.emplace(e.first.first, e.first.second).second)
         return false;
-    // once around the facet, along its sides
+    // Walk once around the facet, along its sides.
     Index p = facet[0];
     std::size_t steps = 0;
     for(int side = 0; side < 3; ++side)
@@ -187,7 +187,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
         const auto found = next.find(p);
         if(found == next.end()) return false;
         const Index q = found->second;
-        // on the side, the coordinate of the corner that it leads to grows, and that of the third corner vanishes
+        // Along a side, the coordinate of the corner that it leads to increases, and that of the third corner is zero.
         const auto &b = at[p], &c = at[q];
         if(b[(side + 2) % 3] != 0 || c[(side + 2) % 3] != 0 || !(c[(side + 1) % 3] > b[(side + 1) % 3])) return false;
         if(!sides.emplace(Edge(p, q), Index(f)).second) return false;
@@ -202,8 +202,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::do_parts_tile_facets() cons
   return true;
 }
 
-// Tip and disc are mapped onto the same polygon: it is star-shaped around the vertex, and the triangles of the disc,
-// positively oriented, have no other border.
+// Returns whether each tip and its disc are mapped onto the same polygon. It is star-shaped around the vertex, and is
+// the only border of the disc, whose triangles are positively oriented.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
@@ -212,7 +212,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
   const Point_2 center(0, 0);
   for(const Disc& d : m_discs) {
     const std::size_t size = d.rim.size();
-    // by less than half a turn each, around the center once: only one edge comes back past the first cut
+    // Each edge turns by less than half a turn, and the rim winds around the center once: exactly one edge returns past
+    // the first cut.
     std::size_t turns = 0;
     Orientation last = COLLINEAR;
     for(std::size_t i = 0; i < size; ++i) {
@@ -237,8 +238,8 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_discs_valid() const
   return true;
 }
 
-// No two new facets have the same directed edge. The cores have every edge of a rim in reverse, as they border on the
-// tips there. So a disc has the edges of its rim on one side only, and its edges cancel but for those.
+// Returns whether no two new facets have the same directed edge. The cores have every edge of a rim in reverse, because
+// they border on the tips there. So a disc has the edges of its rim in one direction only, and its other edges cancel.
 CGAL_BSPLINE_SHELL_3_INLINE bool Shell_truncation_3::are_edges_unique() const
 {
   std::vector<std::pair<Index, Index> > edges;
@@ -304,7 +305,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(
 {
   typedef std::array<double, 3> Barycentric;
   const auto least = [](const Barycentric& b) { return (std::min)({ b[0], b[1], b[2] }); };
-  // the part that the place is in, or comes nearest to
+  // The part that contains the place or is nearest to it.
   Piece result = { nullptr, 0 };
   Barycentric in_part = {};
   for(const Cell& cell : m_cells[place.facet]) {
@@ -332,7 +333,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Piece Shell_truncation_3::piece(
   return result;
 }
 
-// of a point of a tip's triangle
+// Returns the planar position of a point in a triangle of a tip.
 CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3::planar_point(
   const Cell& part, const std::array<double, 3>& barycentric) const
 {
@@ -341,7 +342,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_truncation_3::Planar_point Shell_truncation_3:
   return { barycentric[1] * p[0] + barycentric[2] * q[0], barycentric[1] * p[1] + barycentric[2] * q[1] };
 }
 
-// the affine map of a piece
+// Applies the affine map of a piece.
 CGAL_BSPLINE_SHELL_3_INLINE std::array<double, 3> Shell_truncation_3::mapped(
   const Piece& piece, const std::array<double, 3>& barycentric) const
 {

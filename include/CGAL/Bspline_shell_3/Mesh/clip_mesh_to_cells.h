@@ -34,7 +34,7 @@ namespace internal {
 
 typedef std::array<double, 3> Clip_point;
 
-// Cuts convex polygons by planes across axes; scratch memory is reused.
+// Cuts convex polygons by planes perpendicular to the axes; scratch memory is reused.
 class Polygon_cutter
 {
 public:
@@ -42,8 +42,8 @@ public:
 
   explicit Polygon_cutter(const Lattice_3& lattice) : m_lattice(lattice) {}
 
-  // calls visit(p, polygon) for the parts of a triangle in the cells, with lattice points p, that it enters; `normal`
-  // says which cell is behind it if it lies in a plane between two
+  // Calls visit(p, polygon) for the part of a triangle in each cell that it enters, where p is the cell's lattice
+  // point. A triangle in a plane between two cells belongs to the cell behind it, as given by `normal`.
   template <typename Visitor>
   void cut(const std::array<Clip_point, 3>& triangle, const Clip_point& normal, const Visitor& visit)
   {
@@ -52,7 +52,7 @@ public:
     slice(0, visit);
   }
 
-  // the halves of a polygon below and above a plane; one is empty if the polygon does not enter its side
+  // Computes the parts of a polygon below and above a plane; a part is empty if the polygon does not enter its side.
   void halve(const Polygon& polygon, int axis, double c, std::array<Polygon, 2>& halves) const
   {
     double lowest, highest;
@@ -80,7 +80,7 @@ private:
     }
   }
 
-  // cuts m_polygon[axis] into slabs across the axis, and these further
+  // Cuts m_polygon[axis] into slabs across the axis, and the slabs across the remaining axes.
   template <typename Visitor>
   void slice(int axis, const Visitor& visit)
   {
@@ -93,7 +93,7 @@ private:
     int first = m_lattice.interval(axis, lowest);
     int last = m_lattice.interval(axis, highest);
     if(last > first) {
-      // a polygon that merely touches a plane from below does not enter the slab above
+      // A polygon that merely touches a plane from below does not enter the slab above.
       if(m_lattice.coordinate(axis, last) == highest) --last;
     } else if(lowest == highest && m_lattice.coordinate(axis, first) == lowest) {
       first = last = first - m_behind[axis];
@@ -112,7 +112,7 @@ private:
     }
   }
 
-  // the part of a convex polygon where the coordinate is at least (or at most) c
+  // Computes the part of a convex polygon where the coordinate is at least (or at most) c.
   static void keep(const Polygon& in, int axis, double c, bool above, bool all, Polygon& out)
   {
     if(all) {
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  // the same point whichever way the edge is walked, between its ends in every coordinate
+  // Returns the same point for both directions of the edge; in every coordinate, it is between the ends.
   static Clip_point crossing(Clip_point p, Clip_point q, int axis, double c)
   {
     if(q < p) std::swap(p, q);
@@ -146,10 +146,10 @@ private:
   std::array<Polygon, 4> m_polygon;
   Polygon m_half;
   Lattice_3::Point m_cell;
-  std::array<int, 3> m_behind = {}; // per axis, 1 if the cell behind a facet is the one of smaller coordinates
+  std::array<int, 3> m_behind = {}; // by axis: 1 if the cell behind a facet has the smaller coordinate
 };
 
-// The part of a polygon in a cell of a level, cut further down to the leaves: calls visit(leaf, polygon).
+// Cuts the part of a polygon in a cell of a level further, down to the leaves: calls visit(leaf, polygon).
 class Leaf_cutter
 {
 public:
@@ -193,7 +193,7 @@ private:
   std::deque<std::array<std::array<Polygon_cutter::Polygon, 2>, 3> > m_halves; // by level; references stay valid
 };
 
-// facets are numbered consecutively
+// \pre facets are numbered consecutively
 template <typename InputMesh>
 std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n)
 {
@@ -202,7 +202,7 @@ std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n
            Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
 }
 
-// the numbers of its corners, in the same order
+// Returns the numbers of the corners of a triangle, in the order of `triangle_to_clip()`.
 template <typename InputMesh>
 std::array<std::uint32_t, 3> corners_to_clip(const InputMesh& input, std::size_t n)
 {
@@ -211,10 +211,10 @@ std::array<std::uint32_t, 3> corners_to_clip(const InputMesh& input, std::size_t
   return { { std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)), std::uint32_t(mesh.target(mesh.next(h))) } };
 }
 
-// the unit normal; zero for a facet too flat for doubles
+// Returns the unit normal; zero for a facet too flat for `double`s.
 inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 {
-  // scaled first: the squares of a tiny facet's lengths would underflow
+  // Scaled first, because the squares of a tiny facet's lengths would underflow.
   typedef Simple_cartesian<double>::Vector_3 Vector_3;
   Vector_3 u(t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]),
     w(t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]);
@@ -234,12 +234,12 @@ inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and
+ * \brief A mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and
  * part of one facet.
  *
- * It serves quadrature and the search for extrema, where rounding of the cuts does no harm (a cut point lies within
- * a few units in the last place of the facet and exactly on the planes between cells). Both facets at an edge are cut
- * at the same points, unless the edge lies in a plane between leaves of different size. Facets that lie in a plane
+ * It is used for quadrature and for the search for extrema, where rounding of the cuts does no harm: a cut point lies
+ * within a few units in the last place of the facet, and exactly on the planes between cells. Both facets at an edge
+ * are cut at the same points, unless the edge lies in a plane between leaves of different sizes. Facets in a plane
  * between two cells belong to the cell behind them.
  */
 class Clipped_mesh_3
@@ -249,20 +249,20 @@ public:
 
   struct Piece
   {
-    std::uint32_t cell;  ///< number of the leaf cell; pieces ascend by it
-    std::uint32_t facet; ///< number of the triangle it is a part of
-    std::uint32_t size;  ///< number of its vertices
-    std::size_t first;   ///< its vertices are `point(first)` ... `point(first + size - 1)`
+    std::uint32_t cell;  ///< Number of the leaf cell; pieces are sorted by it.
+    std::uint32_t facet; ///< Number of the triangle that has the piece.
+    std::uint32_t size;  ///< Number of vertices of the piece.
+    std::size_t first;   ///< Its vertices are `point(first)` ... `point(first + size - 1)`.
   };
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   const std::vector<Piece>& pieces() const { return m_pieces; }
   const Point& point(std::size_t n) const { return m_points[m_corners[n]]; }
-  /// unit normal of a triangle of the mesh
+  /// Unit normal of a triangle of the mesh.
   const Point& normal(std::uint32_t facet) const { return m_normals[facet]; }
   std::size_t number_of_facets() const { return m_normals.size(); }
 
-  /// the cells that have pieces, ascending, each once
+  /// Returns the cells that have pieces, ascending, each once.
   std::vector<std::uint32_t> cells() const
   {
     std::vector<std::uint32_t> cells;
@@ -285,7 +285,7 @@ public:
     return sum / 2;
   }
 
-  /// about how many pieces `clip_mesh_to_cells()` makes at that spacing, without making them
+  /// Estimates the number of pieces that `clip_mesh_to_cells()` creates at a spacing, without creating them.
   template <typename InputMesh>
   static double estimated_number_of_pieces(const InputMesh& input, double spacing)
   {
@@ -293,7 +293,8 @@ public:
     for(auto f : input.mesh().faces()) {
       const auto t = input.triangle(f);
       const auto n = CGAL::cross_product((t[1] - t[0]) / spacing, (t[2] - t[0]) / spacing);
-      // a plane of unit normal n crosses |n|_1 cells per unit of area; a curve of length s at most 1 + sqrt(3) s
+      // A plane with unit normal n crosses |n|_1 cells per unit of area, and a curve of length s at most 1 + sqrt(3) s
+      // cells.
       double l1 = 0, perimeter = 0;
       for(int a = 0; a < 3; ++a) {
         l1 += std::abs(n[a]);
@@ -309,14 +310,14 @@ private:
   friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
 
   std::vector<Piece> m_pieces;
-  std::vector<std::uint32_t> m_corners; // of all pieces: numbers of points
-  std::vector<Point> m_points;          // those of the mesh first: most pieces are facets of a fine mesh
+  std::vector<std::uint32_t> m_corners; // numbers of points of all pieces
+  std::vector<Point> m_points;          // vertices of the mesh first: most pieces are facets of a fine mesh
   std::vector<Point> m_normals;
 };
 
 namespace internal {
 
-// the lattice keys that visit(cell, the part of a triangle in it, keys) adds to `keys`, ascending, each once
+// Calls visit(cell, part of a triangle in the cell, keys), which adds lattice keys. Returns them ascending, each once.
 template <typename ConcurrencyTag, typename InputMesh, typename Visitor>
 std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3& lattice, const Visitor& visit)
 {
@@ -341,7 +342,7 @@ std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the lattice keys of the cells that the mesh enters, ascending.
+ * \brief Returns the lattice keys of the cells that the mesh enters, ascending.
  *
  * \pre the coordinates of `input` divided by the lattice's spacing are at most `Lattice_key::max_coordinate`
  */
@@ -357,22 +358,23 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the lattice keys of cells at a mesh, ascending.
+ * \brief Lattice keys of cells at a mesh, ascending.
  */
 struct Cells_near_mesh
 {
-  std::vector<std::uint64_t> entered; ///< by the mesh
-  std::vector<std::uint64_t> near;    ///< these, and what is near it
+  std::vector<std::uint64_t> entered; ///< Cells that the mesh enters.
+  std::vector<std::uint64_t> near;    ///< Cells that the mesh enters, and cells near it.
 };
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the cells that the mesh enters, and all whose interior has a point nearer than `distance` along each axis to a
- * point of the mesh; and a few others, as the parts of facets in a cell are as large as their boxes here.
+ * \brief Returns the cells that the mesh enters, and all cells whose interior has a point nearer than `distance` to a
+ * point of the mesh along each axis. A few others are included, because the part of a facet in a cell is replaced by
+ * its bounding box.
  *
- * \pre the distance is less than the lattice's spacing (what is farther is found by `dilate()`), and the coordinates of
- *   `input` divided by the spacing are at most `Lattice_key::max_coordinate`
+ * \pre the distance is less than the lattice's spacing (`dilate()` finds cells farther away), and the coordinates of
+ * `input` divided by the spacing are at most `Lattice_key::max_coordinate`
  */
 template <typename ConcurrencyTag, typename InputMesh>
 Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice, double distance)
@@ -409,11 +411,12 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * cuts every triangle of `input` by the leaf cells. Linear in the number of pieces; they are sorted by cell, then by
- * facet, and do not depend on the number of threads. A facet that is not cut takes about 70 bytes.
+ * Cuts every triangle of `input` by the leaf cells. Pieces are sorted by cell, then by facet, and do not depend on the
+ * number of threads. A facet that is not cut takes about 70 bytes.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
+ * \cgalHeading{Cost} linear in the number of pieces
  */
 template <typename ConcurrencyTag, typename InputMesh, typename Cells>
 Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
@@ -429,7 +432,7 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
   for(auto v : mesh.vertices()) clipped.m_points.push_back({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() });
   const std::uint32_t first_cut = std::uint32_t(clipped.m_points.size());
 
-  // cut points have numbers of their own in each chunk, until chunks are joined
+  // Cut points are numbered separately in each chunk until chunks are joined.
   struct Chunk
   {
     std::vector<Piece> pieces;
@@ -461,7 +464,7 @@ Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
     }
   });
 
-  // where the pieces of a cell go
+  // First position of the pieces of each cell.
   std::vector<std::size_t> first_of_cell(std::size_t(cells.number_of_cells()) + 1, 0);
   std::size_t number_of_corners = 0, number_of_points = first_cut;
   for(const Chunk& chunk : chunks) {

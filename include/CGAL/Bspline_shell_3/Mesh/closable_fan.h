@@ -18,19 +18,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief whether the open fan of facets at a border vertex can be completed so that all facets at it face a common
- * direction, and wind once around it.
+ * \brief Returns whether the open fan of facets at a border vertex can be completed to face a common direction and wind
+ * once around the vertex.
  *
- * That is so if and only if some \f$g\f$ has \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions \f$e_i\f$ to the other
- * vertices, and the fan turns by less than
- * \f$2 \pi\f$ about it. A ramp that spirals around the vertex by more cannot be completed, although it does not
- *   intersect itself and faces one way.
+ * This is the case if and only if there is a \f$g\f$ such that \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions
+ * \f$e_i\f$ to the other vertices, and the fan turns by less than \f$2 \pi\f$ about \f$g\f$. A ramp that spirals around
+ * the vertex by more cannot be completed, even if it does not intersect itself and faces one direction.
  *
- * Exact: the directions where \f$\det(g, e_k, e_0)\f$ is positive, and those where it is negative, form two convex
- * cones, on each of which the number of full turns is the same everywhere; so one direction of each decides.
+ * The test is exact. The directions for which \f$\det(g, e_k, e_0)\f$ is positive, and those for which it is negative,
+ * form two convex cones. The number of full turns is constant on each cone, so one direction of each suffices.
  *
  * \param p the vertex
- * \param link the other vertices, in order: the facets are (`p`, `link[n]`, `link[n+1]`), and have an area
+ * \param link the other vertices, in order: the facets are (`p`, `link[n]`, `link[n+1]`), and have positive area
  */
 bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_3& p,
                      const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& link);

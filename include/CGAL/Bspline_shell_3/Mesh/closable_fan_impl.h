@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Whether a fan turns by less than 2 pi about an axis that all its facets face: it passes its first edge again where
-// the side of it that an edge is on, `side(n)`, ceases to be negative.
+// Returns whether a fan turns by less than 2 pi about an axis that all its facets face. `side(n)` is the side of the
+// first edge on which edge n lies. The fan passes its first edge again where `side(n)` ceases to be negative.
 template <typename Side>
 bool turns_less_than_once(std::size_t size, const Side& side)
 {
@@ -47,7 +47,7 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
   fan.apex = p;
   for(std::size_t n = 0; n + 1 < link.size(); ++n) fan.wings.emplace_back(link[n], link[n + 1]);
 
-  // nearly always, some direction that is easy to find will do
+  // In most cases, the direction that is easiest to compute suffices.
   if(const auto g = internal::cone_direction(fan)) {
     const Point_3 s = p + std::sqrt((link[0] - p).squared_length()) * *g;
     bool is_faced = true;
@@ -70,11 +70,11 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
     return internal::turns_less_than_once(
       link.size(), [&](std::size_t n) { return CGAL::orientation(axis, first, exact(link[n])); });
   };
-  // where the fan ends more than half a turn behind its first edge, and less
+  // Restrict the axis so that the fan ends more than half a turn after its first edge, or less.
   internal::Vertex_fan beyond = fan, before = fan;
   beyond.wings.emplace_back(link.back(), link.front());
   before.wings.emplace_back(link.front(), link.back());
-  // the last if these two edges are collinear
+  // The last case applies if these two edges are collinear.
   return is_closable_about(beyond) || is_closable_about(before) || is_closable_about(fan);
 }
 

@@ -21,8 +21,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief a direction known to within a radius: for some positive factor, each component of the factor times the exact
- * normal differs from `direction` by at most `radius`. The largest component is near one.
+ * \brief Enclosure of a facet normal. For some positive factor, each component of the exact normal times the factor
+ * differs from `direction` by at most `radius`. The largest component is close to one.
  */
 struct Facet_normal
 {
@@ -33,10 +33,10 @@ struct Facet_normal
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief encloses the normal of a triangle with `double` vertices: in `double`s, or, where cancellation would spoil
- * them (needles, facets far from the origin), from the exact cross product.
+ * \brief Returns an enclosure of the normal of a triangle with `double` vertices. It is computed in `double`s, or from
+ * the exact cross product if cancellation is too large (needles, facets far from the origin).
  *
- * \pre the triangle is not degenerate; of one that is, nothing is known
+ * \pre the triangle is not degenerate; otherwise the result has no meaning
  */
 template <typename Point_3>
 Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
@@ -61,7 +61,8 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
     n[a] = u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3];
     largest = (std::max)(largest, std::abs(n[a]));
   }
-  // two differences, a product: three roundings of each of two products, and their difference
+  // Two differences and a product make three roundings of each of two products; one more for the difference of
+  // products.
   const double radius = 8 * eps * size_u * size_v;
   constexpr double far_from_underflow = 1e-280;
   if(radius < 1e-8 * largest && largest > far_from_underflow) return normalized(n, radius);

@@ -30,13 +30,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief how often the fan of facets at a vertex winds around an axis that all of them face: once, unless the surface
- * folds through itself at the vertex. Facets that face the field one by one may still wind twice.
+ * \brief Returns how often the fan of facets at a vertex winds around an axis that all of them face. The number is one
+ * unless the surface folds through itself at the vertex: even if each facet faces the field, the fan may wind twice.
  *
- * Exact: each facet turns by less than half a turn, so that counting the edges that come back past the first one, by
- * orientation predicates alone, counts the turns.
+ * The result is exact. Each facet turns by less than half a turn, so that each turn has one edge that returns past the
+ * first one. Orientation predicates count these edges.
  *
- * \param p the vertex; of a kernel with exact predicates
+ * \param p the vertex, a point of a kernel with exact predicates
  * \param on_axis a point on the axis, in the direction that the facets face from `p`
  * \param link the other vertices of the facets, in cyclic order: the facets are (`p`, `link[n]`, `link[n+1]`)
  * \return the number of turns; 0 if some facet does not face the axis
@@ -58,7 +58,7 @@ std::size_t link_winding_number(const Point_3& p, const Point_3& on_axis, const 
 
 namespace internal {
 
-// the other vertices of the facets at `v`, in the cyclic order of the facets
+// Returns the other vertices of the facets at `v`, in the cyclic order of the facets.
 template <typename TriangleMesh>
 auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
@@ -67,7 +67,7 @@ auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
   constexpr std::size_t usual = 8;
   link.reserve(usual);
   for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(get(vpm, source(h, mesh)));
-  std::reverse(link.begin(), link.end()); // halfedges_around_target() walks against the facets' turn
+  std::reverse(link.begin(), link.end()); // halfedges_around_target() visits the facets in reverse order
   return link;
 }
 
@@ -76,10 +76,10 @@ auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the same, `link_winding_number()`, for the facets at a vertex of a mesh.
+ * \brief Returns the `link_winding_number()` of the facets at a vertex of a mesh.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact
- *   predicates
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map, whose points have a kernel with
+ *   exact predicates
  * \param mesh the mesh
  * \param v a vertex that is not on a border
  * \param on_axis a point on the axis, in the direction that the facets face from `v`
@@ -94,13 +94,13 @@ std::size_t fan_winding_number(const TriangleMesh& mesh,
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief whether all facets at a vertex face the mean of their normals and wind around it once. Then no two of them
- * have more in common than the vertex or an edge: along the mean, the fan projects one-to-one.
+ * \brief Returns whether all facets at a vertex face the mean of their normals and wind around it once. The projection
+ * of the fan along the mean is then one-to-one, so that two facets have only the vertex or an edge in common.
  *
  * `true` is exact; `false` may only mean that the facets face another direction.
  *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; points of a kernel with exact
- *   predicates and `double` coordinates
+ * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map, whose points have `double`
+ *   coordinates and a kernel with exact predicates
  * \pre the facets at `v` are non-degenerate triangles, and form a single fan; `v` is not on a border
  */
 template <typename TriangleMesh>
@@ -117,7 +117,7 @@ bool is_fan_embedded(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     for(std::size_t a = 0; a < 3; ++a) mean[a] += normal[a] / length;
     for(int a = 0; a < 3; ++a) reach = (std::max)(reach, std::abs(link[n][a] - p[a]));
   }
-  // If normals cancel, this is `p`, which no facet faces.
+  // If normals cancel, `on_axis` is `p`, which no facet faces.
   const std::array<double, 3> axis = internal::scaled_to_unit(mean);
   typedef std::decay_t<decltype(p)> Point_3;
   const Point_3 on_axis(p.x() + reach * axis[0], p.y() + reach * axis[1], p.z() + reach * axis[2]);
@@ -127,10 +127,10 @@ bool is_fan_embedded(const TriangleMesh& mesh, typename boost::graph_traits<Tria
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief `is_fan_embedded()` for each vertex of a mesh, by index; 0 for those on borders, and those without facets.
+ * \brief Returns `is_fan_embedded()` for each vertex of a mesh, by index; 0 for border vertices and isolated vertices.
  *
- * \tparam Mesh a `CGAL::Surface_mesh` of points of a kernel with exact predicates and `double` coordinates
- * \pre all facets are non-degenerate triangles, and those at a vertex form a single fan
+ * \tparam Mesh a `CGAL::Surface_mesh` whose points have `double` coordinates and a kernel with exact predicates
+ * \pre all facets are non-degenerate triangles, and the facets at a vertex form a single fan
  */
 template <typename ConcurrencyTag, typename Mesh>
 std::vector<char> embedded_fans(const Mesh& mesh)

@@ -31,14 +31,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The facets of a mesh whose boxes meet the cells of a grid, cell by cell. Facets that have a point in common share a
-// cell: rounding keeps the order of coordinates.
+// Lists, for each cell of a grid, the facets of a mesh whose boxes meet it. Facets with a common point share a cell,
+// because rounding preserves the order of coordinates.
 template <typename TriangleMesh>
 class Facet_grid
 {
   typedef typename TriangleMesh::Face_index Face_index;
 public:
-  // \param size about how many facets a cell gets: a surface passes through as many cells as a square has
+  // \param size approximate number of facets per cell, if a surface passes through as many cells as a square
   Facet_grid(const TriangleMesh& mesh, std::size_t size) : m_mesh(mesh)
   {
     for(Face_index f : mesh.faces()) m_bbox += bbox(f);
@@ -49,8 +49,8 @@ public:
     m_first.assign(m_cells[0] * m_cells[1] * m_cells[2] + 1, 0);
   }
 
-  // False if that would take too much memory, as facets are large, if much of the mesh is in one cell, or if there is
-  // no grid.
+  // Fills the cells. Returns false if this takes too much memory because facets are large, if one cell has more than
+  // 1/4 of the facets, or if there is no grid.
   bool fill(std::size_t most)
   {
     if(m_first.empty()) return false;
@@ -114,9 +114,9 @@ private:
   std::vector<Face_index> m_facets;
 };
 
-// Pairs of facets that intersect, but for those of two *unclear* facets, which have a vertex where the fan may not be
-// embedded. At all vertices of a clear facet it is: where another one shares a vertex with it, they have no more in
-// common than they should, and need no test. That is most pairs, and the expensive ones, as neighbors are nearly
+// Finds pairs of facets that intersect, except for pairs of two *unclear* facets. A facet is unclear if the fan of one
+// of its vertices may not be embedded. Facets that share a vertex with a clear facet intersect it only in common
+// vertices and edges, and are not tested. These are most of the pairs, and the expensive ones, as neighbors are almost
 // coplanar.
 template <typename TriangleMesh>
 class Facet_intersections
@@ -126,14 +126,14 @@ class Facet_intersections
 public:
   typedef std::pair<Face_index, Face_index> Pair;
 
-  // \param is_embedded what `embedded_fans()` says of the mesh
+  // \param is_embedded result of `embedded_fans()` for the mesh
   Facet_intersections(const TriangleMesh& mesh, const std::vector<char>& is_embedded)
     : m_mesh(mesh), m_is_embedded(is_embedded)
   {}
 
   bool is_unclear(Face_index f) const { return facet(f).is_unclear; }
 
-  // appends the pairs among some facets, or the first ones, until `most` are found
+  // Appends the intersecting pairs among some facets, until `most` are found.
   template <typename FaceRange>
   void find(const FaceRange& facets, std::size_t most, std::vector<Pair>& found) const
   {
@@ -144,7 +144,7 @@ public:
       boxes.emplace_back(point(facet, 0).bbox() + point(facet, 1).bbox() + point(facet, 2).bbox(), facet);
     }
     struct Enough
-    {}; // there is no other way to end a search for boxes
+    {}; // the only way to end a search for boxes
     try {
       CGAL::box_self_intersection_d<Sequential_tag>(
         boxes.begin(), boxes.end(),
@@ -195,9 +195,9 @@ private:
   const std::vector<char>& m_is_embedded;
 };
 
-// Pairs of facets that intersect, in their order, and not more than a number of them, the same with any number of
-// threads. Those of large meshes are sought in the cells of a grid, one of which fits the processor's cache.
-// \param is_embedded what `embedded_fans()` says of the mesh
+// Returns pairs of facets that intersect, in their order, at most `most_pairs` of them. The result does not depend on
+// the number of threads. For large meshes, pairs are found in the cells of a grid; one cell fits the processor's cache.
+// \param is_embedded result of `embedded_fans()` for the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> > intersecting_facets(
   const TriangleMesh& mesh, const std::vector<char>& is_embedded, unsigned int most_pairs,
@@ -205,8 +205,8 @@ std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  // A surface fills a few times `most_squares` cells; the grid has some 250 thousand then, and less memory than very
-  // large meshes have anyway.
+  // A surface fills a few times `most_squares` cells; the grid then has about 250 thousand cells, and takes less memory
+  // than very large meshes.
   constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
@@ -229,7 +229,7 @@ std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::
     const auto np = CGAL::parameters::maximum_number(most_pairs);
     std::vector<Pair> found;
     Polygon_mesh_processing::self_intersections<ConcurrencyTag>(unclear, mesh, std::back_inserter(found), np);
-    if(found.size() >= most_pairs) { // which ones depends on threads
+    if(found.size() >= most_pairs) { // the pairs depend on threads
       found.clear();
       Polygon_mesh_processing::self_intersections<Sequential_tag>(unclear, mesh, std::back_inserter(found), np);
     }
@@ -237,7 +237,7 @@ std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::
   }
   for(Pair& pair : pairs)
     if(pair.second < pair.first) std::swap(pair.first, pair.second);
-  sort_unique(pairs); // those that share several cells
+  sort_unique(pairs); // a pair may share several cells
   if(pairs.size() > most_pairs) pairs.erase(pairs.begin() + most_pairs, pairs.end());
   return pairs;
 }

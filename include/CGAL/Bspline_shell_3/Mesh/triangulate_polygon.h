@@ -46,15 +46,15 @@ public:
     }
   }
 
-  // the tip of each triangle is its second corner; it is not in those that follow
+  // The tip of each triangle is its second corner; no later triangle has it.
   std::vector<Triangle> triangles()
   {
     std::vector<Triangle> result;
-    std::vector<Ear> waiting; // other vertices are in them
+    std::vector<Ear> waiting; // ears that contain other vertices
     bool is_stuck = false;
     while(result.size() + 2 < m_points.size()) {
       if(m_queue.empty()) {
-        is_stuck = waiting.empty() || m_has_waited; // not a simple polygon: cut it anyhow
+        is_stuck = waiting.empty() || m_has_waited; // the polygon is not simple: cut it anyway
         for(const Ear& ear : waiting) m_queue.push(ear);
         if(m_queue.empty())
           for(std::size_t i = 0; i < m_points.size(); ++i)
@@ -101,7 +101,7 @@ private:
     for(int a = 1; a < 3; ++a)
       if(std::abs(normal[a]) > std::abs(normal[axis])) axis = a;
     for(const Point_3& p : m_points) m_projected.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-    // a simple polygon turns at its least vertex as it does as a whole
+    // A simple polygon has the orientation of the turn at its least vertex.
     const std::size_t least = std::min_element(m_projected.begin(), m_projected.end()) - m_projected.begin();
     m_orientation = turn(m_previous[least], least, m_next[least]);
     if(m_orientation == COLLINEAR) m_orientation = normal[axis] < 0 ? RIGHT_TURN : LEFT_TURN;
@@ -114,7 +114,7 @@ private:
 
   bool is_convex(std::size_t i) const { return turn(m_previous[i], i, m_next[i]) == m_orientation; }
 
-  // whether another vertex lies in the ear, or on its boundary
+  // Returns whether another vertex lies in the ear or on its boundary.
   bool is_blocked(std::size_t tip) const
   {
     const std::array<std::size_t, 3> ear = { m_previous[tip], tip, m_next[tip] };
@@ -146,7 +146,7 @@ private:
       ++m_version[i];
       push(i);
     }
-    // convex vertices stay convex
+    // Convex vertices remain convex.
     m_others.erase(
       std::remove_if(m_others.begin(), m_others.end(),
                      [&](std::size_t i) { return i == tip || ((i == before || i == after) && is_convex(i)); }),
@@ -168,14 +168,14 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief triangulates a polygon in space, without new vertices, by cutting off ears, the best-shaped first.
+ * \brief Triangulates a polygon in space, without new vertices, by cutting off ears, the best-shaped first.
  *
- * `CGAL::Polygon_mesh_processing::triangulate_faces()` does better for polygons that are far from planar, but takes
- * longer to compile than the rest of the mesh's check.
+ * `CGAL::Polygon_mesh_processing::triangulate_faces()` is better for polygons that are far from planar, but takes
+ * longer to compile than all other checks of the mesh.
  *
  * \param polygon at least three vertices
- * \return indices of vertices: a triangle is cut off at its second one, which is in none of those that follow. If the
- *   projection of the polygon along an axis is simple, all triangles are oriented as the polygon and none is
+ * \return indices of vertices: a triangle is cut off at its second vertex, which no later triangle has. If the
+ *   projection of the polygon along an axis is simple, all triangles have the orientation of the polygon, and none is
  *   degenerate. Otherwise some may be.
  * \cgalHeading{Cost} \f$O(n \log n + n r)\f$ for \f$n\f$ vertices of which \f$r\f$ are not convex
  */

@@ -27,7 +27,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// the facets at a vertex: each is the triangle of `apex` and the two points of a wing
+// The facets at a vertex: each is the triangle of `apex` and the two points of a wing.
 struct Vertex_fan
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
@@ -51,7 +51,7 @@ Vertex_fan vertex_fan(const TriangleMesh& mesh, typename boost::graph_traits<Tri
 }
 
 std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> cone_direction(const Vertex_fan& fan);
-// the same, not rounded; its largest component is 1 or -1
+// Returns the direction without rounding; its largest component is 1 or -1.
 std::optional<std::array<Exact_rational, 3> > exact_cone_direction(const Vertex_fan& fan);
 double cone_margin(const Vertex_fan& fan);
 std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound);
@@ -61,12 +61,12 @@ std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound);
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief a direction that all facets at a vertex face, if there is one: \f$g\f$ with \f$n_i \cdot g > 0\f$ for the
- * normals \f$n_i\f$ of all incident facets.
+ * \brief Returns a direction that all facets at a vertex face, if there is one: a \f$g\f$ with \f$n_i \cdot g > 0\f$
+ * for the normals \f$n_i\f$ of all incident facets.
  *
- * Without such a direction the vertex is *singular*: no field can satisfy the acute angle condition there. The answer
- * is exact: a candidate is confirmed by the kernel's orientation predicate, and where the mean of the normals is none,
- * a linear program is solved in rational arithmetic.
+ * Without such a direction the vertex is *singular*: no field can satisfy the acute angle condition there. Existence is
+ * decided exactly. The kernel's orientation predicate confirms the mean of the normals as a candidate; if it is not
+ * such a direction, a linear program is solved in rational arithmetic.
  *
  * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; the coordinates of its points are
  *   of type `double`
@@ -84,14 +84,14 @@ std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> vertex_co
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief the direction that unit vectors have most in common: that of the largest \f$\min_i n_i \cdot g\f$ over unit
- * vectors \f$g\f$. Its length is that minimum, if it is positive; none have a direction in common if it is (nearly)
- * zero.
+ * \brief Returns the axis of a cone of unit vectors \f$n_i\f$: the direction of the unit vector \f$g\f$ with the
+ * largest \f$\min_i n_i \cdot g\f$. Its length is this minimum if it is positive. If it is zero, up to rounding, no
+ * direction has positive products with all vectors.
  *
- * It is the point of their convex hull nearest to the origin, and so the center of the smallest ball around them.
- * Computed in `double`s, to about 1e-12.
+ * The axis is the point of the convex hull nearest to the origin, and the center of the smallest ball around the
+ * vectors. It is computed in `double`s, to about 1e-12.
  *
- * \pre there is at least one
+ * \pre there is at least one vector
  */
 std::array<double, 3> cone_axis(
   const std::vector<Exact_predicates_inexact_constructions_kernel::Point_3>& unit_vectors);
@@ -99,8 +99,8 @@ std::array<double, 3> cone_axis(
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief how much room the facets at a vertex leave for a common direction: the length of `cone_axis()` of their unit
- * normals; one on a plane, zero at a singular vertex. Whether it is zero, `vertex_cone()` decides exactly.
+ * \brief Returns the cone margin of a vertex: the length of `cone_axis()` of the unit normals of its facets. It is one
+ * on a plane and zero at a singular vertex; `vertex_cone()` decides exactly whether it is zero.
  */
 template <typename TriangleMesh>
 double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
@@ -111,11 +111,11 @@ double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief `vertex_cone_margin()`, or a bound that it does not fall below: much faster where it does not, as any
- * direction that the facets face may show that.
+ * \brief Returns the minimum of `vertex_cone_margin()` and `bound`. If it is `bound`, this is much faster than
+ * computing the margin, because one direction that the facets face may prove it.
  *
  * \pre as for `vertex_cone()`
- * \return the smaller one of both; nothing at a singular vertex, as `vertex_cone()` decides
+ * \return the minimum; nothing at a singular vertex, as decided by `vertex_cone()`
  */
 template <typename TriangleMesh>
 std::optional<double> bounded_vertex_cone_margin(const TriangleMesh& mesh,

@@ -66,12 +66,12 @@ inline Fan_normals facet_normals(const Vertex_fan& fan)
   return normals;
 }
 
-// Whether a facet certainly faces the exact difference of two points, of which the rounded one is given.
-// \pre it is zero, or far from underflow
+// Returns whether a facet certainly faces the exact difference of two points, given the rounded difference.
+// \pre the difference is zero, or far from underflow
 inline bool certainly_faces(const Facet_normal& normal,
                             const Exact_predicates_inexact_constructions_kernel::Vector_3& difference)
 {
-  // each component of the difference errs by a rounding, and components of the normal are at most one
+  // Each component of the difference has a rounding error, and components of the normal are at most one.
   constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
   const double size = std::abs(difference.x()) + std::abs(difference.y()) + std::abs(difference.z());
   return dot(normal.direction, difference) > (normal.radius + roundings) * size;
@@ -88,18 +88,18 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   Vector_3 mean = NULL_VECTOR;
   double reach = 0;
   for(std::size_t i = 0; i < wings.size(); ++i) {
-    const auto& n = normals[i].direction; // at any scale
+    const auto& n = normals[i].direction; // not normalized
     const double length = norm(n);
     if(length > 0) mean = mean + Vector_3(n[0], n[1], n[2]) / length;
     reach = (std::max)(reach, (wings[i].first - p).squared_length());
   }
   const auto unit = [](const Vector_3& g) { return Vector_3(g / std::sqrt(g.squared_length())); };
 
-  // The exact direction is the one from p to the rounded point s.
+  // The exact direction is that from p to the rounded point s.
   if(mean != NULL_VECTOR) {
     const Point_3 s = p + std::sqrt(reach) * unit(mean);
-    const Vector_3 g = s - p; // as long as an edge whose square does not vanish, or zero
-    // not if edges are so long that squares overflow, or normals cancel
+    const Vector_3 g = s - p; // has the length of an edge whose square does not underflow, or is zero
+    // Not if squared edge lengths overflow, or normals cancel.
     bool faced = std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z());
     for(std::size_t i = 0; i < wings.size() && faced; ++i)
       faced = certainly_faces(normals[i], g) || CGAL::orientation(p, wings[i].first, wings[i].second, s) == POSITIVE;
@@ -145,8 +145,8 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<double> bounded_cone_margin(const Vert
   return is_enough ? bound : (std::min)(bound, cone_margin(normals));
 }
 
-// A type of our own, as the layout of Min_sphere_of_spheres_d depends on NDEBUG: a program that uses CGAL's traits may
-// be compiled with other assertions than the library.
+// A separate type, because the layout of Min_sphere_of_spheres_d depends on NDEBUG: a program that uses CGAL's traits
+// may be compiled with other assertions than the library.
 struct Cone_axis_traits : Min_sphere_of_points_d_traits_3<Exact_predicates_inexact_constructions_kernel, double>
 {};
 

@@ -22,17 +22,17 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Soup
-/// what a shell is of
+/// The mesh for which a shell was built.
 enum class Shell_kind
 {
-  CLOSED,           ///< the mesh itself
-  TRUNCATED,        ///< the mesh itself, with tips replaced (`Bspline_shell_3::truncation()`)
-  VIRTUALLY_CLOSED, ///< the mesh itself, which is open, and the triangles that close it; tips may be replaced, too
-  PROXY             ///< a closed mesh around it
+  CLOSED,           ///< The mesh itself.
+  TRUNCATED,        ///< The mesh itself, with tips replaced (`Bspline_shell_3::truncation()`).
+  VIRTUALLY_CLOSED, ///< The mesh itself, which is open, with triangles that close it. Tips may be replaced.
+  PROXY             ///< A closed mesh around the polygons.
 };
 
 /// \ingroup PkgBsplineShell3Soup
-/// as in reports
+/// Returns the name that reports use.
 inline const char* name(Shell_kind kind)
 {
   switch(kind) {
@@ -46,7 +46,7 @@ inline const char* name(Shell_kind kind)
 
 namespace internal {
 
-// the message of a status, without the advice to take a proxy
+// Returns the message of a status without the advice to use a proxy.
 inline const char* message_beside_proxy(Shell_status status)
 {
   switch(status) {
@@ -65,28 +65,28 @@ inline const char* message_beside_proxy(Shell_status status)
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief what `certified_shell_of_soup_3()` makes of polygons: a mesh, its shell, and how both came about.
+ * \brief Result of `certified_shell_of_soup_3()`: a mesh, its shell, and how they were obtained from the polygons.
  */
 struct Shell_of_soup_3
 {
   typedef Soup_proxy_3::Mesh Mesh;
   typedef Soup_proxy_3::Shell Shell;
 
-  Soup_repairs repairs; ///< of the mesh that was tried first
-  /// what became of the polygons as a mesh, or why they are none. With `SUCCESS`, there is a shell of them, certified
-  /// or not.
+  Soup_repairs repairs; ///< Repairs of the first mesh tried.
+  /// Outcome for the polygons as a mesh, or the reason why they do not form one. If it is `SUCCESS`, the mesh has a
+  /// shell, certified or not.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
-  /// what became of a proxy, if one was tried: that is, unless the mesh got a certified shell
+  /// Outcome for a proxy. It is tried unless the mesh got a certified shell.
   Shell_status proxy_status = Shell_status::NOT_BUILT;
-  /// those to blame for `mesh_status`: positions in the soup, if there is no repaired mesh, and otherwise in that
+  /// Elements that caused `mesh_status`: positions in the repaired mesh, or in the soup if there is no repaired mesh.
   Offending_simplices offending_simplices;
-  /// if the mesh is refused: the number of points of the soup that are almost at others (`number_of_near_duplicates()`)
+  /// If the mesh is rejected: the number of points close to another point (`number_of_near_duplicates()`).
   std::size_t near_duplicates = 0;
-  Invalid_parameter invalid_parameter;       ///< the refused one, if a status is `INVALID_PARAMETER`
-  Mesh repaired_mesh;                        ///< the polygons as a mesh, where they are one
-  Shell shell_of_mesh;                       ///< of that mesh
-  std::shared_ptr<const Soup_proxy_3> proxy; ///< not null if a proxy is the result: it is certified
-  double seconds = 0;                        ///< that all of it took
+  Invalid_parameter invalid_parameter;       ///< Rejected parameter if a status is `INVALID_PARAMETER`.
+  Mesh repaired_mesh;                        ///< The polygons as a mesh, if they form one.
+  Shell shell_of_mesh;                       ///< Shell of the repaired mesh.
+  std::shared_ptr<const Soup_proxy_3> proxy; ///< Not null if the result is a proxy, which is certified.
+  double seconds = 0;                        ///< Total time, in seconds.
 
   /// \pre there is a shell
   Shell_kind kind() const
@@ -97,16 +97,16 @@ struct Shell_of_soup_3
            : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED
                                         : Shell_kind::CLOSED;
   }
-  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< what the shell is of
+  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< Mesh of the shell.
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
-  explicit operator bool() const { return bool(shell()); } ///< whether there is a shell
-  /// `SUCCESS`, or why there is no shell
+  explicit operator bool() const { return bool(shell()); } ///< Whether there is a shell.
+  /// `SUCCESS`, or the reason why there is no shell.
   Shell_status status() const
   {
     return shell() ? Shell_status::SUCCESS : internal::ends_all_attempts(proxy_status) ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
-  /// what became of the polygons as a mesh, in one sentence or two: with a proxy, why there is one
+  /// Returns the outcome for the polygons as a mesh in one or two sentences; for a proxy, the reason for using it.
   std::string mesh_message() const
   {
     if(mesh_status == Shell_status::SUCCESS) return shell_of_mesh.message();
@@ -118,7 +118,7 @@ struct Shell_of_soup_3
               + " are closer than 1e-6 of the box to another one: merge them.";
     return text;
   }
-  /// the outcome in one sentence or two
+  /// Returns the outcome in one or two sentences.
   std::string message() const
   {
     if(proxy) return proxy->message();

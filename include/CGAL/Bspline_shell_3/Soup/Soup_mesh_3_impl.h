@@ -21,7 +21,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// notes what the copies of vertices are copies of
+// Stores the origins of vertex copies.
 struct Origins_of_copies : Polygon_mesh_processing::Default_orientation_visitor
 {
   explicit Origins_of_copies(std::vector<std::size_t>& origins) : origins(origins) {}

@@ -24,10 +24,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a polygon soup, a clean closed mesh around it, and the certified shell of that mesh, by which both carry each
- * other's attributes.
+ * \brief A polygon soup, a clean closed mesh around it, and the certified shell of that mesh. The shell transfers
+ * attributes between the soup and the mesh.
  *
- * Made by `certified_soup_proxy_3()`. Maps refer to it: it must outlive them, and stay where it is.
+ * Proxies are made by `certified_soup_proxy_3()`. Maps refer to the proxy, which must outlive them and must not be
+ * moved.
  */
 class Soup_proxy_3
 {
@@ -36,7 +37,7 @@ public:
   typedef Certified_bspline_shell_3 Shell;
   typedef Soup_map_3<Shell, Mesh> Map;
 
-  /// no proxy, for a reason
+  /// Makes an object without a proxy, with the reason.
   explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT,
                         Offending_simplices offenders = Offending_simplices(),
                         const Invalid_parameter& invalid = Invalid_parameter())
@@ -47,15 +48,15 @@ public:
       m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
   {}
 
-  /// whether there is a shell; if not, `status()` says why
+  /// Whether there is a shell; otherwise, `status()` is the reason.
   explicit operator bool() const { return m_status == Shell_status::SUCCESS; }
   Shell_status status() const { return m_status; }
-  /// if there is no proxy: positions of polygons and points of the soup
+  /// If there is no proxy: positions of polygons and points of the soup.
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// the parameter that is refused, if the status is `INVALID_PARAMETER`
+  /// The rejected parameter if the status is `INVALID_PARAMETER`.
   const Invalid_parameter& invalid_parameter() const { return m_invalid_parameter; }
   bool is_certified() const { return m_shell.is_certified(); }
-  /// the outcome in one sentence
+  /// Returns the outcome in one sentence.
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
@@ -65,19 +66,19 @@ public:
   }
 
   const Soup_mesh_3& soup() const { return m_soup; }
-  const Mesh& mesh() const { return m_mesh; }    ///< the proxy: closed, and without self-intersections
-  const Shell& shell() const { return m_shell; } ///< of the proxy
+  const Mesh& mesh() const { return m_mesh; }    ///< The proxy, which is closed and has no self-intersections.
+  const Shell& shell() const { return m_shell; } ///< Shell of the proxy.
   const Proxy_report& report() const { return m_report; }
 
-  /// The map from the soup's mesh to the proxy; `Map::inverse()` leads back. It prepares a tree of boxes for both: keep
-  /// it.
+  /// Returns the map from the soup's mesh to the proxy; `Map::inverse()` is the reverse map. A map builds a box tree
+  /// for each mesh: reuse it.
   /// \pre there is a proxy, and no other thread prepares a map of it
   Map map() const
   {
     CGAL_precondition(bool(m_shell));
     return map(m_mesh);
   }
-  /// the map from the soup's mesh to another mesh in the shell, as edits of the proxy return it
+  /// Returns the map from the soup's mesh to another mesh in the shell, such as an edited proxy.
   Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
 
 private:

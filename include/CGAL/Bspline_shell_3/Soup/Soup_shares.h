@@ -13,25 +13,25 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Soup
-/// what becomes of a point of a polygon soup on its way to the proxy
+/// Relation of a point of a polygon soup to the proxy.
 enum class Soup_point
 {
-  CARRIED,   ///< it is in the shell, and the first point of the soup that its image on the proxy sees
-  CONTINUED, ///< it is not in the shell; its image is the nearest point of the proxy, and sees it
-  HIDDEN     ///< other parts of the soup are between it and its image
+  CARRIED,   ///< It is in the shell, and is the first point of the soup visible from its image on the proxy.
+  CONTINUED, ///< It is not in the shell; its image is the nearest proxy point, and is visible from it.
+  HIDDEN     ///< Other parts of the soup are between it and its image.
 };
 
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief which shares of a soup's area its proxy carries: estimates from samples.
+ * \brief Shares of a soup's area that its proxy carries, estimated from samples.
  */
 struct Soup_shares
 {
-  double carried = 0, continued = 0, hidden = 0; ///< of the whole area, by `Soup_point`
-  std::vector<Soup_point> facets;                ///< what most samples of each facet of the soup's mesh are
+  double carried = 0, continued = 0, hidden = 0; ///< Fractions of the total area, by `Soup_point`.
+  std::vector<Soup_point> facets;                ///< By facet of the soup's mesh: the value of most samples.
 
-  /// the share of what is visible that is carried
+  /// Returns the carried fraction of the visible area.
   double carried_of_visible() const { return carried + continued > 0 ? carried / (carried + continued) : 0; }
 };
 

@@ -23,12 +23,12 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-inline constexpr double near_duplicate_distance = 1e-6; ///< of the longest side of the box
+inline constexpr double near_duplicate_distance = 1e-6; ///< Fraction of the longest side of the box.
 
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief returns the number of points that have another, different point closer than `near_duplicate_distance`, in each
+ * \brief Returns the number of points that have another, different point closer than `near_duplicate_distance` in each
  * coordinate.
  *
  * Points at equal positions count as one.
@@ -68,7 +68,7 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
     }
     return false;
   };
-  // A cell with many points is searched for the lone points of its 26 neighbors only: the cost stays linear.
+  // A cell with many points is searched only for lone points of its 26 neighbors: the cost remains linear.
   std::size_t number = 0, number_of_cells = 0;
   for(std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     if(++number_of_cells % 1024 == 0) internal::Run::poll();

@@ -21,20 +21,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief what was changed to make a mesh of polygons.
+ * \brief Changes made to obtain a mesh from polygons.
  */
 struct Soup_repairs
 {
-  std::size_t merged_points = 0;    ///< were at positions where other points are
-  std::size_t removed_polygons = 0; ///< had fewer than three different points
-  /// had a point twice, as polygons with holes have: they were triangulated, or lost the repetition
+  std::size_t merged_points = 0;    ///< Points merged into others at the same position.
+  std::size_t removed_polygons = 0; ///< Polygons with fewer than three different points.
+  /// Polygons with a repeated point, such as polygons with holes. They were triangulated, or the repetition was
+  /// removed.
   std::size_t split_polygons = 0;
-  std::size_t doubled_polygons = 0;  ///< had the points of another polygon
-  std::size_t turned_polygons = 0;   ///< were turned round to agree with their neighbors
-  std::size_t degenerate_facets = 0; ///< had no area: their edges were collapsed or flipped
-  bool turned_components = false;    ///< components were turned inside out to bound a volume
+  std::size_t doubled_polygons = 0;  ///< Polygons with the points of another polygon.
+  std::size_t turned_polygons = 0;   ///< Polygons reversed to agree with their neighbors.
+  std::size_t degenerate_facets = 0; ///< Facets without area, whose edges were collapsed or flipped.
+  bool turned_components = false;    ///< Whether components were turned inside out to bound a volume.
 
-  /// whether there was nothing to do
+  /// Returns whether no change was needed.
   bool is_none() const
   {
     return merged_points + removed_polygons + split_polygons + doubled_polygons + turned_polygons + degenerate_facets
@@ -46,26 +47,26 @@ struct Soup_repairs
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief makes a triangle mesh of a polygon soup, if not much is missing: points at equal positions become one,
- * polygons without three points and doubles are removed, the others are turned round where they do not agree with their
- * neighbors, triangulated, and freed of those without an area.
+ * \brief Makes a triangle mesh from a polygon soup, if small repairs suffice.
  *
+ * Points at equal positions are merged. Polygons with fewer than three points and duplicate polygons are removed. The
+ * others are reversed where they disagree with their neighbors, and triangulated; triangles without area are removed.
  * Nothing is filled, cut or moved.
  *
  * \param soup the soup
- * \param[out] mesh the mesh, if the status is `SUCCESS`; otherwise it is empty
- * \param[out] repairs what was done
- * \param[out] offenders positions of polygons and points of the soup that are to blame; of points at equal positions,
- *   the first
- * \return whether there is a mesh, or why there is none: `EMPTY_MESH`, `NON_MANIFOLD`, `NOT_ORIENTABLE`,
- *   `DEGENERATE_FACET`, or `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`, and `INVALID_PARAMETER` if a polygon refers to a
- *   point that does not exist
+ * \param[out] mesh the mesh if the status is `SUCCESS`; otherwise empty
+ * \param[out] repairs changes that were made
+ * \param[out] offenders positions of the polygons and points of the soup that cause the failure; for points at equal
+ *   positions, the first one
+ * \return `SUCCESS`, or the reason why there is no mesh: `EMPTY_MESH`, `NON_MANIFOLD`, `NOT_ORIENTABLE`,
+ *   `DEGENERATE_FACET`, `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`, or `INVALID_PARAMETER` if a polygon refers to a point
+ *   that does not exist
  */
 Shell_status repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh,
                          Soup_repairs& repairs, Offending_simplices& offenders);
 /// \ingroup PkgBsplineShell3Soup
-/// turns components of a closed mesh without self-intersections inside out where they do not bound one volume together.
-/// \return whether that was necessary, and possible
+/// Turns components of a closed mesh without self-intersections inside out where they do not bound one volume together.
+/// \return whether this was necessary and possible
 bool orient_components(Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh);
 
 } // namespace Bspline_shells

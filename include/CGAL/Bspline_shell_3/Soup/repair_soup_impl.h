@@ -30,12 +30,12 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Takes a polygon apart that has a point twice; leaves nothing of one with fewer than three.
+// Splits a polygon that has a point twice. Returns nothing for a polygon with fewer than three points.
 inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup& soup, std::size_t n)
 {
   typedef std::vector<std::size_t> Polygon;
   Polygon polygon = soup.polygons[n];
-  // most are
+  // The most frequent case.
   if(polygon.size() == 3 && polygon[0] != polygon[1] && polygon[1] != polygon[2] && polygon[2] != polygon[0])
     return { polygon };
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -50,7 +50,7 @@ inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup
   return parts;
 }
 
-// the same for all polygons with the same cycle of points, in either direction
+// Returns the same sequence for all polygons with the same cycle of points, in either direction.
 inline std::vector<std::size_t> canonical_cycle(std::vector<std::size_t> polygon)
 {
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());

@@ -27,15 +27,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief estimates which shares of a soup its proxy carries.
+ * \brief Estimates the shares of a soup's area that its proxy carries.
  *
- * Samples are distributed over the facets by area, one or more on each; the same samples each time.
+ * Samples are distributed over the facets by area, with at least one on each facet. Every call uses the same samples.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Soup_map_3`
  * \param map from the soup to the proxy
- * \param samples about how many, beyond one for each facet
- * \cgalHeading{Cost} some ten microseconds a sample and core
+ * \param samples approximate number of samples, in addition to one per facet
+ * \cgalHeading{Cost} about ten microseconds per sample and core
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map>
 Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)
@@ -51,14 +51,14 @@ Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)
   double area = 0;
   for(std::size_t f = 0; f < size; ++f) area += internal::norm(soup.normal(Index(f)));
   if(!(area > 0)) return shares;
-  std::vector<std::size_t> first{ 0 }; // sample of each facet
+  std::vector<std::size_t> first{ 0 }; // first sample of each facet
   for(std::size_t f = 0; f < size; ++f)
     first.push_back(first.back() + 1 + std::size_t(double(samples) * (internal::norm(soup.normal(Index(f))) / area)));
 
   const auto facet_of = [&](std::size_t n) {
     return std::size_t(std::upper_bound(first.begin(), first.end(), n) - first.begin()) - 1;
   };
-  // a sequence of low discrepancy in the unit square, folded into the triangle
+  // A low-discrepancy sequence in the unit square, folded into the triangle.
   const auto point = [&](std::size_t n) {
     const std::size_t f = facet_of(n), i = n - first[f];
     double u = 1. / 3 + 0.7548776662466927 * double(i), v = 1. / 3 + 0.5698402909980532 * double(i), whole;

@@ -17,21 +17,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief makes a closed mesh around a polygon soup that a certified shell can be built for: `CGAL::alpha_wrap_3()`,
- * without singular vertices.
+ * \brief Makes a closed mesh around a polygon soup that is suitable for a certified shell: the result of
+ * `CGAL::alpha_wrap_3()`, without singular vertices.
  *
- * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. Then the
- * wrap is made again, with `alpha` and `offset` larger by a quarter, until eight were made.
+ * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. In this
+ * case the wrap is repeated with `alpha` and `offset` increased by 25 %, for at most eight wraps.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \param soup the soup
- * \param alpha the size of the cavities and gaps that the wrap enters, user units
- * \param offset how far the wrap's vertices are from the soup, user units
- * \param max_bytes that a wrap may take, about
+ * \param alpha size of the cavities and gaps that the wrap enters, in user units
+ * \param offset distance of the wrap's vertices from the soup, in user units
+ * \param max_bytes approximate memory limit of a wrap
  * \param[out] wrap the mesh
- * \param[out] report what was needed
+ * \param[out] report number of wraps, their time, and the final parameters
  * \return `EMPTY_MESH` if the soup has no triangle, `GRID_TOO_FINE` if the offset is too small for its coordinates,
- *   `MEMORY_LIMIT_EXCEEDED`; otherwise what is wrong with the last wrap that was tried, or `SUCCESS`
+ *   `MEMORY_LIMIT_EXCEEDED`; otherwise the defect of the last wrap, or `SUCCESS`
  * \cgalHeading{Cost} grows with the number of balls of radius `alpha` that cover the soup
  */
 template <typename ConcurrencyTag>

@@ -25,7 +25,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Writes the members of a JSON object, one a line; objects in it have a line each.
+// Writes the members of a JSON object, one per line. Objects in it are written on a single line.
 class JSON_object
 {
 public:
@@ -75,7 +75,7 @@ public:
     m_out << "]";
     return *this;
   }
-  // a member that follows
+  // Begins a member; the caller writes its value.
   std::ostream& begin(const char* name)
   {
     m_out << (m_first ? "" : ",") << (m_outermost ? "\n  " : " ") << '"' << name << "\": ";
@@ -99,18 +99,18 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief writes, as a JSON object, what a shell is of and how it came about: status, kind and message; repairs; how
- * holes were closed, or what share of the area the proxy carries and why the mesh itself has no shell; size, claims,
- * time; and what stands in the way, if it is not certified.
+ * \brief Writes a report of a shell and its construction as a JSON object.
  *
- * Lengths are in user units, times in seconds. Facets and vertices that offend are
- * `Shell_of_soup_3::offending_simplices`.
+ * The object has the status, the kind of shell, a message, and the repairs. It reports how holes were closed, or which
+ * share of the area the proxy carries and why the mesh itself has no shell. It also has sizes, claims and times, and,
+ * if the shell is not certified, the obstacles. Lengths are in user units, times in seconds. Offending facets and
+ * vertices are `Shell_of_soup_3::offending_simplices`.
  *
- * \param out a stream; formats and locale are kept
+ * \param out a stream; its format flags and locale are restored
  * \param result the shell
- * \param shares what the proxy carries, if there is one (`sample_soup_shares()`)
- * \param file the name of the file that it comes from, in UTF-8
- * \return whether it could be written
+ * \param shares shares of the area that the proxy carries, if there is one (`sample_soup_shares()`)
+ * \param file name of the input file, in UTF-8
+ * \return whether the report was written
  */
 inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const Soup_shares& shares,
                          const std::string& file)

@@ -23,8 +23,8 @@ namespace Bspline_shells {
 namespace internal {
 
 // Encloses numbers that are each known to within an error. If a number or the error is not finite, the bounds are
-// infinite: comparisons could pass over NaN. Four searches at a time: one would wait for each of its comparisons. The
-// sum is finite only if all numbers are.
+// infinite, as comparisons could skip NaN. A finite sum implies that all numbers are finite. Four searches are
+// interleaved, as a single one would wait for each of its comparisons.
 template <std::size_t n>
 Level_range hull(const std::array<double, n>& b, double error)
 {
@@ -50,30 +50,31 @@ Level_range hull(const std::array<double, n>& b, double error)
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief 64 Bernstein coefficients over a cell, each known to within a radius: all that a bound needs to know of a
- * field, of its difference to a threshold, or of its derivative along a direction.
+ * \brief A tricubic function on a cell, given by 64 Bernstein coefficients that are each known to within a radius.
  *
- * Every bound in this header is rigorous for every function within the radius. It is computed in `double`s, and what
- * rounding can do is added by an error analysis. Single operations are taken to err by at most `eps`
- * = \f$2^{-52}\f$ relatively, which holds in every rounding mode, or by the least normal number, of which every radius
- * gets more than enough. An infinite radius stands for a function of which nothing is known. If a coefficient is not
- * finite, nothing is known either, and the bounds are infinite.
+ * It represents a field, the difference of a field and a threshold, or the derivative of one of these along a
+ * direction.
+ *
+ * Every bound in this header is rigorous for every function within the radius. Bounds are computed in `double`s, and an
+ * error analysis adds the effect of rounding. In every rounding mode, a single operation errs by at most `eps` =
+ * \f$2^{-52}\f$ relatively, or by the least normal number. Every radius includes more than enough of the latter. If the
+ * radius is infinite, nothing is known about the function. If a coefficient is not finite, the bounds are infinite.
  */
 struct Enclosed_tricubic
 {
   std::array<double, 64> coefficients;
   double radius = 0;
 
-  /// the range of the coefficients with their radius, which encloses the function on the cell
+  /// Returns the range of the coefficients, extended by their radius. It encloses the function on the cell.
   Level_range range() const { return internal::hull(coefficients, radius); }
 
-  /// the same on a face, an edge or a vertex of the cell
-  /// \param direction from the cell's center to it: of minus one, zero and one
+  /// Encloses the function on a face, an edge or a vertex of the cell.
+  /// \param direction direction from the cell's center to the face, edge or vertex; components are -1, 0 or 1
   Level_range range_towards(const std::array<int, 3>& direction) const
   {
     const auto first = [&](std::size_t a) { return direction[a] > 0 ? 3 : 0; };
     const auto last = [&](std::size_t a) { return direction[a] < 0 ? 0 : 3; };
-    std::array<double, 64> there; // the first one several times, in the end
+    std::array<double, 64> there; // unused entries repeat the first coefficient
     there.fill(coefficients[std::size_t(16 * first(2) + 4 * first(1) + first(0))]);
     std::size_t size = 0;
     for(int k = first(2); k <= last(2); ++k)
@@ -85,8 +86,8 @@ struct Enclosed_tricubic
 
 namespace internal {
 
-// The largest absolute value of those that are numbers. Four searches at a time: one would wait for each of its
-// comparisons.
+// Returns the largest absolute value of the coefficients that are not NaN. Four searches are interleaved, as a single
+// one would wait for each of its comparisons.
 inline double largest_size(const std::array<double, 64>& b)
 {
   std::array<double, 4> largest = {};
@@ -98,28 +99,28 @@ inline double largest_size(const std::array<double, 64>& b)
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double underflow = 1024 * (std::numeric_limits<double>::min)();
 
-// of coefficients that are differences, rounded, of others with these radii
+// Returns the radius of the rounded differences of coefficients with radii f and g.
 inline double radius_of_difference(double f, double g, double largest_difference)
 {
   return (1 + 4 * rounding) * (f + g + rounding * largest_difference + underflow);
 }
 
-// What rounding can do to a coefficient of a form of degree nine.
+// Bounds the error of a coefficient of a form of degree nine: the function's radius, rounding, and displaced corners.
 //
-// With |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a, the absolute weights of a polar form
-// sum to at most S = (s_x s_y s_z)^3 (one, in the cell). Roundings on the way of one term:
-//   weights: two differences, two products, two sums, the multiplicity, for each of three axes   21
-//   contractions: a product and three sums each                                                   12
-//   sums over the permutations of arguments: of up to ten terms, then of up to seven              15
-//   the division                                                                                   1
-// are 49, each eps of at most S times the largest coefficient. Corners displaced by `shift` cell units change the
-// polynomial's polar form, which is of degree three per axis, by at most 9 S (max - min) shift.
+// Let |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a. Then the absolute weights of a polar
+// form sum to at most S = (s_x s_y s_z)^3, which is one in the cell. The roundings of one term are:
+//   weights: two differences, two products, two sums and the multiplicity, for each of three axes   21
+//   contractions: a product and three sums each                                                    12
+//   sums over the permutations of the arguments: up to ten terms, then up to seven                 15
+//   the division                                                                                    1
+// Each of these 49 roundings is at most eps S times the largest coefficient. The polar form is of degree three per
+// axis. If corners are displaced by `shift` cell units, it changes by at most 9 S (max - min) shift.
 struct Form_error
 {
   double amplification = 1; // S
   double shift = 0;
 
-  // for corners in the cell
+  // Assumes that the corners are in the cell.
   explicit Form_error(double shift) : Form_error(std::array<std::array<double, 3>, 0>(), shift) {}
 
   template <std::size_t n>
@@ -137,7 +138,7 @@ struct Form_error
   {
     const Level_range all = hull(f.coefficients, 0);
     const double largest = (std::max)(std::abs(all.min), std::abs(all.max));
-    // the factor covers the roundings of this very expression
+    // The factor covers the roundings of this expression.
     return (1 + 16 * rounding) * amplification
            * (f.radius + 52 * rounding * largest + 9 * (all.max - all.min) * shift + underflow);
   }
@@ -148,8 +149,10 @@ struct Form_error
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief encloses a function on a triangle; corners are in local coordinates of the cell, in it or near it, and each
- * may be off by `shift` per axis. Outside of the cell, the function is its polynomial, continued.
+ * \brief Encloses a function on a triangle.
+ *
+ * Corners are in local coordinates of the cell, in the cell or near it. Each coordinate may be off by `shift`. Outside
+ * the cell, the function is the continuation of its polynomial.
  */
 inline Level_range enclose_on_triangle(const Enclosed_tricubic& f, const std::array<std::array<double, 3>, 3>& corners,
                                        double shift)
@@ -159,7 +162,7 @@ inline Level_range enclose_on_triangle(const Enclosed_tricubic& f, const std::ar
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// the same on a segment
+/// Encloses a function on a segment; see `enclose_on_triangle()`.
 inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::array<std::array<double, 3>, 2>& corners,
                                       double shift)
 {
@@ -168,7 +171,7 @@ inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::arr
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// the same at a point
+/// Encloses a function at a point; see `enclose_on_triangle()`.
 inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array<double, 3>& t, double shift)
 {
   return enclose_on_segment(f, { t, t }, shift);
@@ -177,10 +180,9 @@ inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief the function on a dyadic part of the cell, as coefficients over the part: an eighth, by halving along each
- * axis.
+ * \brief Returns the function on an octant of the cell, with coefficients over the octant.
  *
- * \param octant bit `a` chooses the upper half along axis `a`
+ * \param octant bit `a` selects the upper half along axis `a`
  */
 inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octant)
 {
@@ -203,13 +205,13 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
       b[3 * stride] = middle;
     }
   });
-  // averages: three additions per axis, halving is exact
+  // The averages take three additions per axis; halving is exact.
   r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest + internal::underflow);
   return r;
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// the field on a cell
+/// Returns the field on a cell.
 template <typename Cell>
 Enclosed_tricubic enclosed_value(const Cell& cell)
 {
@@ -220,7 +222,7 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// the difference of two functions on the same cell
+/// Returns the difference of two functions on the same cell.
 inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
 {
   Enclosed_tricubic d;
@@ -232,9 +234,9 @@ inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_t
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
+ * \brief Returns the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
  *
- * \param direction three numbers, each known to within `direction_radius`
+ * \param direction three components, each known to within `direction_radius`
  */
 inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const std::array<double, 3>& direction,
                                              double direction_radius = 0)
@@ -247,18 +249,18 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
     double* along = &g.coefficients[std::size_t(n)];
     const double d = direction[std::size_t(axis)];
     const double s0 = b[stride] - b[0], s1 = b[2 * stride] - b[stride], s2 = b[3 * stride] - b[2 * stride];
-    // the derivative 3 s0, 3 s1, 3 s2 of degree two, raised to degree three
+    // The derivative has the coefficients 3 s0, 3 s1, 3 s2 of degree two; its degree is raised to three.
     along[0] += d * (3 * s0);
     along[stride] += d * (s0 + 2 * s1);
     along[2 * stride] += d * (2 * s1 + s2);
     along[3 * stride] += d * (3 * s2);
-    // what is not a number is passed over, and hides no other
+    // NaN is skipped, and does not hide other values.
     double& most = steepest[std::size_t(axis)];
     most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
-  // Each s carries twice the radius of f and one rounding, the raised coefficient two more, the product one, the sum
-  // over the axes two: together at most six of three times the steepest. The product with the direction comes first, as
-  // the rounding of a small slope could vanish.
+  // Each s carries twice the radius of f and one rounding. The raised coefficient adds two roundings, the product one,
+  // and the sum over the axes two. Together these are at most six roundings of three times the steepest s. The steepest
+  // s is multiplied by the direction first, as the rounding of a small slope could vanish.
   for(std::size_t axis = 0; axis < 3; ++axis)
     g.radius += 6 * f.radius * std::abs(direction[axis])
                 + 18 * internal::rounding * (std::abs(direction[axis]) * steepest[axis])

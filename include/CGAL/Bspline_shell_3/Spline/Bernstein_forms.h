@@ -24,7 +24,8 @@ constexpr int binomial(int n, int k)
   return factorial(n) / (factorial(k) * factorial(n - k));
 }
 
-// exponents of the barycentric coordinates in the Bernstein polynomials of a triangle, by decreasing first exponent
+// The exponents of the barycentric coordinates in the Bernstein polynomials of a triangle, by decreasing first
+// exponent.
 template <int degree>
 struct Triangle_indices
 {
@@ -47,7 +48,7 @@ struct Triangle_indices
   }
 };
 
-// where the product of three cubic Bernstein polynomials of a triangle goes among those of degree nine
+// Maps products of cubic Bernstein polynomials of a triangle to their positions among those of degree six and nine.
 struct Triangle_product_table
 {
   unsigned char pair[10][10] = {};   // cubic x cubic -> degree six
@@ -68,7 +69,7 @@ struct Triangle_product_table
   }
 };
 
-// weights of a cubic's four Bernstein coefficients in its polar form at (u, v, w), times `multiplicity`
+// Returns the weights of a cubic's four Bernstein coefficients in its polar form at (u, v, w), times `multiplicity`.
 template <typename NT>
 inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, int multiplicity)
 {
@@ -83,12 +84,12 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Bernstein coefficients, of degree nine, of a tricubic on the segment from `p` to `q`.
+ * \brief Returns the Bernstein coefficients, of degree nine, of a tricubic on the segment from `p` to `q`.
  *
  * `p` and `q` are positions in the cell (\f$[0,1]^3\f$, `Tricubic_cell_3::local_coordinates()`). The first coefficient
- * is the value at `p`, the last one that at `q`. They come from the polar form of the tricubic, so that for a segment
- * in the cell every one is a convex combination of the cell's coefficients: the hull property is never worse than the
- * cell's.
+ * is the value at `p`, the last one the value at `q`. The coefficients are computed from the polar form of the
+ * tricubic. For a segment in the cell, each is a convex combination of the cell's coefficients. So bounds by the hull
+ * property are never worse than those of the cell.
  *
  * \tparam NT a number type, `double` or an interval
  * \param c 64 Bernstein coefficients of a cell
@@ -119,10 +120,10 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Bernstein coefficients, of degree nine, of a tricubic on the triangle `p`, `q`, `r`.
+ * \brief Returns the Bernstein coefficients, of degree nine, of a tricubic on the triangle `p`, `q`, `r`.
  *
- * The 55 coefficients are ordered by decreasing exponent of `p`, then of `q`; the 0th, 45th and 54th are the values at
- * `p`, `q` and `r`. See `segment_bernstein_form()` for positions, number type and the hull property.
+ * The 55 coefficients are ordered by decreasing exponent of `p`, then of `q`. Coefficients 0, 45 and 54 are the values
+ * at `p`, `q` and `r`. See `segment_bernstein_form()` for positions, number type and the hull property.
  */
 template <typename NT>
 std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT, 3>& p, const std::array<NT, 3>& q,
@@ -142,7 +143,7 @@ std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT,
       weights[a][n] = internal::polar_weights(*argument[0], *argument[1], *argument[2], cubic.multinomial(n));
     }
   }
-  // sum over z and y exponents first: what is left is linear in the x rows
+  // Sum over the z and y exponents first; the remaining sum is linear in the x rows.
   std::array<std::array<NT, 4>, 28> yz;
   for(auto& row : yz) row.fill(NT(0));
   for(int i = 0; i < 10; ++i) {

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Spline
-/// an interval of values of a field, user units
+/// An interval of field values, in user units.
 struct Level_range
 {
   double min = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ struct Level_range
     min = (std::min)(min, x);
     max = (std::max)(max, x);
   }
-  /// of the values; less than zero if there is none
+  /// Returns the largest absolute value in the interval; less than zero if the interval is empty.
   double largest_size() const { return (std::max)(-min, max); }
   void include(const Level_range& r)
   {

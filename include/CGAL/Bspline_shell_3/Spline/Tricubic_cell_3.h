@@ -20,14 +20,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief a leaf cell of a field: a closed axis-parallel cube and the tricubic polynomial that the field is on it.
+ * \brief A leaf cell of a field: a closed axis-parallel cube with the tricubic polynomial of the field on it.
  *
- * The polynomial is given by 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the
- * field's value. They are copies, rounded from the coefficients of the spline: each is within `error_radius()` of the
- * exact one, and a bound on the spline must add that radius.
+ * The polynomial has 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the field's
+ * value. They are rounded from the coefficients of the spline: each is within `error_radius()` of the exact one. A
+ * bound on the spline must add that radius.
  *
- * A cell is a view: it is valid as long as the field that it comes from is neither changed nor destroyed.
- * It is the only thing that bounds, certificates, tracing and level sets know of a field.
+ * A cell is a view: it is valid as long as its field is neither changed nor destroyed. Bounds, certificates, tracing
+ * and level sets access a field only by its cells.
  */
 class Tricubic_cell_3
 {
@@ -36,36 +36,36 @@ class Tricubic_cell_3
 
 public:
   typedef internal::First_order_jet<double> First_order_jet;   ///< `value`, `gradient` (x, y, z)
-  typedef internal::Second_order_jet<double> Second_order_jet; ///< and `hessian` (xx, yy, zz, xy, xz, yz)
+  typedef internal::Second_order_jet<double> Second_order_jet; ///< also `hessian` (xx, yy, zz, xy, xz, yz)
 
   Tricubic_cell_3(const std::array<double, 3>& corner, double width, const double* coefficients, double error_radius)
     : m_corner(corner), m_width(width), m_coefficients(coefficients), m_error_radius(error_radius)
   {}
 
-  /// the corner with the least coordinates, exact
+  /// Returns the corner with the least coordinates, exactly.
   const std::array<double, 3>& corner() const { return m_corner; }
-  /// the length of the cell's edges, in user units, exact
+  /// Returns the length of the cell's edges, in user units, exactly.
   double width() const { return m_width; }
-  /// the closed cell; its corners are exact
+  /// Returns the closed cell; its corners are exact.
   Bbox_3 bbox() const
   {
     return Bbox_3(m_corner[0], m_corner[1], m_corner[2], m_corner[0] + m_width, m_corner[1] + m_width,
                   m_corner[2] + m_width);
   }
-  /// the 64 Bernstein coefficients
+  /// Returns the 64 Bernstein coefficients.
   const double* coefficients() const { return m_coefficients; }
-  /// how far each of the coefficients can be from the exact one, and so the polynomial from the spline on the cell.
-  /// Infinite if the spline has coefficients that are no finite numbers, or near the largest.
+  /// Bounds the distance of each coefficient from the exact one, and so of the polynomial from the spline on the cell.
+  /// The bound is infinite if the spline has coefficients that are not finite, or close to the largest `double`.
   double error_radius() const { return m_error_radius; }
 
-  /// the range of the Bernstein coefficients, which encloses the polynomial on the cell
+  /// Returns the range of the Bernstein coefficients, which encloses the polynomial on the cell.
   std::pair<double, double> coefficient_range() const
   {
     const auto mm = std::minmax_element(m_coefficients, m_coefficients + 64);
     return { *mm.first, *mm.second };
   }
 
-  /// position in the cell, \f$[0,1]^3\f$ on the cell itself
+  /// Returns the position of `p` in the cell; the cell itself is \f$[0,1]^3\f$.
   template <typename Point>
   std::array<double, 3> local_coordinates(const Point& p) const
   {
@@ -80,7 +80,7 @@ public:
   {
     return local_value(local_coordinates(p));
   }
-  /// the same at local coordinates
+  /// Returns the value at local coordinates.
   double local_value(const std::array<double, 3>& t) const
   {
     return internal::contract(m_coefficients, bernstein(t[0]), bernstein(t[1]), bernstein(t[2]));
@@ -93,7 +93,7 @@ public:
     for(double& d : jet.gradient) d /= m_width;
     return jet;
   }
-  /// the same at local coordinates, and with derivatives by these
+  /// Returns the jet at local coordinates, with derivatives by local coordinates.
   First_order_jet local_first_order_jet(const std::array<double, 3>& t) const
   {
     Basis_jet<2> b;

@@ -20,13 +20,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief the least and the largest value of a univariate polynomial on \f$[0, 1]\f$, up to rounding.
+ * \brief Returns the least and the largest value of a univariate polynomial on \f$[0, 1]\f$, up to rounding.
  *
  * The interval is bisected where the Bernstein coefficients exceed the values found so far.
  *
  * \tparam N degree plus one
  * \param coefficients Bernstein coefficients
- * \cgalHeading{Cost} the coefficients converge quadratically: about 26 bisections for each extremum
+ * \cgalHeading{Cost} The coefficients converge quadratically: about 26 bisections for each extremum.
  */
 template <std::size_t N>
 Level_range bernstein_range(const std::array<double, N>& coefficients)
@@ -45,7 +45,7 @@ Level_range bernstein_range(const std::array<double, N>& coefficients)
     Coefficients coefficients;
     std::size_t depth;
   };
-  std::array<Interval, max_depth + 1> stack; // one of each depth waits, and one of the last depth more
+  std::array<Interval, max_depth + 1> stack; // one interval waits at each depth, and one more at the last depth
   std::size_t size = 0;
   stack[size++] = { coefficients, 0 };
   while(size > 0) {
@@ -55,7 +55,7 @@ Level_range bernstein_range(const std::array<double, N>& coefficients)
       --size;
       continue;
     }
-    // de Casteljau: the left half replaces the interval, the right half waits on top of it
+    // de Casteljau: the left half replaces the interval, and the right half is pushed on top of it
     Interval right = left;
     for(std::size_t n = 1; n < N; ++n) {
       for(std::size_t i = 0; i + n < N; ++i)

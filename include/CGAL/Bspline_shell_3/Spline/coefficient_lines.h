@@ -20,9 +20,9 @@ inline void for_each_line_along(const Visitor& visit)
     for(int n = slab; n < slab + stride; ++n) visit(axis, n, std::integral_constant<int, stride>());
 }
 
-// The 64 coefficients of a tricubic form 16 lines of four along each axis: calls visit(axis, n, stride) for each of
-// them, along x first, then y, then z. Its coefficients are n, n + stride, n + 2 stride and n + 3 stride. The stride is
-// a constant, so that neighboring lines are worked out at once.
+// Calls visit(axis, n, stride) for each line of four coefficients of a tricubic, along x first, then y, then z. The 64
+// coefficients form 16 lines along each axis. The coefficients of a line are n, n + stride, n + 2 stride and n + 3
+// stride. The stride is a compile-time constant, so that neighboring lines are computed at once.
 template <typename Visitor>
 inline void for_each_coefficient_line(const Visitor& visit)
 {

@@ -22,15 +22,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief \f$g - \frac{1}{2} (x - c) \cdot \nabla f\f$, which is \f$g\f$ wherever the gradient of \f$f\f$ vanishes.
+ * \brief Returns \f$g - \frac{1}{2} (x - c) \cdot \nabla f\f$, which is \f$g\f$ wherever the gradient of \f$f\f$
+ * vanishes.
  *
- * By Euler's identity, that is constant for \f$g = f\f$ if \f$f\f$ is quadratic with a critical point at \f$c\f$, and
- * nearly so on a box that is small compared with its third derivatives: its coefficients enclose the values of \f$g\f$
- * at critical points of \f$f\f$ far more closely than those of
- * \f$g\f$, and across a wall in whose middle all points are nearly critical, whatever its direction. As \f$f\f$ is of
- *   degree three along each axis, so is this.
+ * Let \f$g = f\f$. If \f$f\f$ is quadratic with a critical point at \f$c\f$, the result is constant, by Euler's
+ * identity. It is nearly constant on a box that is small compared with the third derivatives of \f$f\f$. So its
+ * coefficients enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than the coefficients of
+ * \f$g\f$ do. This includes walls in whose middle all points are nearly critical, whatever the direction of the wall.
+ * The degree is three along each axis, like that of \f$f\f$.
  *
- * \param center any point, in local coordinates; rounding does no harm
+ * \param center any point \f$c\f$, in local coordinates; it may be rounded
  */
 inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, const Enclosed_tricubic& f,
                                                    const std::array<double, 3>& center)
@@ -42,7 +43,7 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
     double* v = &r.coefficients[std::size_t(n)];
     const double c = center[std::size_t(axis)];
     const double s0 = b[stride] - b[0], s1 = b[2 * stride] - b[stride], s2 = b[3 * stride] - b[2 * stride];
-    // half of (t - c) times the derivative 3 s0, 3 s1, 3 s2
+    // Subtract half of (t - c) times the derivative with the coefficients 3 s0, 3 s1, 3 s2.
     v[0] += 1.5 * c * s0;
     v[stride] += c * s1 - (0.5 - 0.5 * c) * s0;
     v[2 * stride] -= (1 - c) * s1 - 0.5 * c * s2;
@@ -50,8 +51,8 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
     double& most = steepest[std::size_t(axis)];
     most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
-  // Of the weights of differences along an axis, absolute values sum to at most 1.5 (|c| + |1 - c|). On the way of one
-  // term are nine roundings. What overflows is infinite here, too.
+  // The absolute weights of the differences along an axis sum to at most 1.5 (|c| + |1 - c|). Each term is rounded nine
+  // times. If a value overflows, the radius is infinite.
   double error = g.radius
                  + 8 * internal::rounding
                      * (internal::largest_size(r.coefficients) + internal::largest_size(g.coefficients));
@@ -66,25 +67,26 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief where the gradient of a function on a box seems to vanish.
+ * \brief An estimate of the point where the gradient of a function on a box vanishes.
  */
 struct Critical_center
 {
   std::array<double, 3> point; ///< local coordinates
-  double value;                ///< that the function has at critical points, in the mean
-  double slope;                ///< left at the point, relative to the curvature: a distance in units of the box
+  double value;                ///< mean of `values_at_critical_points()` on the box
+  double slope;                ///< remaining slope relative to the curvature: a distance in units of the box
 };
 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief a center for which `values_at_critical_points()` of a function itself hardly vary: in the mean on the box,
- * they have no slope. It is where the gradient would vanish, if the function were quadratic; along directions in which
- * it hardly curves, near the middle of the box. Not rigorous.
+ * \brief Returns a center for which `values_at_critical_points()` of a function itself vary little; not rigorous.
+ *
+ * Their mean slope on the box vanishes, up to damping. If the function were quadratic, its gradient would vanish at the
+ * center. Along directions of small curvature, the center is near the middle of the box.
  */
 inline Critical_center critical_center(const Enclosed_tricubic& f)
 {
-  constexpr double flat = 0.1; // relative to the largest curvature
+  constexpr double flat = 0.1; // damping, relative to the size of the second derivatives
   // means of the function, and of its partial derivatives, on the faces of the box
   double face[3][2] = {}, slope[3][3][2] = {}, mean = 0;
   std::array<double, 3> x = {};
@@ -100,8 +102,9 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
       if(at[other] % 3 == 0) slope[axis][other][at[other] / 3] += difference / 4;
     if(axis == 0) mean += (b[0] + b[stride] + b[2 * stride] + b[3 * stride]) / 64;
   });
-  // Integrals of x_b times a derivative along b are those on faces, by parts: H (c - m) = the mean slopes of faces - 4
-  // mean slopes. Both sides are scaled, as squares of small or large numbers would vanish or overflow.
+  // By parts, integrals of x_b times a derivative along b become integrals on faces. Let m be the middle of the box.
+  // Then H (c - m) is the sum, over the axes, of the mean slope on the two faces across the axis, minus 4 times the
+  // mean slope. Both sides are scaled, as squares of small or large numbers would vanish or overflow.
   double H[3][3], M[3][3], largest = 0, squared = 0;
   for(int a = 0; a < 3; ++a)
     for(int b = 0; b < 3; ++b) {
@@ -120,7 +123,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
     for(int b = 0; b < 3; ++b) right[a] += (slope[a][b][0] + slope[a][b][1]) / 2;
     right[a] *= unit;
   }
-  // the least squares solution, damped
+  // Compute the damped least squares solution.
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j) {
       M[i][j] = H[0][i] * H[0][j] + H[1][i] * H[1][j] + H[2][i] * H[2][j];
@@ -151,8 +154,8 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// encloses the values that a function takes where its gradient vanishes; empty (`min > max`) if it certainly does
-/// nowhere
+/// Encloses the values of a function at the points where its gradient vanishes. If the range is empty (`min > max`),
+/// there certainly is no such point.
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {
   const Level_range all = f.range(), close = values_at_critical_points(f, f, critical_center(f).point).range();

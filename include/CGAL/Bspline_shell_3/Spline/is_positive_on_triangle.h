@@ -19,27 +19,27 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief whether \f$\sum_i \lambda_i g_i - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q_{ij}\f$ is certainly positive
- * for all barycentric coordinates \f$\lambda\f$ of a triangle: what a function has at least that is \f$g_i\f$ at the
- * corners, and whose second derivative along the edge from corner i to j, times its squared length, is \f$q_{ij}\f$ at
- * most.
+ * \brief Returns `true` if \f$\sum_i \lambda_i g_i - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q_{ij}\f$ is certainly
+ * positive for all barycentric coordinates \f$\lambda\f$ of a triangle.
  *
- * As the coordinates sum to one, this is a quadratic form, of the matrix \f$a_{ii} = g_i\f$, \f$a_{ij} = (g_i + g_j) /
- * 2 - q_{ij} / 4\f$. With
- * \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$, it is positive if and only if
- * \f$g_i > 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$
- * (K. P. Hadeler, *On copositive matrices*, Linear Algebra and its Applications 49, 1983). A function that rises
- * steeply from one corner is allowed to bend much more than by a multiple of its least value. Rounding is taken care
- * of; what is not positive by more than that may be answered with no.
+ * The expression is a lower bound of a function that is \f$g_i\f$ at the corners. The second derivative of this
+ * function along the edge from corner i to j, times the squared length of the edge, is at most \f$q_{ij}\f$.
  *
- * \param g at the corners
- * \param q along the edge opposite to each corner
+ * As the coordinates sum to one, the expression is the quadratic form of the matrix \f$a_{ii} = g_i\f$, \f$a_{ij} =
+ * (g_i + g_j) / 2 - q_{ij} / 4\f$. With \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$, it is positive if and only if \f$g_i >
+ * 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$ (K. P. Hadeler, *On copositive
+ * matrices*, Linear Algebra and its Applications 49, 1983). A function that rises steeply from one corner may bend by
+ * much more than a multiple of its least value. Rounding is covered. If the expression is positive by less than
+ * rounding, the result may be `false`.
+ *
+ * \param g values at the corners
+ * \param q \f$q_{ij}\f$ of the edge opposite to each corner
  */
 inline bool is_positive_on_triangle(const std::array<double, 3>& g, const std::array<double, 3>& q)
 {
   using internal::rounding;
   std::array<double, 3> a;
-  bool are_positive = true; // what mostly is the case
+  bool are_positive = true; // the usual case
   for(std::size_t v = 0; v < 3; ++v) {
     const double gi = g[(v + 1) % 3], gj = g[(v + 2) % 3];
     if(!(g[v] > internal::underflow)) return false;
@@ -47,7 +47,7 @@ inline bool is_positive_on_triangle(const std::array<double, 3>& g, const std::a
     are_positive = are_positive && a[v] > 0;
   }
   if(are_positive) return true;
-  constexpr double slack = 64 * rounding; // of sums of a few numbers that are at most one
+  constexpr double slack = 64 * rounding; // covers rounding of sums of a few numbers that are at most one
   double sum = 1 - slack, product = 2;
   for(std::size_t v = 0; v < 3; ++v) {
     const double c = a[v] / (std::sqrt(g[(v + 1) % 3]) * std::sqrt(g[(v + 2) % 3])) - slack;

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A tricubic polynomial has 64 coefficients c[i + 4j + 16k], i along x. Values and derivatives are contractions
-// with one array of four weights per axis, whatever the basis (B-spline or Bernstein).
+// A tricubic polynomial has 64 coefficients c[i + 4j + 16k], with i along x. In any basis (B-spline or Bernstein),
+// values and derivatives are contractions with one array of four weights per axis.
 template <typename NT>
 using Weights = std::array<NT, 4>;
 
@@ -23,7 +23,8 @@ inline NT dot4(const NT* c, const Weights<NT>& w)
   return c[0] * w[0] + c[1] * w[1] + c[2] * w[2] + c[3] * w[3];
 }
 
-// r[m] = sum_k c[size k + m] w[k]: along the slowest axis, so that neighboring results are worked out at once
+// Returns r[m] = sum_k c[size k + m] w[k]. The contraction is along the slowest axis, so that neighboring results are
+// computed at once.
 template <int size, typename NT, typename Coefficient>
 inline std::array<NT, size> contract_slowest(const Coefficient* c, const Weights<NT>& w)
 {
@@ -41,7 +42,7 @@ inline NT contract(const Coefficient* c, const Weights<NT>& x, const Weights<NT>
   return dot4(ry.data(), x);
 }
 
-// value, gradient (x, y, z) of a tricubic
+// value and gradient (x, y, z) of a tricubic
 template <typename NT>
 struct First_order_jet
 {

@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_CGAL_COMPATIBILITY_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_CGAL_COMPATIBILITY_H
 
-// What has another name, or another type, from CGAL 6.0 on.
+// Names and types that CGAL 6.0 changed.
 
 #include <CGAL/version_macros.h>
 
@@ -32,7 +32,7 @@ using AABB_traits_3 = CGAL::AABB_traits_3<Kernel, Primitive>;
 template <typename Kernel, typename Iterator>
 using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
 template <typename T>
-using Optional = std::optional<T>; // of policies of edge collapse
+using Optional = std::optional<T>; // used by the policies of edge collapse
 template <typename T, typename Variant>
 const T* get_if(const Variant& variant)
 {

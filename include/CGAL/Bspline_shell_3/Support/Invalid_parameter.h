@@ -24,14 +24,14 @@ struct Parameter_bounds
   double lower = 0, upper = std::numeric_limits<double>::infinity();
   bool is_lower_allowed = false, is_upper_allowed = false;
 
-  /// finite numbers greater than zero, as lengths
+  /// Returns the bounds of lengths: finite numbers greater than zero.
   static Parameter_bounds positive() { return {}; }
-  /// numbers greater than zero and infinity, as limits
+  /// Returns the bounds of limits: numbers greater than zero, and infinity.
   static Parameter_bounds positive_or_infinite() { return { 0, std::numeric_limits<double>::infinity(), false, true }; }
-  /// finite numbers that are zero or more, as weights
+  /// Returns the bounds of weights: finite numbers that are zero or more.
   static Parameter_bounds not_negative() { return { 0, std::numeric_limits<double>::infinity(), true, false }; }
 
-  /// Returns `false` for values that are not numbers.
+  /// Returns `true` if a value is in the interval, and `false` if it is NaN.
   bool contains(double x) const
   {
     return (x > lower || (is_lower_allowed && x == lower)) && (x < upper || (is_upper_allowed && x == upper));
@@ -45,14 +45,14 @@ struct Parameter_bounds
  */
 struct Invalid_parameter
 {
-  const char* name = nullptr; ///< of the named parameter or the argument; null if no parameter is invalid
-  double value = 0;           ///< that was given; if it is a function, a value that it returned
-  Parameter_bounds bounds;    ///< of the values that are allowed
+  const char* name = nullptr; ///< name of the parameter or the argument; null if none is invalid
+  double value = 0;           ///< given value; if the parameter is a function, a value that it returned
+  Parameter_bounds bounds;    ///< bounds of the allowed values
 
-  /// whether a parameter is invalid
+  /// Returns `true` if a parameter is invalid.
   explicit operator bool() const { return name != nullptr; }
 
-  /// Records a parameter, unless its value is allowed or another parameter is recorded.
+  /// Records a parameter if its value is not allowed and no other parameter is recorded.
   void check(const char* parameter, double given, const Parameter_bounds& allowed)
   {
     if(!*this && !allowed.contains(given)) *this = { parameter, given, allowed };

@@ -142,8 +142,8 @@ enum freeze_rejected_facets_t
 
 } // namespace parameter_tags
 
-// A pack of named parameters to which this package's and CGAL's can be added in any order. Functions take packs as
-// CGAL::Named_function_parameters, the base class.
+// A pack of named parameters. Parameters of this package and of CGAL can be added in any order. Functions take packs by
+// the base class, CGAL::Named_function_parameters.
 template <typename T, typename Tag, typename Base = internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -216,8 +216,9 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 
 namespace internal {
 
-// An object that its use changes, such as a solver: a reference to what was passed with `std::ref`, a copy of what was
-// passed by value, as packs are constant, or a new `Default`. Use: `auto&& solver = argument<Default>(np, tag)`.
+// Returns a mutable argument, for example a solver. If it was passed with `std::ref`, this is a reference. If it was
+// passed by value, it is a copy, as packs are constant. Otherwise it is a new `Default`. Use: `auto&& solver =
+// argument<Default>(np, tag)`.
 template <typename Default, typename NP, typename Tag, typename... Arguments>
 decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_default)
 {
@@ -234,8 +235,8 @@ decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_
 } // namespace internal
 
 /// \ingroup PkgBsplineShell3Support
-/// the functions that begin a sequence of named parameters, such as
-/// `parameters::resolution(60).vertex_point_map(vpm)`. They are described with the functions that read them.
+/// Functions that begin a sequence of named parameters, such as `parameters::resolution(60).vertex_point_map(vpm)`. The
+/// parameters are documented with the functions that read them.
 namespace parameters {
 
 #define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                                                \

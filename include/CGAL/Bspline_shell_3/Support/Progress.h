@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// the steps from a mesh to its shell
+/// The steps of the construction of a shell.
 enum class Shell_step
 {
   CHECK,      ///< copy, triangulate and check the mesh
@@ -40,43 +40,44 @@ inline const char* name(Shell_step step)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief is told of each step, and may stop the construction; the default lets it go on.
+ * \brief A visitor that is called in each step, and can stop the construction. This default never stops it.
  *
  * \cgalModels `ShellVisitor`
  */
 struct Default_shell_visitor
 {
-  /// called, from the calling thread, when a step begins; `false` stops with `Shell_status::CANCELED`
+  /// Called by the calling thread when a step begins. The value `false` stops with `Shell_status::CANCELED`.
   bool start_step(Shell_step) { return true; }
-  /// called many times within each step, from the calling thread; `false` stops with `Shell_status::CANCELED`
+  /// Called by the calling thread many times within each step. The value `false` stops with `Shell_status::CANCELED`.
   bool go_on() { return true; }
 };
 
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief is told how far remeshing has come, and may end it; the default lets it go on.
+ * \brief A visitor that is called as remeshing proceeds, and can end it. This default never ends it.
  *
  * \cgalModels `RemeshingVisitor`
  */
 struct Default_remeshing_visitor
 {
-  /// called when an iteration begins, the first being 0; `false` ends the edit
+  /// Called when an iteration begins; the first iteration is 0. The value `false` ends the edit.
   bool start_iteration(unsigned int) { return true; }
-  /// called before each operation; `false` ends the edit
+  /// Called before each operation. The value `false` ends the edit.
   bool go_on() { return true; }
 };
 
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief is told how many of many points have been moved, and may stop the rest; the default lets it go on.
+ * \brief A visitor that receives the number of points moved so far, and can stop the rest. This default never stops it.
  *
  * \cgalModels `FlowVisitor`
  */
 struct Default_flow_visitor
 {
-  /// called now and then, from the calling thread; `false` stops: what is left gets the status `Flow_status::CANCELED`
+  /// Called repeatedly by the calling thread. The value `false` stops: the remaining points get the status
+  /// `Flow_status::CANCELED`.
   bool advance(std::size_t /* done */, std::size_t /* total */) { return true; }
 };
 

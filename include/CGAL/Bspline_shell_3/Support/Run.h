@@ -18,19 +18,18 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A call of a front door, which ends early when its time is over or its visitor cancels it.
+// A call of a public function, which ends early when its time limit is reached or its visitor cancels it.
 //
-// Passes call `Run::poll()` between pieces of work of about a millisecond or less; `for_each_chunk()` does so before
-// each chunk. Once the run has ended, `poll()` throws `Run::Ended`, so that no code sees a result that is not complete.
-// The front door catches the exception; it never reaches the caller. Time has no other influence on a result.
+// Passes call `Run::poll()` between pieces of work of at most about a millisecond; `for_each_chunk()` calls it before
+// each chunk. Once the run has ended, `poll()` throws `Run::Ended`, so that no code sees an incomplete result. The
+// public function catches the exception, and its caller never sees it. Time has no other influence on a result.
 //
-// The run of a thread is found without being passed down: `Run::Scope` sets it, and `for_each_chunk()` sets it in its
-// worker threads.
+// The run of a thread is not passed down. `Run::Scope` sets it, and `for_each_chunk()` sets it in its worker threads.
 class Run
 {
   typedef std::chrono::steady_clock Clock;
 public:
-  // thrown by `poll()`
+  // Thrown by `poll()`.
   struct Ended
   {};
 
@@ -41,8 +40,8 @@ public:
     CANCELED
   };
 
-  // `go_on` is called by polls of the thread that constructs this object, and may be empty. A run within another one
-  // ends no later than that, and has its `go_on` unless it has its own.
+  // `go_on` may be empty. It is called by polls of the thread that constructs this object. A nested run ends no later
+  // than the outer run. If it has no `go_on` and is on the same thread, it uses that of the outer run.
   explicit Run(double max_seconds, std::function<bool()> go_on = std::function<bool()>())
     : m_go_on(std::move(go_on)), m_thread(std::this_thread::get_id())
   {
@@ -61,14 +60,14 @@ public:
 
   End end() const { return m_end; }
 
-  // the run that polls of this thread belong to; null for none
+  // Returns the run of this thread; null if there is none.
   static Run*& current()
   {
     static thread_local Run* run = nullptr;
     return run;
   }
 
-  // sets the current run of this thread as long as it exists
+  // Sets the current run of this thread during its own lifetime.
   class Scope
   {
   public:
@@ -81,13 +80,13 @@ public:
     Run* m_before;
   };
 
-  // throws `Ended` if the current run has ended
+  // Throws `Ended` if the current run has ended.
   static void poll()
   {
     if(current() != nullptr && !current()->goes_on()) throw Ended();
   }
 
-  // Returns f(), or ended(end) if the run ends before.
+  // Returns f(), or ended(end) if the run ends first.
   template <typename Function, typename OnEnd>
   auto operator()(const Function& f, const OnEnd& ended)
   {
@@ -99,7 +98,7 @@ public:
     }
   }
 
-  // ends the run
+  // Ends the run as canceled, and throws `Ended`.
   [[noreturn]] void cancel()
   {
     stop(End::CANCELED);
@@ -118,7 +117,7 @@ private:
     return m_end == End::NONE;
   }
 
-  // the first reason stays
+  // Only the first reason is kept.
   void stop(End end)
   {
     End none = End::NONE;
@@ -131,7 +130,7 @@ private:
   std::atomic<End> m_end{ End::NONE };
 };
 
-// `visitor.go_on()`, or an empty function if the visitor has no such member
+// Wraps `visitor.go_on()` in a function, which is empty if the visitor has no such member.
 template <typename Visitor, typename = void>
 struct Go_on
 {

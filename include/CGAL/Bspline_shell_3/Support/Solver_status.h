@@ -10,14 +10,14 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// what became of a linear system
+/// The outcome of solving a linear system.
 enum class Solver_status
 {
   SUCCESS,
   NOT_POSITIVE_DEFINITE, ///< the factorization broke down
   NOT_CONVERGED,         ///< the iteration limit was reached before the tolerance
-  OUT_OF_MEMORY,         ///< the factorization needs more memory, or larger integers, than there are
-  NOT_FINITE,            ///< the solution has infinite components, or some that are not numbers
+  OUT_OF_MEMORY,         ///< the factorization needs more memory, or larger integers, than available
+  NOT_FINITE,            ///< the solution has infinite or NaN components
   WRONG_SOLUTION         ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
 };
 

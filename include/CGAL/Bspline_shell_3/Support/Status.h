@@ -19,16 +19,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief what became of a request. Every value but `SUCCESS` means that there is no shell.
+ * \brief The outcome of a request. Every value except `SUCCESS` means that there is no shell.
  */
 enum class Shell_status
 {
   SUCCESS,
-  NOT_BUILT,                ///< nothing was asked for yet
-  INVALID_PARAMETER,        ///< a parameter has a value that is not allowed (`Shell_report::invalid_parameter`)
+  NOT_BUILT,                ///< nothing was requested yet
+  INVALID_PARAMETER,        ///< a parameter value is not allowed (`Shell_report::invalid_parameter`)
   MISSING_FILE,             ///< there is no file of that name
   UNREADABLE_FILE,          ///< the file cannot be opened or read: it is a directory, or permission is denied
-  UNSUPPORTED_FILE,         ///< the format, or the variant of it, is not read
+  UNSUPPORTED_FILE,         ///< the format, or this variant of it, is not supported
   EMPTY_FILE,               ///< the file has no bytes
   MALFORMED_FILE,           ///< the file does not follow its format, or ends early
   TRIANGLE_STRIPS,          ///< the file holds its facets as triangle strips
@@ -39,9 +39,9 @@ enum class Shell_status
   NOT_ORIENTABLE,           ///< the facets cannot be oriented so that neighbors agree
   OPEN_MESH,                ///< an edge has only one facet
   NOT_CLOSABLE,             ///< the mesh is open, and the triangles that would close it intersect the mesh or each
-                            ///< other, wind twice around a vertex, have an edge of its interior, or have no area
+                            ///< other, wind twice around a vertex, use an interior edge of the mesh, or have no area
   DEGENERATE_FACET,         ///< a facet has no area, or cannot be triangulated without such a facet
-  SELF_INTERSECTION,        ///< two facets meet elsewhere than in common vertices and edges
+  SELF_INTERSECTION,        ///< two facets meet outside of common vertices and edges
   INCONSISTENT_ORIENTATION, ///< the components of the mesh do not bound one volume, or the mesh bounds none
   SINGULAR_VERTEX,          ///< the facets at a vertex face no common direction
   GRID_TOO_FINE,            ///< the cells are too small for the mesh's coordinates
@@ -53,14 +53,14 @@ enum class Shell_status
   MESH_NOT_CONTAINED,       ///< it could not be proved that the shell contains the mesh
   UNSOUND_ARITHMETIC,       ///< nothing can be proved in this build (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not tricubic on the cells of the field
-  CANCELED,                  ///< the visitor asked to stop
+  CANCELED,                  ///< the visitor stopped the request
   NOT_TRUNCATABLE,           ///< the mesh with discs in place of its tips is not closed, or has a degenerate facet
   TOO_MANY_FACETS,           ///< the mesh has more vertices or edges than can be numbered
   TIME_LIMIT_EXCEEDED        ///< the time limit was reached
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// what is wrong and what can be done about it, in one sentence
+/// Returns a sentence that describes the problem and its remedy.
 inline const char* message(Shell_status status)
 {
   switch(status) {
@@ -144,14 +144,14 @@ inline const char* message(Shell_status status)
 }
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns the message of the status; for `INVALID_PARAMETER`, that of the parameter.
+/// Returns the message of the status; for `INVALID_PARAMETER`, the message of the parameter.
 inline std::string message(Shell_status status, const Invalid_parameter& parameter)
 {
   return status == Shell_status::INVALID_PARAMETER && parameter ? message(parameter) : message(status);
 }
 
 /// \ingroup PkgBsplineShell3Support
-/// the part of the examined surface that a facet belongs to
+/// The part of the examined surface to which a facet belongs.
 enum class Surface_part : unsigned char
 {
   MESH,    ///< the user's mesh
@@ -160,7 +160,7 @@ enum class Surface_part : unsigned char
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// one facet of the part, in words
+/// Returns the name of a facet of the part, in words.
 inline const char* name(Surface_part part)
 {
   switch(part) {
@@ -173,13 +173,13 @@ inline const char* name(Surface_part part)
 
 namespace internal {
 
-// the status of a run that ended early
+// Returns the status of a run that ended early.
 inline Shell_status status(Run::End end)
 {
   return end == Run::End::OUT_OF_TIME ? Shell_status::TIME_LIMIT_EXCEEDED : Shell_status::CANCELED;
 }
 
-// whether an attempt with this status is the last one: others would have it, too
+// Returns true if every further attempt would end with this status, too.
 inline bool ends_all_attempts(Shell_status status)
 {
   return status == Shell_status::CANCELED || status == Shell_status::TIME_LIMIT_EXCEEDED
@@ -191,14 +191,14 @@ inline bool ends_all_attempts(Shell_status status)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief the places that are to blame for a status: positions in the ranges `vertices(mesh)` and `faces(mesh)`
- * (for a file: of its vertices and faces).
+ * \brief The facets and vertices that cause a status: positions in the ranges `faces(mesh)` and `vertices(mesh)`. If a
+ * file was read, these are positions among its faces and vertices.
  */
 struct Offending_simplices
 {
   std::vector<std::size_t> facets;
   std::vector<std::size_t> vertices;
-  std::size_t line = 0; ///< of a text file, counted from 1: the first one to blame; 0 if it is not known
+  std::size_t line = 0; ///< first offending line of a text file, counted from 1; 0 if it is unknown
 };
 
 } // namespace Bspline_shells

@@ -17,16 +17,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief whether the arithmetic is what all proofs rest on.
+ * \brief The result of `arithmetic_self_test()`: whether the arithmetic is the one that all proofs assume.
  */
 enum class Arithmetic_status
 {
   SOUND,
-  NOT_IEEE,        ///< `double` is not that of IEEE 754, or results are kept in a wider format
-  FLUSHES_TO_ZERO, ///< subnormal numbers are lost
-  REORDERED, ///< the compiler takes floating point operations for those of real numbers (`-ffast-math` and parts of it)
-  ROUNDING_MODE_IGNORED, ///< the compiler takes the rounding mode for constant (no `-frounding-math`): exact predicates
-                         ///< may fail
+  NOT_IEEE,        ///< `double` is not an IEEE 754 type, or results are kept in a wider format
+  FLUSHES_TO_ZERO, ///< subnormal numbers are flushed to zero
+  REORDERED, ///< the compiler treats floating point operations as those of real numbers (`-ffast-math`, or parts of it)
+  ROUNDING_MODE_IGNORED, ///< the compiler assumes one rounding mode (no `-frounding-math`): exact predicates may fail
   NO_DIRECTED_ROUNDING   ///< the rounding mode has no effect: exact predicates fail
 };
 
@@ -54,13 +53,15 @@ inline const char* message(Arithmetic_status status)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief tests, in any build, what no assertion could: what the compiler says of its options, and single operations
- * with known results. Takes less than a microsecond; leaves the rounding mode as it was.
+ * \brief Returns whether the arithmetic is sound. It checks the macros of compiler options, and single operations with
+ * known results.
+ *
+ * The test works in any build, unlike an assertion. It takes less than a microsecond, and restores the rounding mode.
  *
  * The macros describe the current translation unit only. All files of a program that include the package must be
  * compiled with the same options, as the linker keeps one of several copies of a function. GCC 12 defines a macro for
- * each option; Clang, and older versions that may not, have none for `-frounding-math`, so that there the operations
- * alone are tested.
+ * each option. Clang, and older versions of GCC, may have none for `-frounding-math`; then only the operations are
+ * tested.
  */
 inline Arithmetic_status arithmetic_self_test()
 {
@@ -81,11 +82,11 @@ inline Arithmetic_status arithmetic_self_test()
   typedef std::numeric_limits<double> Limits;
   if(!Limits::is_iec559 || Limits::digits != 53 || FLT_EVAL_METHOD != 0) return Arithmetic_status::NOT_IEEE;
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  // volatile: the operations are to be carried out, now and one by one
+  // `volatile` forces the compiler to carry out the operations here, one by one.
   volatile double one = 1, least = Limits::min(), large = 1e16;
   volatile double half = least / 2;
   if(!(half > 0)) return Arithmetic_status::FLUSHES_TO_ZERO;
-  // reassociated, these would be one and true
+  // If the operations were reassociated, these would be one and true.
   const double x = one, y = large, z = -large;
   const double reordered = (x + y) + z;
   volatile double zero = 0;

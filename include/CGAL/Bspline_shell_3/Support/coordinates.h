@@ -23,8 +23,7 @@ class Lazy_exact_nt;
 namespace Bspline_shells {
 namespace internal {
 
-// Vectors as three coordinates u[0], u[1], u[2], of doubles or exact numbers: where a kernel's vectors would only be in
-// the way.
+// Operations on vectors, without a kernel: three coordinates u[0], u[1], u[2], which are doubles or exact numbers.
 
 template <typename U, typename V>
 auto dot(const U& u, const V& v)
@@ -46,8 +45,8 @@ double norm(const Vector& v)
   return std::sqrt(dot(v, v));
 }
 
-// Returns the double that stands for a number of the user. All code rounds numbers in this way, as proofs hold for the
-// rounded mesh: to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
+// Returns the double that represents a number of the user. Proofs hold for the rounded mesh, so all code must round in
+// this way. to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
 template <typename NT>
 double rounded(const NT& x)
 {
@@ -57,11 +56,11 @@ template <typename ET>
 double rounded(const Lazy_exact_nt<ET>& x)
 {
   const auto known = x.approx();
-  // A lazy number that is infinite, or not a number, has no exact value.
+  // A lazy number that is infinite or NaN has no exact value.
   return known.inf() < known.sup() ? CGAL::to_double(x.exact()) : known.inf();
 }
 
-// Rounds the coordinates of a point or vector.
+// Returns the rounded coordinates of a point or vector.
 template <typename Vector>
 std::array<double, 3> rounded_coordinates(const Vector& v)
 {
@@ -78,7 +77,7 @@ decltype(auto) converted(Other&& p)
 
 struct Hash_coordinates
 {
-  // zeros of both signs are equal
+  // Zeros of both signs have the same hash.
   std::size_t operator()(const std::array<double, 3>& p) const
   {
     std::size_t seed = 0;

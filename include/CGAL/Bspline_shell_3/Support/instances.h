@@ -7,8 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H
 
 // By default the package is header-only. CMake's target Bspline_shell_3::Instances defines
-// CGAL_BSPLINE_SHELL_3_INSTANCES, and links a library of what is no template, or an instance that nearly every program
-// needs. Headers then leave out their *_impl.h, and declare these instances at their ends.
+// CGAL_BSPLINE_SHELL_3_INSTANCES. It links a library of the functions that are not templates, and of the instances that
+// nearly every program needs. Headers then do not include their *_impl.h, and declare these instances at their ends.
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 #define CGAL_BSPLINE_SHELL_3_INLINE
 #else

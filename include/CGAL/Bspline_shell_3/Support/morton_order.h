@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the bits of a number, of 21 at most, with two zeros between each and the next
+// Returns the bits of a number of at most 21 bits, with two zeros between consecutive bits.
 inline std::uint64_t spread_bits(std::uint64_t x)
 {
   x = (x | x << 32) & 0x001f00000000ffff;
@@ -38,10 +38,10 @@ inline std::uint64_t spread_bits(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// The numbers of points in Morton's order, as the last `number_bits` bits of keys that are sorted. Before them, a key
-// has as many bits of the point's place in the box of all as there is room for: points with the same ones are ordered
-// by their numbers. Points that are not finite come last. A million points take 40 ns each. With CGAL::hilbert_sort(),
-// which moves the points themselves, it was a seventh of the time of a projection.
+// The numbers of points in Morton order, in the last `number_bits` bits of sorted keys. The leading bits of a key are
+// the Morton code of the point in the bounding box of all points, with as many bits as fit. Points with equal codes are
+// ordered by their numbers. Points that are not finite come last. A million points take 40 ns each.
+// CGAL::hilbert_sort(), which moves the points themselves, would take 1/7 of the time of a projection.
 struct Morton_order
 {
   std::vector<std::uint64_t> keys;
@@ -65,7 +65,7 @@ Morton_order morton_order(const std::vector<std::array<double, 3> >& points)
       high[a] = (std::max)(high[a], p[a]);
     }
   }
-  double half_side = 0; // of the longest; no difference of finite numbers overflows by halves
+  double half_side = 0; // half of the longest side; differences of halves of finite numbers do not overflow
   for(int a = 0; a < 3; ++a) half_side = (std::max)(half_side, high[a] / 2 - low[a] / 2);
 
   Morton_order order;

@@ -15,8 +15,8 @@ namespace Bspline_shells {
 namespace internal {
 
 // Returns a power of two whose product with x has a size in [1/2, 1), or less if x is subnormal. Returns one if x is
-// zero or not finite. Squares of numbers that are scaled by it neither overflow nor vanish, and scaling by powers of
-// two does not round.
+// zero or not finite. Scaling by powers of two does not round, and squares of numbers that are scaled by it neither
+// overflow nor vanish.
 inline double reciprocal_power_of_two(double x)
 {
   if(!std::isfinite(x) || x == 0) return 1;
@@ -26,13 +26,13 @@ inline double reciprocal_power_of_two(double x)
   return std::ldexp(1., (std::min)(-exponent, greatest_exponent));
 }
 
-// Returns the same for the largest component of a vector.
+// Returns this power of two for the largest component of a vector.
 inline double reciprocal_power_of_two(const std::array<double, 3>& v)
 {
   return reciprocal_power_of_two((std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) }));
 }
 
-// Returns the vector, scaled by that.
+// Returns the vector, scaled by this power of two.
 inline std::array<double, 3> scaled_to_unit(const std::array<double, 3>& v)
 {
   const double unit = reciprocal_power_of_two(v);

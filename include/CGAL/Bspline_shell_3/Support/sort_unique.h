@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// sorts, and leaves one of each
+/// Sorts the values, and removes duplicates.
 template <typename T>
 void sort_unique(std::vector<T>& values)
 {

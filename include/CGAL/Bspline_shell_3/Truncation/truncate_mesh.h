@@ -20,25 +20,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Truncation
  *
- * \brief finds vertices whose facets face no common direction, or hardly one, and discs that may replace their tips
- * (`Shell_truncation_3`).
+ * \brief Finds vertices whose facets face no common direction, or have a small cone margin, and discs that can replace
+ * their tips (`Shell_truncation_3`).
  *
- * The facets at such a vertex are cut within a ball that meets no others. Of discs without further points, with one,
- * and on the ball's sphere, the one is taken whose vertices have the largest margins, among those that are embedded.
- * The truncated mesh is free of self-intersections, which is tested exactly. Vertices on the border of an open mesh,
- * and those at folded edges, where no disc leaves more room, are not truncated.
+ * The facets at such a vertex are cut within a ball that meets no other facets. Candidates are discs without inner
+ * points, discs with one inner point, and parts of the ball's sphere. Of the embedded candidates, the disc with the
+ * largest margin is taken. The truncated mesh is free of self-intersections, which is tested exactly. Vertices on the
+ * border of an open mesh are not truncated, nor are vertices at folded edges, where no disc has a larger margin.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \param input a mesh without self-intersections, or one whose construction has come so far that it is known to have
- *   none
- * \param largest_radius of the ball around a vertex with these coordinates; user units, positive. It is smaller where
- *   edges are short, and other facets near
- * \param least_margin vertices with a smaller `vertex_cone_margin()` are truncated, if that makes it at least twice as
- *   large
- * \param[out] report where the mesh is truncated, and where that was not possible
+ * \param input a mesh known to have no self-intersections; its construction need not be complete
+ * \param largest_radius upper bound on the radius of the ball around a vertex with these coordinates; user units,
+ *   positive. The radius is smaller if edges are short or other facets are near.
+ * \param least_margin vertices with a smaller `vertex_cone_margin()` are truncated if this at least doubles the margin
+ * \param[out] report vertices that are truncated, and vertices where truncation was not possible
  * \return the truncation, or null if no vertex is truncated
- * \cgalHeading{Cost} linear in the number of vertices; for each that is truncated, some milliseconds, and the search
- *   for self-intersections nearby
+ * \cgalHeading{Cost} linear in the number of vertices; for each truncated vertex, some milliseconds and a search for
+ *   self-intersections nearby
  */
 template <typename ConcurrencyTag>
 std::shared_ptr<const Shell_truncation_3> truncate_mesh(

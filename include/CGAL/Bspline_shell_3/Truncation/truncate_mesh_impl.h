@@ -52,7 +52,7 @@ public:
     find_tips(least_margin);
     if(!m_tips.empty()) shrink_tips();
     std::vector<std::optional<Tip_disc> > discs = find_discs();
-    // Where a disc intersects other facets, or rounding lets its own facets do so, the next one is smaller.
+    // If a disc intersects other facets, or its own facets by rounding, its radius is halved.
     constexpr int most_rounds = 8;
     for(int round = 0; !m_tips.empty(); ++round) {
       drop_tips([&](std::size_t n) { return !discs[n]; }, discs, Outcome::NO_DISC);
@@ -102,7 +102,7 @@ private:
               [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   }
 
-  // whether the vertex is on the border of an open mesh
+  // Returns whether the vertex is on the border of an open mesh.
   bool closes(Vertex_index v) const
   {
     for(Face_index f : m_mesh.faces_around_target(m_mesh.halfedge(v)))
@@ -133,7 +133,7 @@ private:
     }
   }
 
-  // The balls meet no facet but those at the vertex, and no other ball.
+  // Reduces the radii so that no ball meets a facet that is not at its vertex, or another ball.
   void shrink_tips()
   {
     m_tree.insert(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
@@ -156,7 +156,7 @@ private:
       }
       tip.radius = r;
     }
-    // so that the directions of the disc's edges have five digits
+    // Least radius for which the directions of the disc's edges have about five digits.
     const double smallest = 1e-11 * largest;
     std::vector<Tip> tips;
     for(Tip& tip : m_tips) {
@@ -205,13 +205,13 @@ private:
     discs.swap(kept);
   }
 
-  // the tips whose new facets intersect others; all, if the truncation does not fit the mesh
+  // Returns the tips whose new facets intersect others; all tips if the truncation does not fit the mesh.
   std::unordered_set<std::size_t> intersecting_tips(const Shell_truncation_3& truncation) const
   {
     Mesh truncated(m_mesh);
     const auto applied = truncation.apply(truncated, truncated.points());
     std::unordered_set<std::size_t> tips;
-    // vertices of a mesh with self-intersections may share places
+    // In a mesh with self-intersections, vertices may have equal positions.
     if(!applied || std::count(applied->facets.begin(), applied->facets.end(), Mesh::null_face()) > 0) {
       for(std::size_t n = 0; n < m_tips.size(); ++n) tips.insert(n);
       return tips;
@@ -253,7 +253,7 @@ private:
     return tips;
   }
 
-  // by less, the trouble is not worth it
+  // A smaller increase of the margin is not worth the cost.
   static constexpr double least_gain = 2;
 
   const Input_mesh_3& m_input;

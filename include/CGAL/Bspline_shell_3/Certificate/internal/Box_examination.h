@@ -24,18 +24,18 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What can be said of a box by the field and the thresholds on it alone: whether it is excluded from the shell, or has
-// no critical point there, and how steep the field is.
+// Examines a box by the field and the thresholds on it alone. It determines whether the box is excluded from the shell,
+// or has no critical point in the shell, and how steep the field is.
 template <typename Threshold>
 class Box_examination
 {
 public:
-  // the field and, unless the thresholds are constant, its differences to both
+  // The field and, unless the thresholds are constant, its differences to both thresholds.
   typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
 
   Box_examination(const Threshold& inner, const Threshold& outer) : m_inner(inner), m_outer(outer) {}
 
-  // on a leaf cell
+  // Returns the functions on a leaf cell.
   template <typename Cell>
   Functions functions(const Cell& cell, std::uint32_t c) const
   {
@@ -48,7 +48,7 @@ public:
     return functions;
   }
 
-  // whether all of a box is certainly in the shell
+  // Returns true if all of a box is certainly in the shell.
   bool are_between_thresholds(const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) {
@@ -57,7 +57,7 @@ public:
     } else return functions[1].range().min >= 0 && functions[2].range().max <= 0;
   }
 
-  // whether all of a face, an edge or a vertex of a box is certainly outside of the shell
+  // Returns true if all of a face, an edge or a vertex of a box is certainly outside the shell.
   bool is_excluded_towards(const std::array<int, 3>& direction, const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) {
@@ -66,7 +66,7 @@ public:
     } else return functions[1].range_towards(direction).max < 0 || functions[2].range_towards(direction).min > 0;
   }
 
-  // finds the kind of a box and what proves it
+  // Finds the kind of a box, and its proof.
   void examine(const Functions& functions, Cover_box& box) const
   {
     bool meets_inner = false, meets_outer = false;
@@ -80,7 +80,7 @@ public:
       meets_outer = outer.max >= 0;
     }
     if(box.kind == Box_kind::EXCLUDED) return;
-    // Where the shell ends, the field must cross the threshold: it is enough that the threshold is less steep.
+    // Where the shell ends, the field must cross the threshold. It suffices that the threshold is less steep.
     double steepest = 0;
     if constexpr(!Threshold::is_constant)
       for(int side = 1; side < 3; ++side)
@@ -101,7 +101,8 @@ public:
     }
   }
 
-  // whether critical points in a box seem to be in the shell; parts of it would say little more of their values
+  // Returns true if critical points in a box seem to be in the shell, and parts of the box would not bound their values
+  // much better.
   bool seems_critical(const Functions& functions) const
   {
     constexpr double near = 0.1, close = 0.2, level = 1. / 32;
@@ -114,8 +115,8 @@ public:
     return values.max - values.min < close * (std::max)(values.min, -values.max);
   }
 
-  // A lower bound of the length of the gradient in the shell, per unit of the box, which is not undecided: along its
-  // direction or a better one, or towards its center.
+  // Returns a lower bound of the length of the gradient in the shell, per unit of the box, which is not undecided. It
+  // bounds the derivative along the direction of the box or a better one, or towards the center of the box.
   double gradient_bound(const Functions& functions, const Cover_box& box) const
   {
     const Enclosed_tricubic& f = functions[0];
@@ -131,8 +132,8 @@ public:
     return bound;
   }
 
-  // the length of the gradient in the middle of a box, per unit of it, if the middle is in the shell, and infinite
-  // elsewhere; not rigorous
+  // Returns the length of the gradient in the middle of a box, per unit of the box. If the middle is not in the shell,
+  // returns infinity. Not rigorous.
   double gradient_in_the_middle(const Functions& functions) const
   {
     const auto middle = [](const Enclosed_tricubic& f) {
@@ -153,7 +154,7 @@ public:
   }
 
 private:
-  // how far all critical points of the field in a box lie beyond a threshold
+  // Returns a lower bound of how far the field is beyond a threshold at all critical points in a box.
   double beyond_threshold(const Functions& functions, Box_kind kind, const std::array<double, 3>& center) const
   {
     const bool below = kind == Box_kind::CRITICAL_BELOW;
@@ -166,7 +167,7 @@ private:
     return below ? -above.max : above.min;
   }
 
-  // an upper bound of half the distance of points of a box from a center, in units of the box
+  // Returns an upper bound of half the distance of points of a box from a center, in units of the box.
   static double reach(const std::array<double, 3>& center)
   {
     std::array<double, 3> farthest;
@@ -174,7 +175,7 @@ private:
     return (1 + 4 * rounding) * length_bound(farthest);
   }
 
-  // the means of the thresholds on a box; not rigorous
+  // Returns the means of the thresholds on a box; not rigorous.
   Level_range mean_thresholds(const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };
@@ -187,7 +188,7 @@ private:
     }
   }
 
-  // an upper bound of the length of the gradient of the threshold f - (f - threshold)
+  // Returns an upper bound of the length of the gradient of the threshold f - (f - threshold).
   static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
   {
     const Enclosed_tricubic threshold = difference(f, above);

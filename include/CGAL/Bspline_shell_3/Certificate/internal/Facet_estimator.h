@@ -18,29 +18,30 @@ namespace internal {
 
 enum class Facet_estimate
 {
-  CLEAR,        // in the shell and facing along the gradient, by all that is seen: not a proof
-  LEAVES_SHELL, // at a point that was looked at
-  FACES_AWAY,   // the same
+  CLEAR,        // inside the shell and facing along the gradient, by all samples: not a proof
+  LEAVES_SHELL, // leaves the shell at a sample
+  FACES_AWAY,   // faces away at a sample
   DOUBTFUL
 };
 
-// Guesses what Second_order_bounds_3 proves of a triangle, for some tenths of the time. Values and gradients at the
-// corners of a part give a cubic triangle, whose Bernstein coefficients bound the margins, and slopes at corners and
-// middles of edges a quadratic one. How far the cubics are off at the middles, and how much slopes bend, is what they
-// may be wrong by; of parts larger than some cells, that times their area. Parts are bisected until that is enough.
+// Estimates the result of Second_order_bounds_3 on a triangle, in a few tenths of its time. Values and gradients at the
+// corners of a part define a cubic triangle, whose Bernstein coefficients bound the margins. Slopes at corners and
+// middles of edges define a quadratic one. The errors of the bounds are estimated by the deviation of the cubics at the
+// middles, and by the bend of the slopes. If a part is larger than some cells, these are multiplied by its area. Parts
+// are bisected until the bounds suffice.
 template <typename Bounds>
 class Facet_estimator
 {
   typedef typename Bounds::Sample Sample;
   typedef std::array<double, 3> Coordinates;
 public:
-  // \param normal of any length
+  // \param normal a normal of any length
   Facet_estimator(const Bounds& bounds, const Coordinates& normal) : m_bounds(bounds), m_normal(normal) {}
 
   typedef std::array<const Sample*, 3> Samples;
 
-  // \param corners in cells
-  // \param middles of edges, each with the number of the opposite corner; null where they are not known
+  // \param corners samples of the corners
+  // \param middles samples of the middles of edges, by the number of the opposite corner; null where they are not known
   Facet_estimate operator()(const Samples& corners, const Samples& middles = {})
   {
     for(const Sample* s : corners) {
@@ -53,10 +54,11 @@ public:
 
 private:
   static constexpr int most_bisections = 512;
-  // cells, of parts that few points tell enough of, and of those they tell nothing of
+  // Extents in cells: few points suffice for a part up to the first one, and are useless for a part beyond the second
+  // one.
   static constexpr double small_extent = 8, large_extent = 24;
-  static constexpr double safety = 2;         // margins of small parts, relative to what the cubics are off by
-  static constexpr double slope_safety = 0.5; // slopes, relative to how much they bend
+  static constexpr double safety = 2;         // margins of small parts, relative to the error of the cubics
+  static constexpr double slope_safety = 0.5; // slopes, relative to their bend
 
   struct Edge
   {
@@ -64,7 +66,7 @@ private:
   };
   static Edge edge(const Samples& corners, std::size_t v) { return { *corners[(v + 1) % 3], *corners[(v + 2) % 3] }; }
 
-  // what a point says
+  // Returns the estimate by one sample.
   Facet_estimate at(const Sample& s) const
   {
     if(s.cell == Bounds::no_cell || !(s.above > 0 && s.below > 0)) return Facet_estimate::LEAVES_SHELL;
@@ -98,12 +100,12 @@ private:
     }
 
     Samples middles = known;
-    std::array<Sample, 3> sampled; // those that were not known
+    std::array<Sample, 3> sampled; // samples that were not known
     Coordinates slopes;
     for(std::size_t v = 0; v < 3; ++v) slopes[v] = Bounds::slope(*corners[v], m_normal);
     double least = std::numeric_limits<double>::infinity(), off = 0;
     double least_slope = least, bend = 0;
-    // sums of the coefficients at corners, and of those on edges
+    // sums of the coefficients at corners, and of the coefficients on edges
     double above_at_corners = 0, below_at_corners = 0, above_on_edges = 0, below_on_edges = 0;
     for(std::size_t v = 0; v < 3; ++v) {
       const Edge e = edge(corners, v);
@@ -114,7 +116,7 @@ private:
       const Sample& middle = *middles[v];
       const Facet_estimate there = at(middle);
       if(there != Facet_estimate::CLEAR) return there;
-      // thresholds hardly vary: the margins rise and fall as the field does
+      // Thresholds vary little, so the margins rise and fall with the field.
       const double rise_p = Bounds::slope(e.p, along[v]), rise_q = Bounds::slope(e.q, along[v]);
       const double above_p = e.p.above + rise_p / 3, above_q = e.q.above - rise_q / 3;
       const double below_p = e.p.below - rise_p / 3, below_q = e.q.below + rise_q / 3;
@@ -130,20 +132,20 @@ private:
       least_slope = (std::min)({ least_slope, slopes[v], 2 * slope - mean });
       bend = (std::max)(bend, std::abs(slope - mean));
     }
-    // the coefficient in the middle, by which quadratic functions are reproduced
+    // The coefficient in the middle is chosen so that quadratic functions are reproduced.
     least = (std::min)({ least, above_on_edges / 4 - above_at_corners / 6, below_on_edges / 4 - below_at_corners / 6 });
-    // the fewer points for a cell, the more they must agree
+    // The fewer samples per cell, the better they must agree.
     const double sparsity = (std::max)(1., extent / (small_extent * small_extent));
     if(least > sparsity * safety * off && least_slope > sparsity * slope_safety * bend) return Facet_estimate::CLEAR;
     return bisect(corners, top, *middles[top], middles);
   }
 
-  // by the middle of the edge opposite to a corner
+  // Bisects a part at the middle of the edge opposite to a corner.
   Facet_estimate bisect(const Samples& corners, std::size_t top, const Sample& middle, const Samples& known)
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
-    const Sample between = m_bounds.sample_middle(*corners[top], middle); // of the edge of both halves
+    const Sample between = m_bounds.sample_middle(*corners[top], middle); // middle of the edge of both halves
     for(std::size_t end : { 1, 2 }) {
       const std::size_t replaced = (top + end) % 3, kept = (top + 3 - end) % 3;
       Samples half = corners, known_of_half = {};

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Samples of vertices, those that were asked for last: facets that follow each other in a mesh mostly share vertices,
-// and a sample takes longer than to look here.
+// A cache of the most recent samples of vertices. Consecutive facets of a mesh usually share vertices, and a look-up
+// takes less time than a sample.
 template <typename Bounds>
 class Recent_samples
 {
@@ -22,7 +22,7 @@ class Recent_samples
 public:
   explicit Recent_samples(const Bounds& bounds) : m_bounds(bounds) {}
 
-  // \param p the place of the vertex
+  // \param p position of the vertex
   template <typename Point>
   Sample operator()(std::size_t vertex, const Point& p)
   {

@@ -25,12 +25,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A copy of the open components of a mesh, behind them and facing the other way, and strips that lead from their
-// borders to it. Beyond the border it extends as far as it is behind: strips slope at 45 degrees, so that flat tips and
-// slits have vertices whose facets face a common direction. Where the border turns in space, they may have to be
+// A reversed copy of the open components of a mesh, behind them, and strips that connect it to their borders. The copy
+// extends beyond the border by its distance behind the mesh: strips have a slope of 45 degrees, so that vertices of
+// flat tips and slits have facets that face a common direction. Where the border is twisted, strips may have to be
 // steeper.
 //
-// Vertex n of the mesh is n, and its copy n plus the number of vertices.
+// Vertex n is a vertex of the mesh; its copy is n plus the number of vertices.
 class Back_sheet
 {
   typedef Closing_mesh::Face_index Face_index;
@@ -75,11 +75,11 @@ public:
     return m_mesh.point(vertex(n)) + m_distance[n] * (m_back[n] + m_slope[n] * m_beyond[n]);
   }
 
-  // of a vertex or its copy
+  // Returns the distance at a vertex or its copy.
   double distance(std::size_t n) const { return m_distance[n % m_size]; }
 
-  // Copies of facets that face nearly across them, or where they do: the distance is too large for how the mesh bends
-  // there.
+  // Returns the copies of facets whose angle with the reversed facet has a cosine below `least_cosine`. The distance is
+  // too large for the curvature of the mesh there.
   std::vector<Triangle> folded_triangles() const
   {
     constexpr double least_cosine = 0.3;
@@ -95,7 +95,7 @@ public:
     return folded;
   }
 
-  // Makes the strip steeper at a vertex of the border or its copy; false if it is upright already, or there is none.
+  // Makes the strip steeper at a border vertex or its copy; returns false if it is upright or there is no strip.
   bool make_steeper(std::size_t n)
   {
     const std::size_t v = n % m_size;
@@ -104,7 +104,8 @@ public:
     return true;
   }
 
-  // Halves the distance of the vertices of some triangles; false if there are none, or if that was done too often.
+  // Halves the distance of the vertices of some triangles. Returns false if none has a copy, or if a distance becomes
+  // less than `least` times the offset.
   bool move_closer(const std::vector<Triangle>& triangles)
   {
     constexpr double least = 1. / 16384;
@@ -123,7 +124,7 @@ public:
     return has_moved;
   }
 
-  // the least distance
+  // Returns the least distance.
   double least_gap() const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -142,14 +143,14 @@ public:
 
 private:
   static Vertex_index vertex(std::size_t n) { return Vertex_index(Closing_mesh::size_type(n)); }
-  // one at the vertex
+  // Returns a facet at the vertex.
   Face_index any_facet(Vertex_index v) const
   {
     const Halfedge_index h = m_mesh.halfedge(v);
     return m_mesh.is_border(h) ? m_mesh.face(m_mesh.opposite(h)) : m_mesh.face(h);
   }
 
-  // facets whose components have a border
+  // Returns, by facet, whether its component has a border.
   std::vector<char> find_open_facets()
   {
     std::vector<std::size_t> component(m_mesh.number_of_faces());
@@ -164,7 +165,7 @@ private:
     return result;
   }
 
-  // where the copy of a vertex goes: behind all planes of its facets by the distance, and beyond all its border edges
+  // Places the copy of a vertex behind the planes of all its facets, by the distance, and beyond all its border edges.
   void place(Vertex_index v, double offset, const Ray_tree& tree)
   {
     constexpr double least_margin = 0.3, least = 1. / 256, share_of_room = 0.4;
@@ -186,7 +187,8 @@ private:
     m_distance[v] = (std::max)((std::min)(offset, share_of_room * room / length(back)), least * offset);
   }
 
-  // the vector with the scalar products one with two unit vectors, unless it would be far longer
+  // Returns the vector whose scalar products with two unit vectors are one, shortened to `longest` if it is longer;
+  // zero if these are almost opposite.
   static Vector_3 mitre(const Vector_3& a, const Vector_3& b)
   {
     const Vector_3 sum = a + b;
@@ -195,7 +197,7 @@ private:
     return size < 1e-6 ? Vector_3(0, 0, 0) : sum * (std::min)(2 / (size * size), longest / size);
   }
 
-  // the distance grows along edges at half of their lengths at most
+  // Limits the increase of the distance along an edge to half of the edge's length.
   void smooth()
   {
     typedef std::pair<double, std::size_t> Entry;
@@ -220,10 +222,10 @@ private:
   const Closing_mesh& m_mesh;
   std::size_t m_size;
   std::vector<Triangle> m_triangles;
-  std::vector<double> m_distance; // of each vertex; 0 where there is no back sheet
-  // to its copy, for a distance of one: behind the facets, and beyond the border
+  std::vector<double> m_distance; // by vertex; 0 where there is no back sheet
+  // Displacements of the copy for a distance of one: behind the facets, and beyond the border.
   std::vector<Vector_3> m_back, m_beyond;
-  std::vector<double> m_slope; // how much of the latter counts
+  std::vector<double> m_slope; // factors of `m_beyond`
   double m_offset;
   std::size_t m_sheets = 0;
 };

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What is asked of a mesh that is closed: it has triangles only.
+// Queries on meshes to be closed, which have triangles only.
 
 typedef Input_mesh_3::Triangle_mesh Closing_mesh;
 typedef Exact_predicates_inexact_constructions_kernel Closing_kernel;
@@ -44,7 +44,7 @@ inline Closing_kernel::Vector_3 unit_normal(const Closing_mesh& mesh, Closing_me
   return v / length(v);
 }
 
-// the axis of the cone of the facets at a vertex, which may be on a border; its length is the margin
+// Returns the axis of the cone of facets at a vertex, which may be on a border; its length is the margin.
 inline Closing_kernel::Vector_3 cone_axis_at(const Closing_mesh& mesh, Closing_mesh::Vertex_index v)
 {
   std::vector<Closing_kernel::Point_3> normals;
@@ -54,7 +54,7 @@ inline Closing_kernel::Vector_3 cone_axis_at(const Closing_mesh& mesh, Closing_m
   return Closing_kernel::Vector_3(axis[0], axis[1], axis[2]);
 }
 
-// the unit vector in the plane of a border edge's facet that leads away from it
+// Returns the unit vector in the plane of a border edge's facet that points away from the facet.
 inline Closing_kernel::Vector_3 outward_conormal(const Closing_mesh& mesh, Closing_mesh::Halfedge_index border)
 {
   const auto h = mesh.opposite(border);
@@ -63,21 +63,21 @@ inline Closing_kernel::Vector_3 outward_conormal(const Closing_mesh& mesh, Closi
   return c / length(c);
 }
 
-// What rays meet.
+// AABB tree for ray queries.
 class Ray_tree : public AABB_tree<AABB_traits_3<Closing_kernel, AABB_face_graph_triangle_primitive<Closing_mesh> > >
 {
 public:
   explicit Ray_tree(const Closing_mesh& mesh) : AABB_tree(mesh.faces().begin(), mesh.faces().end(), mesh) {}
 
-  // how far the first facet is in a direction, among those that are not skipped; infinite if there is none
+  // Returns the distance to the first facet in a direction that is not skipped; infinity if there is none.
   template <typename Skip>
   double distance(const Closing_kernel::Point_3& p, const Closing_kernel::Vector_3& direction, const Skip& skip) const
   {
-    if(size() < 2) return std::numeric_limits<double>::infinity(); // a tree of one facet does not ask what to skip
+    if(size() < 2) return std::numeric_limits<double>::infinity(); // a tree of one facet ignores `skip`
     const auto hit = first_intersection(Closing_kernel::Ray_3(p, direction), skip);
     if(!hit) return std::numeric_limits<double>::infinity();
     const auto* point = internal::get_if<Closing_kernel::Point_3>(hit->first);
-    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // a ray within a facet's plane
+    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // the ray is in a facet's plane
   }
 };
 

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The holes of a mesh, and triangulations of those where that is possible. In the capped mesh, facets and vertices of
-// the mesh have the numbers that they have there, and others follow.
+// The holes of a mesh, with triangulations where possible. Facets and vertices of the mesh keep their numbers in the
+// capped mesh; those of caps follow.
 class Hole_caps
 {
   typedef Closing_mesh::Face_index Face_index;
@@ -38,11 +38,12 @@ class Hole_caps
 public:
   typedef std::vector<std::pair<Face_index, Face_index> > Facet_pairs;
 
-  // what caps must have, lest a back sheet serves better
+  // Requirements on caps; if they are not met, a back sheet is better.
   struct Requirements
   {
-    double margin; // of the cones at the border of the hole, if those of the mesh itself have twice that
-    // behind and in front of each facet, user units; near the border, an eighth of the distance from it is enough
+    double margin; // least margin of the cones at the hole's border; half of the mesh's own margin is enough
+    // Least distance to other facets, behind and in front of each facet, in user units. Near the border, 1/8 of the
+    // distance from the border is enough.
     double gap;
   };
 
@@ -63,15 +64,15 @@ public:
 
   const Closing_mesh& capped_mesh() const { return m_capped; }
   bool is_cap(Face_index f) const { return std::size_t(f) >= m_mesh.number_of_faces(); }
-  // whether a hole has no cap
+  // Returns whether a hole has no cap.
   bool is_open() const
   {
     return std::any_of(m_holes.begin(), m_holes.end(), [](const Hole& hole) { return hole.triangles.empty(); });
   }
-  // the least gap of a cap
+  // Returns the least gap of a cap.
   double least_gap() const { return m_least_gap; }
 
-  // Triangulates holes in another way whose caps intersect other facets, or gives them up; false if there are none.
+  // Replaces or removes caps that intersect other facets; returns false if there are none.
   bool replace(const Facet_pairs& intersections)
   {
     std::vector<char> is_bad(m_holes.size(), 0);
@@ -81,7 +82,7 @@ public:
     return replace(is_bad);
   }
 
-  // Triangulates holes in another way whose caps do not have what they must, or gives them up; false if there are none.
+  // Replaces or removes caps that do not meet the requirements; returns false if there are none.
   bool replace(const Requirements& requirements)
   {
     std::vector<char> is_bad(m_holes.size(), 0);
@@ -122,10 +123,10 @@ private:
   };
   struct Hole
   {
-    std::vector<Halfedge_index> halfedges; // in their order
+    std::vector<Halfedge_index> halfedges; // ordered around the hole
     Method method = Method::PLANAR;
-    Point_3 apex; // of a fan
-    // corner i is the source of halfedge i, and the last one the apex
+    Point_3 apex; // apex of a fan
+    // Corner i is the source of halfedge i; in a fan, the last one is the apex.
     std::vector<std::array<std::size_t, 3> > triangles;
   };
   struct Triple
@@ -140,7 +141,7 @@ private:
   {
     for(std::size_t n = 0; n < m_holes.size(); ++n)
       if(is_bad[n] && m_holes[n].method != Method::NONE) {
-        // as long as that changes anything
+        // Skips methods that do not change the cap.
         Hole& hole = m_holes[n];
         const auto last = hole.triangles;
         do {
@@ -153,10 +154,11 @@ private:
     return true;
   }
 
-  // By the method, or not at all if that is none. Returns false, and goes on to the next method, if this one fails.
+  // Triangulates a hole by its method, unless this is `NONE`. If the method fails, selects the next one and returns
+  // false.
   bool triangulate(Hole& hole) const
   {
-    // beyond that, holes without a Delaunay triangulation take too long, and so does adding a fan
+    // Largest numbers of edges: beyond these, holes without a Delaunay triangulation, and adding a fan, take too long.
     constexpr std::size_t most_for_cubic = 120, most_for_fan = 2000;
     Run::poll();
     hole.triangles.clear();
@@ -189,9 +191,9 @@ private:
 
   static bool is_fan(const Hole& hole) { return hole.method == Method::FLAT_FAN || hole.method == Method::CONE; }
 
-  // The middle of a hole, weighted by the lengths of edges, so that dense parts of the border count no more; for a
-  // cone, moved where the mesh leads to at the border, by half the mean distance from it. That helps where facets at
-  // the border stick out of the hole.
+  // Returns the middle of a hole, weighted by edge lengths, so that dense parts of the border have no more influence.
+  // For a cone, moves it by the mean outward conormal of the border, times half the mean distance from it. This helps
+  // if facets at the border stick out of the hole.
   Point_3 apex(const Hole& hole, const std::vector<Point_3>& points) const
   {
     Closing_kernel::Vector_3 sum(0, 0, 0), outwards(0, 0, 0);
@@ -209,8 +211,8 @@ private:
     return middle + radius / 2 / weight * outwards;
   }
 
-  // The mesh with the caps that are left. A cap with an edge that the mesh, or a cap before, has, too, cannot be added:
-  // it is given up.
+  // Rebuilds the mesh with the remaining caps. If a cap has an edge that the mesh or an earlier cap has, it cannot be
+  // added and is removed.
   void rebuild()
   {
     bool is_complete;
@@ -249,13 +251,13 @@ private:
     for(Halfedge_index h : hole.halfedges) {
       const Vertex_index v = m_mesh.source(h);
       const double closed = length(cone_axis_at(m_capped, v));
-      // what the mesh folds itself is not the cap's fault
+      // Folds of the mesh itself are not caused by the cap.
       if(closed < least_margin && closed < 0.5 * length(cone_axis_at(m_mesh, v))) return true;
     }
     return false;
   }
 
-  // the gap at the middle of a facet, and what it must be
+  // Returns the gap at the middle of a facet, and the required gap.
   std::pair<double, double> least_gap_at(const Ray_tree& tree, Face_index f, double gap) const
   {
     Run::poll();
@@ -274,7 +276,7 @@ private:
   const Closing_mesh& m_mesh;
   Closing_mesh m_capped;
   std::vector<Hole> m_holes;
-  std::vector<std::size_t> m_hole_of; // of facets of caps
+  std::vector<std::size_t> m_hole_of; // by facet of caps
   double m_least_gap = std::numeric_limits<double>::infinity();
 };
 

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// a closing, and what its points and triangles are in the numbers of a back sheet
+// A closing, with its points and triangles in the numbering of a back sheet.
 struct Assembled_closing
 {
   Shell_closing_3 closing;
@@ -28,8 +28,8 @@ struct Assembled_closing
   std::vector<Back_sheet::Triangle> triangles;
 };
 
-// The triangles of caps and back sheet, in an order in which each has an edge on the border of the mesh, or one with a
-// triangle before: so they can be added to the mesh one by one.
+// Assembles the triangles of caps and back sheet in an order in which they can be added to the mesh one by one. Each
+// has an edge on the border of the mesh or in common with an earlier triangle.
 inline Assembled_closing assemble_closing(const Closing_mesh& mesh, const Hole_caps& caps, const Back_sheet& back)
 {
   const Closing_mesh& capped = caps.capped_mesh();

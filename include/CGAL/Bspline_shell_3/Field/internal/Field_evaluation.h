@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// 64 B-spline coefficients that act on a cell, turned into Bernstein coefficients, one axis after the other
+// Converts the 64 B-spline coefficients that act on a cell to Bernstein coefficients, one axis after the other.
 template <typename NT>
 inline void to_bernstein(NT* b)
 {
@@ -32,12 +32,12 @@ inline void to_bernstein(NT* b)
   });
 }
 
-// How far Bernstein coefficients can be from the exact ones, in any rounding mode: an operation errs by at most eps
-// times its result, or by the least number there is. Each of the three passes takes averages, with weights that sum to
-// one, in three operations; magnitudes never grow. Coefficients that depend on others are averages of up to 27 before:
-// their products err by eps together, and there are 26 sums. Of the least numbers, 27 are for the products, 3 for
-// divisions, and one for the radius itself. Of coefficients so large that what is made of them, sums of multiples, may
-// not be finite, nothing is known.
+// Bounds the distance of Bernstein coefficients from the exact ones, in any rounding mode. An operation errs by at most
+// eps times its result, or by the least positive number. Each of the three passes takes averages, with weights that sum
+// to one, in three operations; magnitudes never grow. Dependent coefficients are averages of up to 27 others: the
+// errors of their products sum to eps, and there are 26 sums. Of the least numbers, 27 are for the products, 3 for
+// divisions, and one for the radius itself. If coefficients are so large that sums of their multiples may overflow, the
+// bound is infinite.
 inline double conversion_radius(double largest_coefficient, bool has_dependent)
 {
   constexpr double too_large = (std::numeric_limits<double>::max)() / 1024;
@@ -46,7 +46,7 @@ inline double conversion_radius(double largest_coefficient, bool has_dependent)
   return (has_dependent ? 37 : 10) * eps * largest_coefficient + (has_dependent ? 32 : 4) * least;
 }
 
-// What all fields have in common: types, and evaluation by way of the leaf that contains a point.
+// Base class of all fields: types, and evaluation on the leaf that contains a point.
 template <typename Field, typename GeomTraits>
 class Field_evaluation
 {
@@ -60,7 +60,7 @@ public:
   typedef Tricubic_cell_3 Cell;
 
   /// \name Evaluation
-  /// in user coordinates; empty outside the domain
+  /// Points are in user coordinates. Results are empty outside the domain.
   /// @{
   std::optional<FT> value(const Point_3& p) const
   {

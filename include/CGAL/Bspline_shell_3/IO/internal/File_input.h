@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The words of a line, which single blanks separate. Once one is not as expected, all that follow fail, too.
+// Parses the words of a line, which are separated by single blanks. After one failure, all following calls fail.
 class Words
 {
 public:
@@ -37,7 +37,7 @@ public:
     return *this;
   }
 
-  // numbers that are infinite, not a number or out of range are not as expected
+  // Fails for numbers that are infinite, not a number or out of range.
   template <typename T>
   Words& number(T& x)
   {
@@ -49,8 +49,8 @@ public:
     return *this;
   }
 
-  bool are_as_expected() const { return m_ok; }                // so far
-  bool are_complete() const { return m_ok && m_rest.empty(); } // and there are no more
+  bool are_as_expected() const { return m_ok; }                // all words parsed are
+  bool are_complete() const { return m_ok && m_rest.empty(); } // and the line has no more words
 
 private:
   void begin_word()
@@ -66,24 +66,25 @@ private:
   bool m_first = true, m_ok = true;
 };
 
-// Reads lines or bytes of a stream through a buffer, past all locales, and keeps the checksum of what was read. Takes
-// little memory, whatever the file claims to hold, and throws nothing.
+// Reads lines or bytes of a stream through a buffer, independently of all locales, and keeps the checksum of the data.
+// Uses little memory for any file content, and does not throw.
 class File_input
 {
 public:
-  // a stream of its own: the caller's may be set to throw
+  // Uses a separate stream, because the caller's stream may be set to throw.
   explicit File_input(std::istream& in) : m_in(in.rdbuf()), m_buffer(capacity) {}
   File_input(const File_input&) = delete;
   File_input& operator=(const File_input&) = delete;
 
-  // whether the file goes on with `text`, which is not taken
+  // Returns whether the file continues with `text`; does not consume it.
   bool starts_with(std::string_view text)
   {
     require(text.size());
     return available().substr(0, text.size()) == text;
   }
 
-  // the next line without its end; empty, and `is_bad()`, if there is none or it is longer than any should be
+  // Returns the next line without its end. If there is none, or if it is too long, returns an empty line and sets
+  // `is_bad()`.
   std::string_view line()
   {
     std::size_t length = available().find('\n');
@@ -101,7 +102,7 @@ public:
     return line;
   }
 
-  // zero, and `is_bad()`, if the file ends before
+  // Returns zero and sets `is_bad()` if the file ends before.
   template <typename T>
   T binary()
   {
@@ -117,7 +118,7 @@ public:
   }
 
   bool is_bad() const { return m_bad; }
-  std::uint64_t checksum() const { return m_checksum.value(); } // of all that was read
+  std::uint64_t checksum() const { return m_checksum.value(); } // covers all data read
   bool is_at_end()
   {
     require(1);
@@ -125,11 +126,11 @@ public:
   }
 
 private:
-  static constexpr std::size_t capacity = 1 << 16; // also the length of the longest line
+  static constexpr std::size_t capacity = 1 << 16; // bytes; also the length of the longest line
 
   std::string_view available() const { return std::string_view(&m_buffer[0] + m_begin, m_end - m_begin); }
 
-  // makes that many characters available, unless the file ends before
+  // Makes at least `size` characters available, unless the file ends before.
   void require(std::size_t size)
   {
     if(m_end - m_begin >= size) return;

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Writes text and numbers to a stream, through a buffer and past all locales, and keeps the checksum of it.
+// Writes text and numbers to a stream, through a buffer and independently of all locales, and keeps their checksum.
 class File_output
 {
 public:
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  // as decimal digits, of which the same number is read
+  // Writes a number in decimal; reading it yields the same number.
   template <typename T>
   void decimal(T x)
   {
@@ -50,7 +50,7 @@ public:
     else m_size += std::size_t(std::to_chars(begin, begin + longest, x).ptr - begin);
   }
 
-  // as bytes, the least significant first
+  // Writes the bytes of a number, the least significant first.
   template <typename T>
   void binary(T x)
   {
@@ -60,14 +60,14 @@ public:
     m_size += bytes.size();
   }
 
-  // of all that was written
+  // Returns the checksum of everything written.
   std::uint64_t checksum()
   {
     pass_on();
     return m_checksum.value();
   }
 
-  // whether all that was written arrived
+  // Returns whether everything was written.
   bool flush()
   {
     pass_on();

@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the number of the line at a position, from 1; vertical tabs stand for ends of lines that are continued
+// Returns the line number of a position, from 1. Vertical tabs mark the ends of continued lines.
 inline std::size_t line_at(std::string_view text, std::size_t position)
 {
   const auto is_end = [](char c) { return c == '\n' || c == '\v'; };
   return 1 + static_cast<std::size_t>(std::count_if(text.begin(), text.begin() + std::ptrdiff_t(position), is_end));
 }
 
-// The lines of a text that hold words. A comment reaches to the end of its line.
+// Iterates over the lines of a text that have words. A comment extends to the end of its line.
 class Text_rows
 {
 public:
@@ -37,7 +37,7 @@ public:
     : m_text(text), m_begin(begin), m_comment(comment)
   {}
 
-  // appends the words of the next line that has any
+  // Appends the words of the next line that has any; returns false if there is none.
   bool next(std::vector<std::string_view>& words)
   {
     const std::size_t before = words.size();
@@ -54,13 +54,13 @@ public:
     return words.size() > before;
   }
 
-  // where the next line begins
+  // Returns the beginning of the next line.
   std::size_t position() const { return std::min(m_begin, m_text.size()); }
-  // the number of the line before that, from 1
+  // Returns the number of the last line read, from 1.
   std::size_t line() const { return line_at(m_text, std::max(position(), std::size_t(1)) - 1); }
 
 private:
-  // "1.#INF" is a number
+  // Returns the beginning of the comment. In "1.#INF", the '#' is part of a number.
   std::size_t comment_in(std::string_view line) const
   {
     std::size_t position = line.find(m_comment);
@@ -75,7 +75,7 @@ private:
   char m_comment;
 };
 
-// Reads a number of things, or the index of one. Some programs write them as real numbers.
+// Reads a count or an index. Some programs write them as real numbers.
 inline bool read_count(std::string_view word, std::size_t& count)
 {
   double value = 0;
@@ -87,7 +87,7 @@ inline bool read_count(std::string_view word, std::size_t& count)
   return true;
 }
 
-// Reads a coordinate. It may be infinite or not a number, also as Microsoft's libraries write that (1.#INF).
+// Reads a coordinate. It may be infinite or not a number, also in Microsoft's notation (1.#INF).
 inline bool read_coordinate(std::string_view word, double& x)
 {
   if(!word.empty() && word.front() == '+') word.remove_prefix(1);
@@ -103,13 +103,13 @@ inline bool read_coordinate(std::string_view word, double& x)
   return result.ptr == end;
 }
 
-// Collects the points and polygons of a text whose words are given.
+// Collects the points and polygons of a text from its words.
 class Text_soup
 {
 public:
   explicit Text_soup(std::string_view text) : m_text(text) {}
 
-  // a point whose coordinates begin at `words[first]`; false if they are no numbers
+  // Adds a point whose coordinates begin at `words[first]`; returns false if they are not numbers.
   bool add_point(const std::vector<std::string_view>& words, std::size_t first, bool is_homogeneous = false)
   {
     std::array<double, 4> x = { 0, 0, 0, 1 };
@@ -123,7 +123,7 @@ public:
     soup.points.push_back(p);
     return true;
   }
-  // a polygon of `size` indices that begin at `words[first]`; false if they are no indices
+  // Adds a polygon of `size` indices that begin at `words[first]`; returns false if they are not indices.
   bool add_polygon(const std::vector<std::string_view>& words, std::size_t first, std::size_t size)
   {
     if(words.size() < first || words.size() - first < size) return false;
@@ -135,7 +135,7 @@ public:
   std::string_view text() const { return m_text; }
 
   Polygon_soup soup;
-  std::size_t line = 0; // where the text is malformed, or of the first point that is not finite; 0 if there is none
+  std::size_t line = 0; // line of the syntax error or of the first point that is not finite; 0 if there is none
 
 private:
   std::string_view m_text;

@@ -23,7 +23,7 @@ inline Shell_status read_GOCAD(Text_soup& result)
 {
   Text_rows rows(result.text(), 0, '#');
   std::vector<std::string_view> words;
-  std::unordered_map<std::string_view, std::size_t> position; // of a vertex, by its name
+  std::unordered_map<std::string_view, std::size_t> position; // by vertex name
   for(; rows.next(words); words.clear()) {
     bool is_right = true;
     if(words[0] == "VRTX" || words[0] == "PVRTX") {

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Joins lines that end in a backslash outside of a comment. A vertical tab, which is white space, replaces their ends.
+// Joins lines that end in a backslash outside a comment. Their ends become vertical tabs, which are white space.
 inline void join_continued_lines(std::string& text)
 {
   for(std::size_t begin = 0, end; (end = text.find('\n', begin)) != text.npos; begin = end + 1) {
@@ -30,7 +30,7 @@ inline void join_continued_lines(std::string& text)
   }
 }
 
-// Reads the index of a vertex from v, v/vt, v//vn or v/vt/vn. Negative numbers count from the last vertex so far.
+// Reads the vertex index of v, v/vt, v//vn or v/vt/vn. Negative indices count back from the last vertex read.
 inline bool read_OBJ_index(std::string_view word, std::size_t points, std::size_t& index)
 {
   word = word.substr(0, word.find('/'));
@@ -42,8 +42,8 @@ inline bool read_OBJ_index(std::string_view word, std::size_t points, std::size_
 }
 
 /*
- * Reads positions and facets of an OBJ file. CGAL's reader refuses lines that are continued, ends a facet at an index
- * that is not a number, and stops at "nan".
+ * Reads positions and facets of an OBJ file. CGAL's reader rejects continued lines, ends a facet at an index that is
+ * not a number, and stops at "nan".
  *
  * \pre `join_continued_lines()` was called
  */

@@ -17,8 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The OFF file whose numbers stand in lines as they like: possible if there is nothing but three counts, positions and
-// indices.
+// Reads an OFF file with arbitrary line breaks. It must have nothing but three counts, positions and indices.
 inline bool read_free_OFF(Text_soup& result)
 {
   std::vector<std::string_view> words;
@@ -34,13 +33,14 @@ inline bool read_free_OFF(Text_soup& result)
   return n == words.size();
 }
 
-// The OFF file with a row for the counts, for each vertex and for each facet, whatever else the rows have.
+// Reads an OFF file with one row for the counts and one for each vertex and facet. Further words after a vertex or
+// facet are ignored.
 inline Shell_status read_OFF_rows(Text_rows& rows, Text_soup& result)
 {
   std::vector<std::string_view> words;
   if(!rows.next(words)) return Shell_status::MALFORMED_FILE;
 
-  // the keyword [ST][C][N][4][n]OFF
+  // The keyword is [ST][C][N][4][n]OFF.
   std::string_view keyword = words[0];
   const auto skip = [&keyword](std::string_view prefix) {
     if(keyword.substr(0, prefix.size()) != prefix) return false;
@@ -53,7 +53,7 @@ inline Shell_status read_OFF_rows(Text_rows& rows, Text_soup& result)
   else if(has_keyword) words[0] = keyword;
   if(has_keyword && !words.empty() && words[0] == "BINARY") return Shell_status::UNSUPPORTED_FILE;
 
-  // the numbers of vertices, facets and edges; the last one may be missing
+  // The numbers of vertices, facets and edges; the last one may be missing.
   const std::size_t first = has_keyword && any_dimension ? 1 : 0;
   while(words.size() < first + 2)
     if(!rows.next(words)) return Shell_status::MALFORMED_FILE;
@@ -81,9 +81,9 @@ inline Shell_status read_OFF_rows(Text_rows& rows, Text_soup& result)
 }
 
 /*
- * Reads positions and facets of an OFF file. CGAL's reader refuses "OFF8 6 12" and a header without a keyword. It takes
- * the first coordinate for the number of edges where that is missing. It reads beyond its buffers where colors or
- * texture coordinates are, reserves space for any number that the file names, and stops at "nan".
+ * Reads positions and facets of an OFF file. CGAL's reader rejects "OFF8 6 12" and headers without a keyword. If the
+ * number of edges is missing, it reads the first coordinate instead. It reads beyond its buffers if there are colors or
+ * texture coordinates, reserves memory for any count in the file, and stops at "nan".
  */
 inline Shell_status read_OFF(Text_soup& result)
 {

@@ -25,7 +25,7 @@ namespace internal {
 
 struct PLY_property
 {
-  std::size_t count_bytes = 0; // of the length of a list; 0 for a single value
+  std::size_t count_bytes = 0; // size of a list's length; 0 for a single value
   std::size_t value_bytes = 0;
   bool is_real = false;
   std::string name;
@@ -33,7 +33,7 @@ struct PLY_property
 
 struct PLY_element
 {
-  // position of a property; the number of properties, if there is none of that name
+  // Returns the position of a property; the number of properties if there is none of that name.
   std::size_t find(std::string_view property) const
   {
     std::size_t p = 0;
@@ -53,10 +53,10 @@ struct PLY_header
 {
   std::string format;
   std::vector<PLY_element> elements;
-  std::size_t end = 0; // where the data begin
+  std::size_t end = 0; // beginning of the data
 };
 
-// the number of bytes of a type; 0, if there is none of that name
+// Returns the number of bytes of a type; 0 if there is none of that name.
 inline std::size_t size_of_PLY_type(std::string_view type, bool& is_real)
 {
   is_real = type == "float" || type == "float32" || type == "double" || type == "float64";
@@ -80,7 +80,7 @@ inline bool read_PLY_header(std::string_view text, PLY_header& header)
       header.elements.back().name = words[1];
       if(!read_count(words[2], header.elements.back().size)) return false;
     } else if(words[0] == "property" && !header.elements.empty()) {
-      // what stands behind the name is not read
+      // Words after the name are ignored.
       const bool is_list = words.size() > 1 && words[1] == "list";
       const std::size_t type = is_list ? 3 : 1;
       if(words.size() < type + 2) return false;
@@ -99,7 +99,7 @@ inline bool read_PLY_header(std::string_view text, PLY_header& header)
   return false;
 }
 
-// Whether binary data reach to their end. CGAL's reader reserves space for whatever length a list claims to have.
+// Returns whether the file has all binary data. CGAL's reader reserves memory for any list length in the file.
 inline bool has_PLY_data(std::string_view text, const PLY_header& header)
 {
   const bool is_big_endian = header.format == "binary_big_endian";
@@ -119,15 +119,15 @@ inline bool has_PLY_data(std::string_view text, const PLY_header& header)
   return true;
 }
 
-// Reads positions and facets of a text. `by_lines`: an element is a line, which may have more words than its
-// properties; otherwise line breaks mean nothing.
+// Reads positions and facets of a text. If `by_lines`, each element is one line, which may have further words after its
+// properties. Otherwise line breaks have no meaning.
 inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& rows, Text_soup& result)
 {
   std::vector<std::string_view> words, position(3);
   if(!by_lines)
     while(rows.next(words)) {}
   std::size_t w = 0;
-  std::vector<std::pair<std::size_t, std::size_t> > values; // of each property: position and number of its words
+  std::vector<std::pair<std::size_t, std::size_t> > values; // by property: position and number of its words
   for(const PLY_element& element : header.elements)
     for(std::size_t i = 0; i < element.size; ++i) {
       if(by_lines) {
@@ -156,9 +156,9 @@ inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& ro
 }
 
 /*
- * Reads positions and facets of a PLY file. CGAL's reader takes text of some types only, stops at "nan", and misreads
- * lines with more numbers than the header declares. It gets binary data, unless it would misread them: it drops
- * properties of an unknown type, and coordinates that are integers.
+ * Reads positions and facets of a PLY file. For text, CGAL's reader is not used: it supports few types, stops at "nan",
+ * and misreads lines with more numbers than declared in the header. Binary data are read by CGAL's reader, unless it
+ * would misread them: it drops properties of unknown type and integer coordinates.
  */
 inline Shell_status read_PLY(Text_soup& result)
 {
@@ -184,7 +184,7 @@ inline Shell_status read_PLY(Text_soup& result)
     if(element.is_facet()) {
       const std::size_t p = element.vertex_indices();
       if(p == element.properties.size() || element.properties[p].count_bytes == 0) return Shell_status::MALFORMED_FILE;
-      // CGAL's reader takes no other type of indices.
+      // CGAL's reader supports no other type of indices.
       if(!is_text && (element.properties[p].is_real || element.properties[p].value_bytes != 4))
         return Shell_status::UNSUPPORTED_FILE;
     }

@@ -20,8 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// An STL file is binary if and only if it has a header of 80 bytes, the number of facets, and 50 bytes for each of
-// them.
+// Returns whether an STL file is binary: it has a header of 80 bytes, the number of facets, and 50 bytes per facet.
 inline bool is_binary_STL(std::string_view text)
 {
   constexpr std::size_t header = 84, facet = 50;
@@ -29,22 +28,22 @@ inline bool is_binary_STL(std::string_view text)
          && text.size() - header == facet * std::size_t(from_little_endian<std::uint32_t>(&text[80]));
 }
 
-// pre: is_binary_STL(text)
+// \pre is_binary_STL(text)
 inline void read_binary_STL(std::string_view text, Polygon_soup& soup)
 {
   for(std::size_t facet = 84; facet < text.size(); facet += 50) {
     const std::size_t first = soup.points.size();
     soup.polygons.push_back({ first, first + 1, first + 2 });
     for(std::size_t v = 0; v < 3; ++v) {
-      const char* const p = &text[facet + 12 + 12 * v]; // behind the normal
+      const char* const p = &text[facet + 12 + 12 * v]; // after the normal
       soup.points.emplace_back(from_little_endian<float>(p), from_little_endian<float>(p + 4),
                                from_little_endian<float>(p + 8));
     }
   }
 }
 
-// Reads facets of a text. Keywords have any case of letters. Other lines between facets are skipped: names, comments,
-// colors.
+// Reads facets of a text. Keywords are case-insensitive. Other lines between facets (names, comments, colors) are
+// skipped.
 inline Shell_status read_STL_text(Text_soup& result)
 {
   Text_rows rows(result.text(), 0, '#');
@@ -64,7 +63,7 @@ inline Shell_status read_STL_text(Text_soup& result)
         continue;
       }
       std::vector<std::size_t>& polygon = result.soup.polygons.back();
-      if(keyword == "normal") w += 4; // it is not used
+      if(keyword == "normal") w += 4; // the normal is not used
       else if(keyword == "vertex" && polygon.size() < 3 && result.add_point(words, w + 1)) {
         polygon.push_back(result.soup.points.size() - 1);
         w += 4;
@@ -84,8 +83,8 @@ inline Shell_status read_STL_text(Text_soup& result)
 }
 
 /*
- * Reads an STL file. CGAL's reader takes a text for binary unless it begins with "solid" and a space. It takes a text
- * that is shorter than a binary header for an empty mesh, and stops at "nan".
+ * Reads an STL file. CGAL's reader treats a text as binary unless it begins with "solid" and a space. It treats a text
+ * shorter than a binary header as an empty mesh, and stops at "nan".
  */
 inline Shell_status read_STL(Text_soup& result)
 {

@@ -29,9 +29,9 @@ namespace internal {
 
 constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "cubic_bspline_shell";
 constexpr int shell_file_version = 5;
-constexpr int largest_file_level = 30; // of cells; no hierarchy has so many
+constexpr int largest_file_level = 30; // highest cell level in a file; no hierarchy has so many levels
 
-// Which type of shell a file holds.
+// Type of the shell in a file.
 struct Shell_kind
 {
   bool is_hierarchical = false; // cells of several levels
@@ -49,7 +49,7 @@ struct Shell_kind
   bool operator==(const Shell_kind& o) const { return number() == o.number(); }
 };
 
-// the coefficients of the field and, unless they are constant, of the inner and the outer threshold
+// Returns the coefficients of the field and, unless they are constant, of the inner and the outer threshold.
 template <typename Shell>
 std::vector<const Eigen::VectorXd*> coefficients_of_splines(const Shell& shell)
 {
@@ -61,7 +61,7 @@ std::vector<const Eigen::VectorXd*> coefficients_of_splines(const Shell& shell)
   return splines;
 }
 
-// the levels of constant thresholds; of others, zero and the thickness
+// Returns the levels of constant thresholds; for other thresholds, zero and the thickness.
 template <typename Shell>
 Level_range levels(const Shell& shell)
 {
@@ -69,14 +69,14 @@ Level_range levels(const Shell& shell)
   else return { 0, shell.thickness() };
 }
 
-// Paths through the components of a certified shell, or candidates of them that were read from a file.
+// Returns the paths through the components of a certified shell; otherwise, the candidates that were read from a file.
 template <typename Shell>
 std::vector<Crossing_path> paths_of_file(const Shell& shell)
 {
   return shell.is_certified() ? shell.component_paths() : shell.path_candidates();
 }
 
-// calls visit(level, p) for the lattice points of all free coefficients of a field, in their order
+// Calls visit(level, p) for the lattice points of all free coefficients of a field, in their order.
 template <typename Field, typename Visitor>
 void visit_functions(const Field& field, const Visitor& visit)
 {
@@ -85,7 +85,7 @@ void visit_functions(const Field& field, const Visitor& visit)
       if(field.coefficient_of_point(field.first_point(l) + n) != Field::npos) visit(l, field.points(l).point(n));
 }
 
-// averages of such numbers do not overflow on the way
+// Within this bound, averages of coefficients do not overflow in intermediate sums.
 inline bool is_coefficient(double x)
 {
   return std::abs(x) <= (std::numeric_limits<double>::max)() / 64;
@@ -96,7 +96,7 @@ inline bool is_range(const Level_range& r)
   return std::isfinite(r.min) && std::isfinite(r.max) && r.min <= r.max;
 }
 
-// Whether there is a shell, and one that a file can hold.
+// Returns whether there is a shell and a file can represent it.
 template <typename Shell>
 bool is_shell(const Shell& shell)
 {

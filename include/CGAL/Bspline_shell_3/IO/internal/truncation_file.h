@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Rows of numbers, in a binary or a text file: the order is the same in both.
+// Writes rows of numbers to a binary or text file, in the same order.
 class Row_output
 {
 public:
@@ -64,7 +64,7 @@ class Row_input
 public:
   Row_input(File_input& in, bool is_binary) : m_in(in), m_is_binary(is_binary) {}
 
-  // false if the file does not have such a row
+  // Returns false if the file does not have such a row.
   template <typename... Numbers>
   bool row(Numbers&... numbers)
   {
@@ -82,7 +82,7 @@ private:
   bool m_is_binary;
 };
 
-// six zeros if there is none
+// Writes six zeros if there is no truncation.
 inline void write_truncation(Row_output out, const Shell_truncation_3* truncation)
 {
   const Shell_truncation_3 none;
@@ -103,8 +103,8 @@ inline void write_truncation(Row_output out, const Shell_truncation_3* truncatio
   }
 }
 
-// Reads a truncation, or null if the file has none. Whether it is valid is not tested. Vectors grow with the numbers
-// that are read, never to the size that a count promises.
+// Reads a truncation, or null if the file has none. Its validity is not tested. Vectors grow as data are read; counts
+// in the file never reserve memory.
 // \return `false` if rows are missing
 inline bool read_truncation(Row_input in, std::shared_ptr<const Shell_truncation_3>& truncation)
 {

@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Looks for the disc of largest margin in place of a tip: triangulations of the polygon of cuts, fans around a point,
-// and, if these leave little room, a part of a sphere. Discs that intersect themselves, or the facets that are cut, are
-// none.
+// Finds the disc of largest margin for a tip. Candidates are triangulations of the polygon of cuts, fans around a
+// point, and, if these have small margins, parts of a sphere. Discs that intersect themselves or the cut facets are
+// rejected.
 class Disc_search
 {
   typedef Tip::Point_3 Point_3;
@@ -40,7 +40,7 @@ public:
   explicit Disc_search(const Tip& tip) : m_tip(tip), m_goal(good_share * (std::min)(tip.largest_margin(), good_margin))
   {}
 
-  // the best disc found, or nothing
+  // Returns the best disc found, or nothing.
   std::optional<Tip_disc> operator()()
   {
     std::mt19937 random(1);
@@ -58,13 +58,15 @@ public:
   }
 
 private:
-  // What is beyond leaves room enough: at a right angle it is 0.7.
+  // A margin of `good_margin` leaves enough room (the margin at a right angle is 0.7). The goal is `good_share` of it,
+  // or of the largest possible margin if that is smaller. Parts of a sphere are tried if the margin is below
+  // `spherical_share` of the goal.
   static constexpr double good_margin = 0.35, good_share = 0.8, spherical_share = 0.5;
 
   bool is_good() const { return m_best && m_best->margin >= m_goal; }
   double best_margin() const { return m_best ? m_best->margin : 0; }
 
-  // Takes a disc that is better than the best one, if it is embedded.
+  // Accepts a disc if it is better than the best one and embedded.
   void offer(Tip_disc disc)
   {
     disc.measure(m_tip, best_margin());
@@ -79,7 +81,8 @@ private:
     return disc;
   }
 
-  // Triangulations without further points, from several ones on by flips of diagonals while that raises the margin.
+  // Tries triangulations without inner points: from several initial ones, flips diagonals while this increases the
+  // margin.
   void search_triangulations(const std::vector<double>& radii)
   {
     Tip_disc disc = empty_disc(radii);
@@ -119,7 +122,7 @@ private:
     }
   }
 
-  // whether two triangles have a common edge, which is replaced by the other diagonal
+  // If two triangles have a common edge, replaces it by the other diagonal and returns true.
   static bool flip(Triangle& s, Triangle& t)
   {
     for(int i = 0; i < 3; ++i)
@@ -133,7 +136,7 @@ private:
     return false;
   }
 
-  // Fans around a point in the ball, which moves while that raises the margin.
+  // Tries fans around a point in the ball, which is moved while this increases the margin.
   void search_apex(const std::vector<double>& radii)
   {
     Tip_disc disc = empty_disc(radii);
@@ -167,7 +170,7 @@ private:
     }
   }
 
-  // Among the facets that are cut: what is farther away is beyond the ball.
+  // Tests the disc and the cut facets only, because all other facets are outside the ball.
   bool is_embedded(const Tip_disc& disc) const
   {
     Truncation_mesh star;

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The sphere around the vertex of a tip, which the facets divide in two: each part may replace the tip, as facets meet
-// the sphere at a right angle.
+// The sphere around the vertex of a tip, divided into two parts by the facets. Each part may replace the tip, because
+// the facets meet the sphere at a right angle.
 class Spherical_discs
 {
   typedef Tip::Point_3 Point_3;
@@ -54,7 +54,7 @@ public:
         m_directions.push_back((m_rim.back().point - tip.center) / tip.radius);
       }
     }
-    // points on the sphere, on a spiral: about as dense as the rim
+    // Points on a spiral on the sphere, about as dense as the rim.
     const int number = int(16 / (width * width));
     for(int n = 0; n < number; ++n) {
       const double z = 1 - (2 * n + 1) / double(number), angle = CGAL_PI * (3 - std::sqrt(5.)) * n,
@@ -63,11 +63,11 @@ public:
     }
   }
 
-  // of one part or both
+  // Returns discs for one part of the sphere, both, or none.
   std::vector<Tip_disc> operator()() const
   {
-    // what is seen from the sample farthest from the rim divides the others into those beyond the rim, and those on its
-    // side
+    // In the projection from the sample farthest from the rim, samples inside the rim are beyond it, and the others on
+    // the side of the pole.
     const std::optional<Vector_3> pole = farthest(m_samples);
     std::vector<Tip_disc> discs;
     if(!pole) return discs;
@@ -86,7 +86,7 @@ public:
 
 private:
   typedef CGAL::Polygon_2<Truncation_kernel> Polygon;
-  static constexpr double width = 0.3; // of triangles, as an angle
+  static constexpr double width = 0.3; // angular width of triangles, in radians
 
   double distance_from_rim(const Vector_3& p) const
   {
@@ -108,7 +108,7 @@ private:
     return result;
   }
 
-  // the stereographic projection from a pole: of Delaunay triangulations it makes such
+  // Returns the stereographic projection from a pole, which preserves Delaunay triangulations.
   static Polygon seen_from(const Vector_3& pole, const std::vector<Vector_3>& points)
   {
     const int least = std::abs(pole.x()) < std::abs(pole.y()) ? (std::abs(pole.x()) < std::abs(pole.z()) ? 0 : 2)
@@ -153,7 +153,7 @@ private:
     }
     const bool is_turned = rim.is_clockwise_oriented();
     for(auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
-      // of triangles between points of the rim, some are outside
+      // Some triangles between points of the rim are outside.
       if(!rim.has_on_bounded_side(CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point())))
         continue;
       std::array<std::size_t, 3> t = { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() };

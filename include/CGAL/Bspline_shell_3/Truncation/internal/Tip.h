@@ -37,17 +37,17 @@ struct Tip
   Truncation_mesh::Vertex_index vertex;
   Point_3 center;
   std::vector<Truncation_mesh::Vertex_index> link; // counterclockwise
-  std::vector<Truncation_mesh::Face_index> facets; // from link[i] to the next
-  std::vector<Point_3> ends;                       // of the edges: the points of the link
-  std::vector<Point_3> normals;                    // of the facets, of length one
-  double margin = 0;                               // of the vertex
-  double radius = 0;                               // of the ball
+  std::vector<Truncation_mesh::Face_index> facets; // between link[i] and the next vertex
+  std::vector<Point_3> ends;                       // positions of the vertices of the link
+  std::vector<Point_3> normals;                    // unit normals of the facets
+  double margin = 0;                               // cone margin of the vertex
+  double radius = 0;                               // radius of the ball
 
   Tip(const Truncation_mesh& mesh, Truncation_mesh::Vertex_index v)
     : vertex(v), center(mesh.point(v)), margin(vertex_cone_margin(mesh, v))
   {
     for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.source(h));
-    std::reverse(link.begin(), link.end()); // halfedges_around_target() walks against the facets' turn
+    std::reverse(link.begin(), link.end()); // halfedges_around_target() visits the facets in reverse order
     for(std::size_t i = 0; i < link.size(); ++i) {
       ends.push_back(mesh.point(link[i]));
       facets.push_back(mesh.face(mesh.halfedge(v, link[i])));
@@ -71,7 +71,7 @@ struct Tip
     for(std::size_t i = 0; i < size(); ++i) least = (std::min)(least, edge_length(i));
     return least;
   }
-  // Wherever an edge is cut, the two facets along it bound the margin.
+  // Returns an upper bound on the margin of any disc: at each cut of an edge, the two facets along the edge bound it.
   double largest_margin() const
   {
     double least = 1;
@@ -83,11 +83,11 @@ struct Tip
   }
 };
 
-// A disc that may replace a tip: triangles between the rim, where facets are cut, and points within.
+// A disc that may replace a tip: triangles between the rim, along which facets are cut, and inner points.
 struct Tip_disc
 {
   typedef Tip::Point_3 Point_3;
-  // center + s (ends[facet] - center) + t (ends[facet + 1] - center); on an edge, t is zero
+  // The point center + s (ends[facet] - center) + t (ends[facet + 1] - center); on an edge, t is zero.
   struct Rim_point
   {
     std::size_t facet;
@@ -97,8 +97,8 @@ struct Tip_disc
 
   std::vector<Rim_point> rim; // counterclockwise; one on each edge
   std::vector<Point_3> inner;
-  std::vector<std::array<std::size_t, 3> > triangles; // numbers of points of the rim, then of those within
-  double margin = 0;                                  // the least of all its points
+  std::vector<std::array<std::size_t, 3> > triangles; // numbers of rim points, followed by inner points
+  double margin = 0;                                  // least margin of all points
 
   const Point_3& point(std::size_t n) const { return n < rim.size() ? rim[n].point : inner[n - rim.size()]; }
 
@@ -109,7 +109,7 @@ struct Tip_disc
     return { facet, s, t, p };
   }
 
-  // Finds out the margin, unless it is found to be no larger than `least`.
+  // Computes the margin. Stops early, with an upper bound, if the margin is at most `least`.
   void measure(const Tip& tip, double least)
   {
     std::vector<std::vector<Point_3> > normals(rim.size() + inner.size());

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Where the points of a disc are in the plane: the rim on a regular polygon, each point within in the middle of its
-// neighbors, which leaves no triangle turned (W. T. Tutte: How to draw a graph, 1963).
+// Maps the points of a disc to the plane: the rim to a regular polygon, and each inner point to the mean of its
+// neighbors. No triangle is reversed then (W. T. Tutte: How to draw a graph, 1963).
 inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc& disc)
 {
   std::vector<Shell_truncation_3::Planar_point> planar;
@@ -40,7 +40,7 @@ inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc&
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(m, 2);
   for(const auto& t : disc.triangles)
     for(int i = 0; i < 3; ++i) {
-      // each edge between points within has two triangles, and is met in both directions
+      // Each edge between inner points has two triangles, and is visited in both directions.
       const std::size_t p = t[i], q = t[(i + 1) % 3];
       if(p < n) continue;
       laplacian(p - n, p - n) += 1;
@@ -53,7 +53,7 @@ inline std::vector<Shell_truncation_3::Planar_point> planar_disc(const Tip_disc&
   return planar;
 }
 
-// The truncation of a mesh that replaces tips by discs. It may turn out not to be valid.
+// Assembles the truncation of a mesh that replaces tips by discs. The result may not be valid.
 // \pre `discs` are those of the tips, in their order
 inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const std::vector<Tip>& tips,
                                               const std::vector<Tip_disc>& discs)
@@ -82,7 +82,7 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
   std::vector<Truncation::Cut> cuts;
   std::vector<Truncation::Planar_point> planar;
   std::vector<Truncation::Disc> assembled;
-  // of each facet, by corner: the points of the rim in it, counterclockwise around the corner
+  // By facet and corner: the rim points in the facet, counterclockwise around the corner.
   std::vector<std::array<std::vector<Index>, 3> > chains(cut_facets.size());
   std::vector<std::vector<Truncation::Planar_point> > in_plane;
   for(std::size_t n = 0; n < tips.size(); ++n) {
@@ -128,10 +128,10 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
     std::vector<Index> polygon;
     for(int i = 0; i < 3; ++i) {
       if(chains[f][i].empty()) polygon.push_back(t[i]);
-      else polygon.insert(polygon.end(), chains[f][i].rbegin(), chains[f][i].rend()); // it turns around the corner
+      else polygon.insert(polygon.end(), chains[f][i].rbegin(), chains[f][i].rend()); // clockwise around the corner
     }
-    // In the plane of barycentric coordinates, but of the facet's shape, so that triangles are no worse than they must
-    // be.
+    // Points are placed in the plane by their barycentric coordinates. The plane has the facet's shape, so that
+    // triangles are not worse than necessary.
     const auto at = [&](int i) { return Tip::Point_3(points[t[i]][0], points[t[i]][1], points[t[i]][2]); };
     const double length = std::sqrt(CGAL::squared_distance(at(0), at(1))),
                  x = CGAL::scalar_product(at(2) - at(0), at(1) - at(0)) / length,
